@@ -13,6 +13,7 @@ from app.agreements.award_endpoints import router as awards
 from app.agreements.endpoints import router as contracts
 from app.agreements.project_changes import record_list_revision, record_spec_version
 from app.agreements.redline_endpoints import router as contract_redlines
+from app.agreements.signing import end_signers_of_member
 from app.agreements.signing_endpoints import router as contract_signing
 from app.agreements.template_endpoints import router as contract_templates
 from app.agreements.verify_endpoints import router as verifying
@@ -39,9 +40,11 @@ from app.deliveries.endpoints import router as deliveries
 from app.deliveries.sources import ensure_stated_to_invoice
 from app.hiring.bid_endpoints import router as bids
 from app.hiring.endpoints import router as hiring
+from app.hiring.postings import end_links_of_member as revoke_posting_links
 from app.hiring.roster_endpoints import router as roster
 from app.hiring.sample_endpoints import router as bid_samples
 from app.kit.events import Handler
+from app.money.calendar import end_links_of_member as revoke_calendars
 from app.money.electronic_invoice_endpoints import router as electronic_invoices
 from app.money.endpoints import router as money
 from app.money.ledger import charge_deposits
@@ -49,10 +52,12 @@ from app.money.work_endpoints import router as work
 from app.notifications.endpoints import router as notifications
 from app.notifications.notice_endpoints import router as notices
 from app.notifications.preference_endpoints import router as mail_preferences
+from app.notifications.service import drop_news_of_member
 from app.operations.endpoints import router as operations
 from app.projects.approval_endpoints import router as approval
 from app.projects.budget_endpoints import router as budgets
 from app.projects.endpoints import router as projects
+from app.projects.namings import end_namings
 from app.projects.spec_endpoints import router as specs
 from app.references.endpoints import router as references
 from app.references.spotting_endpoints import router as spotting
@@ -65,6 +70,7 @@ from app.reviews.reason_endpoints import router as reasons
 from app.scenes.endpoints import router as scenes
 from app.shares.guest_endpoints import router as guests
 from app.shares.guest_link_endpoints import router as guest_links
+from app.shares.guest_links import end_links_of_member as revoke_guest_links
 from app.shares.playlist_endpoints import router as playlists
 from app.shares.view_endpoints import router as saved_views
 from app.sound_lists.category_endpoints import router as category_guess
@@ -80,7 +86,7 @@ from app.voice_lines.endpoints import router as voice_lines
 from app.voice_lines.release_endpoints import router as voice_releases
 from app.webhooks.endpoints import router as webhooks
 from app.webhooks.rules import EVENTS
-from app.webhooks.service import queue_event
+from app.webhooks.service import disable_webhooks_of_member, queue_event
 
 ROUTERS: tuple[APIRouter, ...] = (
     accounts,
@@ -272,6 +278,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "posting_question.answered": ("notifications.notify_posting_answer",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),
+    "member.changed": (),
     "password.reset_asked": ("notifications.mail_link",),
     "address.verification_asked": ("notifications.mail_link",),
     "sign_up.asked": ("notifications.mail_link",),
@@ -282,6 +289,16 @@ HANDLERS: dict[str, tuple[Handler, ...]] = {
     "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
     "list.revised": (record_list_revision,),
     "spec.changed": (record_spec_version,),
+    # Who leaves, or has other roles now, loses at once what the membership gave; the first two may refuse it.
+    "member.changed": (
+        end_namings,
+        end_signers_of_member,
+        revoke_posting_links,
+        revoke_guest_links,
+        revoke_calendars,
+        drop_news_of_member,
+        disable_webhooks_of_member,
+    ),
     "invoice.drafted": (ensure_stated_to_invoice,),  # an invoice without the sources that the contract wants is refused
 }
 for _event in EVENTS:  # what webhooks are called for

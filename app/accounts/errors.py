@@ -135,6 +135,14 @@ class LastProducer(Conflict):
     """A studio always has a producer."""
 
 
+class HandOverNeeded(Conflict):
+    """A member cannot leave, or lose a role, before another person takes over what `errors` lists."""
+
+
+class CannotTakeOver(Invalid):
+    """Who takes over is no audio lead and no producer of the studio."""
+
+
 class TimeZoneUnknown(Invalid):
     """No time zone of the IANA list has that name."""
 

@@ -4,7 +4,7 @@ from collections.abc import Collection, Sequence
 from datetime import timedelta
 from uuid import UUID
 
-from sqlalchemy import bindparam, delete, or_, select, update
+from sqlalchemy import ColumnElement, bindparam, delete, or_, select, update
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import (
@@ -328,6 +328,25 @@ def project_token(session: Session, project_id: UUID, token_id: UUID) -> Token |
     return session.scalar(
         select(Token).where(Token.id == token_id, Token.project_id == project_id).options(joinedload(Token.creator))
     )
+
+
+def live_tokens_of(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Token]:
+    """Return the tokens that a person made in a studio and that work still, the oldest first."""
+    return session.scalars(select(Token).where(*_live_tokens(studio_id, person_id)).order_by(Token.id)).all()
+
+
+def revoke_tokens(session: Session, studio_id: UUID, person_id: UUID) -> None:
+    """Revoke the tokens that a person made in a studio."""
+    session.execute(update(Token).where(*_live_tokens(studio_id, person_id)).values(revoked_at=clock.now()))
+
+
+def hand_tokens_over(session: Session, studio_id: UUID, person_id: UUID, *, to: UUID) -> None:
+    """Keep the tokens that a person made in a studio, in another person's name."""
+    session.execute(update(Token).where(*_live_tokens(studio_id, person_id)).values(created_by=to))
+
+
+def _live_tokens(studio_id: UUID, person_id: UUID) -> tuple[ColumnElement[bool], ...]:
+    return Token.studio_id == studio_id, Token.created_by == person_id, Token.revoked_at.is_(None)
 
 
 def holidays_of(session: Session, studio_ids: Collection[UUID]) -> Sequence[Holiday]:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Any
 from uuid import UUID
 
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak, PersonNeeded
@@ -17,6 +18,19 @@ class Role(StrEnum):
     LIAISON = "liaison"
     REVIEWER = "reviewer"
     IMPLEMENTER = "implementer"
+
+
+# Who may act for the studio in a project, once named there, and approve.
+LEAD_ROLES = frozenset({Role.PRODUCER, Role.LIAISON})
+
+
+class AccessKind(StrEnum):
+    """What a member made that works without their sign-in, and so outlives their membership unless it is ended."""
+
+    TOKENS = "tokens"
+    GUEST_LINKS = "guest_links"
+    POSTING_LINKS = "posting_links"
+    WEBHOOKS = "webhooks"
 
 
 class Scope(StrEnum):
@@ -142,6 +156,36 @@ def ensure_producer_remains(others: Collection["frozenset[Role]"], wanted: "froz
 
 
 @dataclass(frozen=True)
+class MemberChange:
+    """What `member.changed` says: a member has other roles now, or with none has left the studio."""
+
+    studio_id: UUID
+    person_id: UUID
+    roles: frozenset[Role]
+    changed_by: UUID
+    hand_over_to: UUID | None = None  # who approves in their place
+    kept: frozenset[AccessKind] = frozenset()  # which kinds go on, in the name of `changed_by`
+
+    @property
+    def has_left(self) -> bool:
+        """Whether the person is no member any more."""
+        return not self.roles
+
+    @classmethod
+    def of(cls, payload: Mapping[str, Any]) -> "MemberChange":
+        """Return the facts of an event."""
+        hand_over_to = payload["hand_over_to"]
+        return cls(
+            studio_id=UUID(payload["studio_id"]),
+            person_id=UUID(payload["person_id"]),
+            roles=frozenset(map(Role, payload["roles"])),
+            changed_by=UUID(payload["changed_by"]),
+            hand_over_to=UUID(hand_over_to) if hand_over_to else None,
+            kept=frozenset(map(AccessKind, payload["kept"])),
+        )
+
+
+@dataclass(frozen=True)
 class Actor:
     """The caller: a person with the roles held in each studio, or a build with its token."""
 
@@ -172,6 +216,10 @@ class Actor:
     def roles_in(self, studio_id: UUID) -> frozenset[Role]:
         """Return the roles held in a studio; empty for a stranger."""
         return self.roles.get(studio_id, frozenset())
+
+    def studios_with(self, roles: Collection[Role]) -> list[UUID]:
+        """Return the studios in which the caller holds one of these roles."""
+        return [studio_id for studio_id, held in self.roles.items() if not held.isdisjoint(roles)]
 
 
 class Audience(StrEnum):

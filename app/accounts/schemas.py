@@ -234,6 +234,9 @@ class RolesChange(Schema):
     """A member's new role."""
 
     roles: list[Role] = Field(min_length=1)
+    hand_over_to: UUID | None = Field(
+        default=None, description="Who becomes the approver where the member may no longer approve."
+    )
 
 
 class StudioInvitationAdd(Schema):

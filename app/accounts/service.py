@@ -20,7 +20,14 @@ from app.accounts.errors import (
 from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvitation, Token
 from app.accounts.quota_queries import people_in, tokens_of
 from app.accounts.quotas import QuotaKind, ensure_room
-from app.accounts.rules import Actor, Role, Scope, ensure_address, ensure_producer_remains
+from app.accounts.rules import (
+    AccessKind,
+    Actor,
+    Role,
+    Scope,
+    ensure_address,
+    ensure_producer_remains,
+)
 from app.kit import clock
 from app.kit.db import bypass_row_policies
 from app.kit.events import publish
@@ -111,17 +118,71 @@ def people_of(session: Session, actor: Actor, studio_id: UUID) -> Sequence[Membe
 
 
 def change_roles(
-    session: Session, actor: Actor, studio_id: UUID, person_id: UUID, roles: Collection[Role]
+    session: Session,
+    actor: Actor,
+    studio_id: UUID,
+    person_id: UUID,
+    roles: Collection[Role],
+    *,
+    hand_over_to: UUID | None = None,
 ) -> Membership:
-    """Change a member's role; raise LastProducer if no producer would be left."""
+    """Change a member's roles, and end what the new ones no longer allow.
+
+    Raises LastProducer if no producer would be left, HandOverNeeded where another person must take over first.
+    """
     membership = _membership_to_change(session, actor, studio_id, person_id, frozenset(roles))
     membership.roles = sorted(set(roles))
+    _publish_change(session, actor, studio_id, person_id, membership.roles, hand_over_to, ())
     return membership
 
 
-def remove_member(session: Session, actor: Actor, studio_id: UUID, person_id: UUID) -> None:
-    """Take a person's place in the studio away; their account and what they did remain."""
+def remove_member(
+    session: Session,
+    actor: Actor,
+    studio_id: UUID,
+    person_id: UUID,
+    *,
+    hand_over_to: UUID | None = None,
+    kept: Collection[AccessKind] = (),
+) -> None:
+    """End a membership with all that it gave; the person's account and what they did remain.
+
+    Raises LastProducer if no producer would be left, HandOverNeeded where another person must take over first.
+    """
     session.delete(_membership_to_change(session, actor, studio_id, person_id, frozenset()))
+    _publish_change(session, actor, studio_id, person_id, [], hand_over_to, kept)
+
+
+def _publish_change(
+    session: Session,
+    actor: Actor,
+    studio_id: UUID,
+    person_id: UUID,
+    roles: Sequence[str],
+    hand_over_to: UUID | None,
+    kept: Collection[AccessKind],
+) -> None:
+    """End what the membership gave in each room, in this transaction."""
+    session.flush()
+    address = session.get_one(Person, person_id).email
+    for invitation in queries.studio_invitations(session, studio_id):
+        is_by_former_producer = invitation.invited_by == person_id and Role.PRODUCER not in roles
+        if invitation.email == address or is_by_former_producer:
+            invitation.revoked_at = clock.now()
+    if not roles and AccessKind.TOKENS in kept:
+        queries.hand_tokens_over(session, studio_id, person_id, to=actor.person)
+    elif not roles:
+        queries.revoke_tokens(session, studio_id, person_id)
+    publish(
+        session,
+        "member.changed",
+        studio_id=studio_id,
+        person_id=person_id,
+        roles=[*roles],
+        changed_by=actor.person,
+        hand_over_to=hand_over_to,
+        kept=sorted(kept),
+    )
 
 
 def _membership_to_change(

@@ -1,9 +1,10 @@
 """The endpoints of a studio: its people, and who is invited into it."""
 
 from collections.abc import Sequence
+from typing import Annotated
 from uuid import UUID
 
-from fastapi import APIRouter, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts import queries, service
 from app.accounts.authentication import sha256_of
@@ -11,6 +12,8 @@ from app.accounts.browser_sign_ins import sign_in_browser
 from app.accounts.errors import (
     AlreadyMember,
     BadAddress,
+    CannotTakeOver,
+    HandOverNeeded,
     LastProducer,
     MemberNotFound,
     NameNeeded,
@@ -31,7 +34,7 @@ from app.accounts.request_limits import (
     ensure_invitation_allowed,
     ensure_sign_in_allowed,
 )
-from app.accounts.rules import Actor, Audience
+from app.accounts.rules import AccessKind, Actor, Audience
 from app.accounts.schemas import (
     InvitationAccept,
     JoinedStudio,
@@ -79,25 +82,37 @@ def list_people(studio_id: UUID, session: DbSession, actor: Actor = allows(Audie
 
 @router.put(
     "/studios/{studio_id}/people/{person_id}",
-    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
+    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer, HandOverNeeded, CannotTakeOver),
 )
 def change_member_roles(
     studio_id: UUID, person_id: UUID, body: RolesChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> MemberRead:
-    """Change a member's role in the studio; it always keeps a producer."""
-    return _member(service.change_roles(session, actor, studio_id, person_id, body.roles))
+    """Change a member's roles in the studio, and end what the new ones no longer allow; it always keeps a producer."""
+    return _member(
+        service.change_roles(session, actor, studio_id, person_id, body.roles, hand_over_to=body.hand_over_to)
+    )
 
 
 @router.delete(
     "/studios/{studio_id}/people/{person_id}",
     status_code=204,
-    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer),
+    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer, HandOverNeeded, CannotTakeOver),
 )
 def remove_member(
-    studio_id: UUID, person_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+    studio_id: UUID,
+    person_id: UUID,
+    session: DbSession,
+    hand_over_to: Annotated[
+        UUID | None, Query(description="Who becomes the approver of the projects that the member approves.")
+    ] = None,
+    keep: Annotated[
+        list[AccessKind],
+        Query(description="What the member made that goes on, in the caller's name; the rest is revoked or disabled."),
+    ] = [],  # noqa: B006  FastAPI copies it
+    actor: Actor = allows(Audience.PRODUCER),
 ) -> None:
-    """Remove a member from the studio; it always keeps a producer."""
-    service.remove_member(session, actor, studio_id, person_id)
+    """Remove a member from the studio, and end all that the membership gave; the studio always keeps a producer."""
+    service.remove_member(session, actor, studio_id, person_id, hand_over_to=hand_over_to, kept=keep)
 
 
 @router.post(

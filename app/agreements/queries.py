@@ -9,7 +9,7 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, delete, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.agreements.models import (
     Contract,
     ContractAcceptance,
@@ -37,7 +37,7 @@ def in_reach(actor: Actor) -> ColumnElement[bool]:
     """
     produces = [studio_id for studio_id, roles in actor.roles.items() if Role.PRODUCER in roles]
     named = exists().where(Liaison.project_id == Contract.project_id, Liaison.person_id == actor.person_id)
-    speaks = or_(Contract.studio_id.in_(produces), Contract.studio_id.in_(actor.roles) & named)
+    speaks = or_(Contract.studio_id.in_(produces), Contract.studio_id.in_(actor.studios_with(LEAD_ROLES)) & named)
     was_sent = exists().where(ContractVersion.contract_id == Contract.id, ContractVersion.sent_at.is_not(None))
     is_shown = or_(Contract.agreed_at.is_not(None), was_sent)
     return or_(speaks, (Contract.designer_id == actor.person_id) & is_shown)
@@ -216,6 +216,23 @@ def signers_of(session: Session, contract_id: UUID) -> Sequence[ContractSigner]:
         .options(joinedload(ContractSigner.person))
         .order_by(ContractSigner.position)
     ).all()
+
+
+def unsigned_contracts_of_signer(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Contract]:
+    """Return the contracts of a studio that a person is named to sign and that are not agreed, with their projects."""
+    named = exists().where(ContractSigner.contract_id == Contract.id, ContractSigner.person_id == person_id)
+    return session.scalars(
+        select(Contract)
+        .where(Contract.studio_id == studio_id, Contract.state.in_((ContractState.DRAFT, ContractState.SENT)), named)
+        .options(joinedload(Contract.project))
+        .order_by(Contract.id)
+    ).all()
+
+
+def drop_signer(session: Session, contract_id: UUID, person_id: UUID) -> None:
+    """Delete one person from those who are named to sign a contract for the studio."""
+    named = ContractSigner.contract_id == contract_id, ContractSigner.person_id == person_id
+    session.execute(delete(ContractSigner).where(*named))
 
 
 def drop_signers(session: Session, contract_id: UUID) -> None:

@@ -1,6 +1,6 @@
 """Signing the text that was sent: who is named for it, in which order, and what is kept of each signature."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
@@ -8,9 +8,10 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.accounts.errors import HandOverNeeded
 from app.accounts.models import Person
 from app.accounts.queries import members
-from app.accounts.rules import PROOF_WORDS, Actor, Role
+from app.accounts.rules import PROOF_WORDS, Actor, MemberChange, Role
 from app.agreements import queries, record
 from app.agreements.access import contract_to_change, party_of, visible_contract
 from app.agreements.drawn_names import drawing_sha256
@@ -32,6 +33,7 @@ from app.agreements.text_faults import ensure_text_whole
 from app.agreements.versions import newest_of
 from app.kit import clock
 from app.kit.db import bypass_row_policies
+from app.kit.errors import FieldProblem
 from app.kit.events import publish
 from app.projects.engagements import record_nda
 
@@ -103,6 +105,41 @@ def set_signers(
         )
     contract.signs_first = first
     session.flush()
+
+
+def contracts_to_sign(session: Session, studio_id: UUID, person_id: UUID) -> list[Contract]:
+    """Return the contracts that were sent and that wait for this person, by name, to sign for the studio."""
+    return [
+        contract
+        for contract in queries.unsigned_contracts_of_signer(session, studio_id, person_id)
+        if contract.state is ContractState.SENT
+        and person_id not in {one.person_id for one in queries.acceptances_of(session, newest_of(session, contract).id)}
+    ]
+
+
+def end_signers_of_member(session: Session, payload: Mapping[str, Any]) -> None:
+    """Take who is no producer any more off drafts that they were to sign: a handler of `member.changed`.
+
+    Raises HandOverNeeded while a contract that was sent waits for them: no other producer can sign it.
+    """
+    change = MemberChange.of(payload)
+    if Role.PRODUCER in change.roles:
+        return
+    if waiting := contracts_to_sign(session, change.studio_id, change.person_id):
+        raise HandOverNeeded(
+            f"they are named to sign {', '.join(contract.title for contract in waiting)}",
+            errors=[
+                FieldProblem(
+                    where=f"contracts.{contract.id}",
+                    message=f"signs {contract.title} of {contract.project.name} for the studio",
+                )
+                for contract in waiting
+            ],
+            fix="recall each of these contracts, name other signers and send it again",
+        )
+    for contract in queries.unsigned_contracts_of_signer(session, change.studio_id, change.person_id):
+        if contract.state is ContractState.DRAFT:
+            queries.drop_signer(session, contract.id, change.person_id)
 
 
 def signing_facts(session: Session, contract: Contract) -> dict[str, Any]:

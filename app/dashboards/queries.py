@@ -8,6 +8,7 @@ from sqlalchemy import Row, and_, exists, func, or_, select
 from sqlalchemy.orm import Session, aliased, joinedload, selectinload
 
 from app.accounts.models import Membership, Person, Studio
+from app.accounts.rules import LEAD_ROLES, Actor
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.deliveries.models import CueSums, Delivery, Take
@@ -45,9 +46,10 @@ def my_engagements(session: Session, person_id: UUID) -> Sequence[Engagement]:
     ).all()
 
 
-def my_liaisons(session: Session, person_id: UUID) -> set[UUID]:
-    """Return the projects in which a person is a liaison."""
-    return set(session.scalars(select(Liaison.project_id).where(Liaison.person_id == person_id)))
+def my_liaisons(session: Session, actor: Actor) -> set[UUID]:
+    """Return the projects in which the caller is a liaison."""
+    named = select(Liaison.project_id).where(Liaison.person_id == actor.person)
+    return set(session.scalars(named.where(Liaison.studio_id.in_(actor.studios_with(LEAD_ROLES)))))
 
 
 def unmatched_takes(session: Session, project_id: UUID) -> Sequence[Row[Take, Person]]:

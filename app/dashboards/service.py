@@ -36,7 +36,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
     person = session.get_one(Person, actor.person)
     engagements = {each.project_id: each for each in queries.my_engagements(session, person.id)}
-    liaisons = queries.my_liaisons(session, person.id)
+    liaisons = queries.my_liaisons(session, actor)
     projects = queries.my_projects(session, person.id, list(actor.roles))
     studios = {project.studio_id: project.studio.name for project in projects}
     approvers = approvers_of(session, [project for project in projects if project.studio_id in actor.roles])

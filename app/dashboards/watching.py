@@ -9,7 +9,7 @@ from sqlalchemy import select
 
 from app.accounts.models import Membership, SignIn, Studio
 from app.accounts.queries import IDLE_FOR
-from app.accounts.rules import Role
+from app.accounts.rules import LEAD_ROLES, Role
 from app.kit import clock
 from app.kit.change_feed import Viewer
 from app.kit.changes import Scope
@@ -39,7 +39,8 @@ class PersonsSight:
                 return seen
             if scope.project_id is None:
                 return seen & STUDIOS_OWN
-            return seen if scope.project_id in self.speaks_in else seen - PARTIES_ONLY
+            speaks = scope.project_id in self.speaks_in and not roles.isdisjoint(LEAD_ROLES)
+            return seen if speaks else seen - PARTIES_ONLY
         if scope.project_id not in self.engaged_in:
             return set()
         return seen if self.engaged_in[scope.project_id] else seen & BEFORE_NDA

@@ -42,6 +42,7 @@ class Posting(Base):
     work_from_on: Mapped[date | None]
     work_to_on: Mapped[date | None]
     secret_sha256: Mapped[str | None] = mapped_column(unique=True)  # of the link for everyone; None: there is none
+    link_made_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     opened_at: Mapped[datetime | None]

@@ -1,6 +1,6 @@
 """Postings: written, opened, closed, and who is asked."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date, timedelta
 from typing import Any
@@ -9,7 +9,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.authentication import new_secret, sha256_of
-from app.accounts.rules import Actor, ensure_address
+from app.accounts.rules import AccessKind, Actor, MemberChange, ensure_address
 from app.hiring import queries
 from app.hiring.access import PostingAccess, posting_access, posting_for_team, today_of
 from app.hiring.errors import (
@@ -228,15 +228,32 @@ def make_link(session: Session, actor: Actor, posting_id: UUID) -> str:
     """Return the secret of a new link for everyone; an earlier one stops working."""
     posting = posting_for_team(session, actor, posting_id)
     secret = new_secret()
-    posting.secret_sha256 = sha256_of(secret)
+    posting.secret_sha256, posting.link_made_by = sha256_of(secret), actor.person
     session.flush()
     return secret
 
 
 def revoke_link(session: Session, actor: Actor, posting_id: UUID) -> None:
     """Withdraw the link for everyone; who came by it stays."""
-    posting_for_team(session, actor, posting_id).secret_sha256 = None
+    _drop_link(posting_for_team(session, actor, posting_id))
     session.flush()
+
+
+def end_links_of_member(session: Session, payload: Mapping[str, Any]) -> None:
+    """Revoke the links of who left the studio, or keep them in another name: a handler of `member.changed`."""
+    change = MemberChange.of(payload)
+    if not change.has_left:
+        return
+    for posting in queries.postings_linked_by(session, change.studio_id, change.person_id):
+        if AccessKind.POSTING_LINKS in change.kept:
+            posting.link_made_by = change.changed_by
+        else:
+            _drop_link(posting)
+    session.flush()
+
+
+def _drop_link(posting: Posting) -> None:
+    posting.secret_sha256 = posting.link_made_by = None
 
 
 def candidate_postings(session: Session, actor: Actor) -> Sequence[Posting]:

@@ -99,6 +99,16 @@ def posting_by_secret(session: Session, secret_sha256: str) -> tuple[Posting, Ca
     return (posting, None) if posting is not None else None
 
 
+def postings_linked_by(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Posting]:
+    """Return the postings of a studio whose link for everyone a person made, with their projects, the oldest first."""
+    return session.scalars(
+        select(Posting)
+        .where(Posting.studio_id == studio_id, Posting.link_made_by == person_id, Posting.secret_sha256.is_not(None))
+        .options(joinedload(Posting.project))
+        .order_by(Posting.id)
+    ).all()
+
+
 def candidates_of(session: Session, posting_id: UUID) -> Sequence[Candidate]:
     """Return those who may bid on a posting, in the order in which they were added."""
     return session.scalars(

@@ -1,12 +1,14 @@
 """The secret addresses of people's calendars: who made one, and whose it is."""
 
+from collections.abc import Mapping
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.queries import actor_for_person
-from app.accounts.rules import Actor
+from app.accounts.rules import Actor, MemberChange
 from app.kit import clock
 from app.kit.db import bypass_row_policies, widen_reach
 from app.money import queries
@@ -37,6 +39,15 @@ def withdraw_links(session: Session, actor: Actor, project_id: UUID) -> None:
     project_access(session, actor, project_id)
     for link in queries.calendars_of(session, project_id, actor.person):
         link.revoked_at = clock.now()
+
+
+def end_links_of_member(session: Session, payload: Mapping[str, Any]) -> None:
+    """Revoke the calendars of who left the studio, but of projects that engage them: a handler of `member.changed`."""
+    change = MemberChange.of(payload)
+    if change.has_left:
+        for link in queries.calendars_of_former_member(session, change.studio_id, change.person_id):
+            link.revoked_at = clock.now()
+        session.flush()
 
 
 def holder_of(session: Session, secret: str) -> tuple[Actor, CalendarLink]:

@@ -6,7 +6,7 @@ from datetime import datetime
 from typing import Literal
 from uuid import UUID
 
-from sqlalchemy import Row, func, select
+from sqlalchemy import Row, exists, func, select
 from sqlalchemy.orm import Session, aliased, joinedload
 
 from app.accounts.models import Person
@@ -15,6 +15,7 @@ from app.agreements.rules import ContractState
 from app.kit.in_array import in_array
 from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay, WorkLog
 from app.money.rules import LineKind
+from app.projects.models import Engagement
 
 
 def ledger_of(session: Session, contract_id: UUID) -> Sequence[Row[LedgerLine, UUID | None]]:
@@ -162,6 +163,23 @@ def calendar_by_secret(session: Session, secret_sha256: str) -> CalendarLink | N
     return session.scalar(
         select(CalendarLink).where(CalendarLink.secret_sha256 == secret_sha256, CalendarLink.revoked_at.is_(None))
     )
+
+
+def calendars_of_former_member(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[CalendarLink]:
+    """Return a person's calendar links of a studio's projects, but of those that engage the person."""
+    engaged = exists().where(
+        Engagement.project_id == CalendarLink.project_id,
+        Engagement.designer_id == person_id,
+        Engagement.ended_at.is_(None),
+    )
+    return session.scalars(
+        select(CalendarLink).where(
+            CalendarLink.studio_id == studio_id,
+            CalendarLink.person_id == person_id,
+            CalendarLink.revoked_at.is_(None),
+            ~engaged,
+        )
+    ).all()
 
 
 def calendars_of(session: Session, project_id: UUID, person_id: UUID) -> Sequence[CalendarLink]:

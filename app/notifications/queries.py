@@ -4,18 +4,21 @@ from collections.abc import Collection, Sequence
 from datetime import date, datetime, timedelta
 from uuid import UUID
 
-from sqlalchemy import and_, func, or_, select
-from sqlalchemy.orm import Session
+from sqlalchemy import BindParameter, ColumnElement, Uuid, and_, delete, exists, func, literal, or_, select
+from sqlalchemy.orm import InstrumentedAttribute, Session
 
 from app.accounts.models import Membership, Person, StudioInvitation
 from app.accounts.rules import Role
 from app.agreements.models import Contract, Milestone
 from app.deliveries.models import Take
 from app.hiring.models import Candidate
+from app.kit import clock
+from app.kit.db import bypass_row_policies
 from app.kit.in_array import in_array
 from app.notifications.models import Mail, MailPreferences, Notice
 from app.projects.approval import approval_rights
-from app.projects.models import Engagement, Liaison, Project, ProjectInvitation
+from app.projects.models import Engagement, Project, ProjectInvitation
+from app.projects.queries import liaisons_of
 from app.projects.visibility import engaged_with_nda_accepted
 from app.renders.models import Picture
 from app.reviews.models import ChangeRequest, Comment
@@ -127,6 +130,46 @@ def address_of(session: Session, person_id: UUID) -> str:
     return session.scalars(select(Person.email).where(Person.id == person_id)).one()
 
 
+def has_part(studio_id: InstrumentedAttribute[UUID] | BindParameter[UUID], person_id: UUID) -> ColumnElement[bool]:
+    """Whether a person is a member of a studio, was ever engaged by it, or may bid on one of its postings."""
+    return or_(
+        exists().where(Membership.studio_id == studio_id, Membership.person_id == person_id),
+        exists().where(Engagement.studio_id == studio_id, Engagement.designer_id == person_id),
+        exists().where(
+            Candidate.studio_id == studio_id, Candidate.person_id == person_id, Candidate.revoked_at.is_(None)
+        ),
+    )
+
+
+def is_addressed(session: Session, studio_id: UUID, person_id: UUID) -> bool:
+    """Whether news of a studio may go to a person."""
+    with bypass_row_policies(session):  # nobody sees all that others have to do with a studio
+        return bool(session.scalar(select(has_part(literal(studio_id, Uuid()), person_id))))
+
+
+def delete_notices_of_former_member(session: Session, studio_id: UUID, person_id: UUID) -> None:
+    """Delete a person's notices of a studio, but of the projects that engage them."""
+    engaged = select(Engagement.project_id).where(Engagement.designer_id == person_id, Engagement.ended_at.is_(None))
+    of_person = Notice.studio_id == studio_id, Notice.person_id == person_id
+    with bypass_row_policies(session):  # a notice is its reader's own
+        session.execute(
+            delete(Notice).where(*of_person, or_(Notice.project_id.is_(None), Notice.project_id.not_in(engaged)))
+        )
+
+
+def delete_unsent_news(session: Session, studio_id: UUID, address: str) -> None:
+    """Delete the news of a studio for an address that was not sent; what is about the account itself goes out."""
+    session.execute(
+        delete(Mail).where(
+            Mail.studio_id == studio_id,
+            Mail.recipient == address,
+            Mail.news.is_not(None),
+            Mail.sent_at.is_(None),
+            or_(Mail.claimed_until.is_(None), Mail.claimed_until < clock.now()),
+        )
+    )
+
+
 def designer_addresses(session: Session, project_id: UUID) -> Sequence[str]:
     """Return the addresses of the designers engaged on a project who may see its list."""
     return session.scalars(
@@ -146,10 +189,8 @@ def approver_addresses(session: Session, project: Project, category: str = "") -
 
 def spokesperson_addresses(session: Session, project: Project) -> set[str]:
     """Return the addresses of approver, deputies and liaisons: those who answer for the team."""
-    liaisons = session.scalars(
-        select(Person.email).join(Liaison, Liaison.person_id == Person.id).where(Liaison.project_id == project.id)
-    )
-    return {*approver_addresses(session, project), *liaisons}
+    liaisons = liaisons_of(session, [project.id])
+    return {*approver_addresses(session, project), *(liaison.person.email for liaison in liaisons)}
 
 
 def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
@@ -173,16 +214,20 @@ def _addresses_with(session: Session, studio_id: UUID, role: Role) -> set[str]:
 
 def notices_of(session: Session, person_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Notice]:
     """Return a person's notices, newest first."""
-    found = select(Notice).where(Notice.person_id == person_id)
+    found = select(Notice).where(Notice.person_id == person_id, has_part(Notice.studio_id, person_id))
     if before is not None:
         found = found.where(Notice.id < before)
-    return session.scalars(found.order_by(Notice.id.desc()).limit(limit)).all()
+    with bypass_row_policies(session):  # who only bids does not see that they may
+        return session.scalars(found.order_by(Notice.id.desc()).limit(limit)).all()
 
 
 def unread_notices(session: Session, person_id: UUID, *, limit: int) -> int:
     """Return how many notices a person has not read, counted up to a limit."""
-    unread = select(Notice.id).where(Notice.person_id == person_id, Notice.read_at.is_(None)).limit(limit)
-    return session.scalar(select(func.count()).select_from(unread.subquery())) or 0
+    unread = select(Notice.id).where(
+        Notice.person_id == person_id, Notice.read_at.is_(None), has_part(Notice.studio_id, person_id)
+    )
+    with bypass_row_policies(session):  # who only bids does not see that they may
+        return session.scalar(select(func.count()).select_from(unread.limit(limit).subquery())) or 0
 
 
 def deposit_of(session: Session, contract_id: UUID) -> int:

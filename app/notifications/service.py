@@ -8,7 +8,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import Actor, MemberChange, Role
 from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.db import insert_if_absent, new_id
@@ -90,7 +90,13 @@ def write_news(
     path: str,
     delay_s: float,
 ) -> None:
-    """Add a notice in the app, and mail the news as its reader wishes it: at once, hourly, daily or not at all."""
+    """Add a notice in the app, and mail the news as its reader wishes it: at once, hourly, daily or not at all.
+
+    Nothing is written to who left the studio, whatever still names them.
+    """
+    person_id = queries.person_id_at(session, recipient)
+    if person_id is not None and not queries.is_addressed(session, studio_id, person_id):
+        return
     news = news_of(topic)
     of_spots = [line for line in lines if isinstance(line, SpotLine)]
     notices.add(
@@ -137,6 +143,16 @@ def write_news(
         news=preferences.EVERYTHING,
         send_after=send_after,
     )
+
+
+def drop_news_of_member(session: Session, payload: Mapping[str, Any]) -> None:
+    """Delete news of a studio for who left it, but of projects that engage them: a handler of `member.changed`."""
+    change = MemberChange.of(payload)
+    if not change.has_left:
+        return
+    queries.delete_notices_of_former_member(session, change.studio_id, change.person_id)
+    if not queries.is_addressed(session, change.studio_id, change.person_id):
+        queries.delete_unsent_news(session, change.studio_id, queries.address_of(session, change.person_id))
 
 
 def outbox(session: Session, actor: Actor, studio_id: UUID) -> list[Mail]:

@@ -9,7 +9,7 @@ from zoneinfo import ZoneInfo
 from sqlalchemy.orm import Session
 
 from app.accounts.calendars import time_zones_of
-from app.accounts.queries import membership, people_by_id
+from app.accounts.queries import membership, people_by_id, studio_locked
 from app.accounts.rules import Actor, Role
 from app.kit import clock
 from app.kit.db import bypass_row_policies
@@ -56,14 +56,14 @@ def _deputies(session: Session, project_ids: Collection[UUID]) -> list[tuple[Dep
 def _members(
     session: Session, named: Sequence[CategoryApprover], deputies: Sequence[Deputy]
 ) -> Collection[tuple[UUID, UUID]]:
-    """Return studio and person of those who are named and still in their studio."""
+    """Return studio and person of those who are named and may approve with the roles they have in their studio."""
     people = {one.person_id for one in named if one.person_id is not None}
     people |= {person_id for one in deputies for person_id in (one.person_id, one.deputy_id)}
     if not people:
         return ()
     studios = {one.studio_id for one in named} | {one.studio_id for one in deputies}
     with bypass_row_policies(session):  # a designer does not see the members of the studio
-        return approval_queries.members(session, studios, people)
+        return approval_queries.leads(session, studios, people)
 
 
 def _are_members(one: Deputy, in_studio: Collection[tuple[UUID, UUID]]) -> bool:
@@ -123,6 +123,7 @@ def name_category_approver(
 
 
 def _ensure_can_approve(session: Session, project: Project, person_id: UUID, *, where: str) -> None:
+    studio_locked(session, project.studio_id)  # nobody leaves between the look and the naming
     place = membership(session, project.studio_id, person_id)
     ensure_can_approve(
         is_liaison=place is not None and queries.is_liaison(session, project.id, person_id),

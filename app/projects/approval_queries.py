@@ -8,7 +8,8 @@ from sqlalchemy import Row, and_, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, Studio
-from app.projects.models import CategoryApprover, Deputy
+from app.accounts.rules import LEAD_ROLES
+from app.projects.models import CategoryApprover, Deputy, Project
 
 
 def category_approvers(session: Session, project_ids: Collection[UUID]) -> Sequence[CategoryApprover]:
@@ -38,12 +39,36 @@ def deputies(session: Session, project_ids: Collection[UUID], *, until: date) ->
     ).all()
 
 
-def members(session: Session, studio_ids: Collection[UUID], person_ids: Collection[UUID]) -> set[tuple[UUID, UUID]]:
-    """Return the studio and the person of each of these people's memberships."""
-    rows = select(Membership.studio_id, Membership.person_id).where(
+def leads(session: Session, studio_ids: Collection[UUID], person_ids: Collection[UUID]) -> set[tuple[UUID, UUID]]:
+    """Return the studio and the person of each of these people's memberships whose roles allow to approve."""
+    rows = select(Membership.studio_id, Membership.person_id, Membership.roles).where(
         Membership.studio_id.in_(studio_ids), Membership.person_id.in_(person_ids)
     )
-    return {(studio_id, person_id) for studio_id, person_id in session.execute(rows)}
+    return {
+        (studio_id, person_id)
+        for studio_id, person_id, roles in session.execute(rows)
+        if not LEAD_ROLES.isdisjoint(roles)
+    }
+
+
+def deputies_with(session: Session, studio_id: UUID, person_id: UUID, *, until: date) -> Sequence[Deputy]:
+    """Return the deputies in a studio who are a person, or stand in for them, on a day or later."""
+    return session.scalars(
+        select(Deputy)
+        .where(
+            Deputy.studio_id == studio_id,
+            or_(Deputy.deputy_id == person_id, Deputy.person_id == person_id),
+            Deputy.withdrawn_at.is_(None),
+            Deputy.until_on >= until,
+        )
+        .options(joinedload(Deputy.person), joinedload(Deputy.deputy))
+        .order_by(Deputy.from_on, Deputy.id)
+    ).all()
+
+
+def project_ids_of(session: Session, studio_id: UUID) -> Sequence[UUID]:
+    """Return the projects of a studio, archived ones too."""
+    return session.scalars(select(Project.id).where(Project.studio_id == studio_id)).all()
 
 
 def deputy_by_id(session: Session, project_id: UUID, deputy_id: UUID) -> Deputy | None:

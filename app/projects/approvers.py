@@ -4,8 +4,8 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.queries import member_at_address, membership
-from app.accounts.rules import Actor, Role, ensure_address
+from app.accounts.queries import member_at_address, membership, studio_locked
+from app.accounts.rules import LEAD_ROLES, Actor, Role, ensure_address
 from app.accounts.service import invite_member
 from app.projects import queries, service
 from app.projects.models import ApproverChange, Liaison, Project
@@ -30,10 +30,12 @@ def invite_approver(session: Session, actor: Actor, project_id: UUID, *, email: 
 def name_invited(session: Session, *, project_id: UUID, person_id: UUID, invited_by: UUID) -> None:
     """Make a person who joined the approver, while they and the producer who invited them are in the studio."""
     project = session.get_one(Project, project_id)
+    studio_locked(session, project.studio_id)  # nobody leaves between the look and the naming
     inviter = membership(session, project.studio_id, invited_by)
     if inviter is None or Role.PRODUCER not in inviter.roles:
         return
-    if membership(session, project.studio_id, person_id) is None or queries.approver_of(session, project) == person_id:
+    member = membership(session, project.studio_id, person_id)
+    if member is None or LEAD_ROLES.isdisjoint(member.roles) or queries.approver_of(session, project) == person_id:
         return
     if not queries.is_liaison(session, project_id, person_id):
         session.add(Liaison(project_id=project_id, person_id=person_id, studio_id=project.studio_id))

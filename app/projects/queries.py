@@ -5,12 +5,13 @@ from functools import cache
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, Uuid, and_, bindparam, exists, func, or_, select
+from sqlalchemy import ColumnElement, ScalarSelect, Select, Uuid, and_, bindparam, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, Person
-from app.accounts.rules import Actor
+from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.kit import clock
+from app.kit.db import bypass_row_policies
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
 
 
@@ -24,21 +25,20 @@ def projects_count(session: Session, studio_id: UUID) -> int:
     return session.scalar(select(func.count()).where(Project.studio_id == studio_id)) or 0
 
 
+def _named_approver() -> ScalarSelect[UUID]:
+    """Return the approver of a project whoever is a member, as part of a query: the one named last."""
+    named = select(ApproverChange.person_id).where(ApproverChange.project_id == Project.id)
+    return named.order_by(ApproverChange.id.desc()).limit(1).scalar_subquery()
+
+
 def access_facts_query() -> Select[Project, Engagement, bool, UUID]:
     """Return the statement for the fields of AccessFacts, of `person_id`, in whichever projects the caller adds."""
     person_id = bindparam("person_id", type_=Uuid())
-    named = (
-        select(ApproverChange.person_id)
-        .where(ApproverChange.project_id == Project.id)
-        .order_by(ApproverChange.id.desc())
-        .limit(1)
-        .scalar_subquery()
-    )
     running = and_(
         Engagement.project_id == Project.id, Engagement.designer_id == person_id, Engagement.ended_at.is_(None)
     )
     speaks = exists().where(Liaison.project_id == Project.id, Liaison.person_id == person_id)
-    return select(Project, Engagement, speaks, named).join(Engagement, running, isouter=True)
+    return select(Project, Engagement, speaks, _named_approver()).join(Engagement, running, isouter=True)
 
 
 # Built once: nearly every request asks for it.
@@ -132,32 +132,83 @@ def is_engaged_address(session: Session, project_id: UUID, email: str) -> bool:
     return session.scalar(running) is not None
 
 
-def approver_id(project: Project) -> ColumnElement[UUID]:
-    """Return the approver as part of a query: the one named last, else who opened the project."""
-    named = select(ApproverChange.person_id).where(ApproverChange.project_id == project.id)
-    return func.coalesce(named.order_by(ApproverChange.id.desc()).limit(1).scalar_subquery(), project.created_by)
+def _approver() -> ColumnElement[UUID]:
+    return func.coalesce(_named_approver(), Project.created_by)
+
+
+def approver_ids(session: Session, project_ids: Collection[UUID]) -> dict[UUID, UUID]:
+    """Return the approver of each project: the one named last, else who opened it, else the studio's first producer.
+
+    The third case is for those who are in the studio no more, or may not approve with the roles they have there.
+    """
+    with bypass_row_policies(session):  # a designer does not see the members of the studio
+        rows = session.execute(
+            select(Project.id, Project.studio_id, _approver(), Membership.roles)
+            .outerjoin(Membership, (Membership.studio_id == Project.studio_id) & (Membership.person_id == _approver()))
+            .where(Project.id.in_(project_ids))
+        ).all()
+        vacant = {studio_id for _, studio_id, _, roles in rows if LEAD_ROLES.isdisjoint(roles or ())}
+        producers = _first_producers(session, vacant) if vacant else {}
+    return {
+        project_id: producers.get(studio_id, person_id) if LEAD_ROLES.isdisjoint(roles or ()) else person_id
+        for project_id, studio_id, person_id, roles in rows
+    }
+
+
+def _first_producers(session: Session, studio_ids: Collection[UUID]) -> dict[UUID, UUID]:
+    rows = session.execute(
+        select(Membership.studio_id, Membership.person_id, Membership.roles)
+        .where(Membership.studio_id.in_(studio_ids))
+        .order_by(Membership.created_at.desc(), Membership.person_id.desc())
+    )
+    return {studio_id: person_id for studio_id, person_id, roles in rows if Role.PRODUCER in roles}
 
 
 def approver_of(session: Session, project: Project) -> UUID:
     """Return the approver of a project."""
-    return session.scalars(select(approver_id(project))).one()
+    return approver_ids(session, [project.id])[project.id]
 
 
 def approvers_of(session: Session, projects: Collection[Project]) -> dict[UUID, Person]:
     """Return the approver of each project, by its id."""
-    order = func.row_number().over(partition_by=ApproverChange.project_id, order_by=ApproverChange.id.desc())
-    numbered = (
-        select(ApproverChange.project_id, ApproverChange.person_id, order.label("place"))
-        .where(ApproverChange.project_id.in_([project.id for project in projects]))
-        .subquery()
-    )
-    newest = select(numbered.c.project_id, numbered.c.person_id).where(numbered.c.place == 1)
-    named = dict(session.execute(newest).all())
-    ids = {project.id: named.get(project.id, project.created_by) for project in projects}
+    ids = approver_ids(session, [project.id for project in projects])
     people = {
         person.id: person for person in session.scalars(select(Person).where(Person.id.in_(set(ids.values())))).all()
     }
     return {project_id: people[person_id] for project_id, person_id in ids.items()}
+
+
+def projects_approved_by(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Project]:
+    """Return the projects of a studio whose approver is a person, archived ones too, the oldest first."""
+    return session.scalars(
+        select(Project).where(Project.studio_id == studio_id, _approver() == person_id).order_by(Project.id)
+    ).all()
+
+
+def projects_led_by(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Project]:
+    """Return the projects of a studio in which a person is a liaison, archived ones too, the oldest first."""
+    return session.scalars(
+        select(Project)
+        .join(Liaison, Liaison.project_id == Project.id)
+        .where(Project.studio_id == studio_id, Liaison.person_id == person_id)
+        .order_by(Project.id)
+    ).all()
+
+
+def open_invitations_by(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[ProjectInvitation]:
+    """Return the invitations of designers that a person sent for a studio and that can be accepted still."""
+    return session.scalars(
+        select(ProjectInvitation)
+        .where(
+            ProjectInvitation.studio_id == studio_id,
+            ProjectInvitation.invited_by == person_id,
+            ProjectInvitation.accepted_at.is_(None),
+            ProjectInvitation.revoked_at.is_(None),
+            ProjectInvitation.expires_at > clock.now(),
+        )
+        .options(joinedload(ProjectInvitation.project))
+        .order_by(ProjectInvitation.id)
+    ).all()
 
 
 def approver_changes(session: Session, project_id: UUID) -> Sequence[ApproverChange]:
@@ -176,9 +227,9 @@ def is_liaison(session: Session, project_id: UUID, person_id: UUID) -> bool:
 
 
 def liaisons_of(session: Session, project_ids: Collection[UUID]) -> Sequence[Liaison]:
-    """Return the liaisons of projects who are still of the studio, in order of naming."""
-    return session.scalars(
-        select(Liaison)
+    """Return the liaisons of projects whose roles in the studio allow it, in order of naming."""
+    rows = session.execute(
+        select(Liaison, Membership.roles)
         .join(
             Membership,
             (Membership.studio_id == Liaison.studio_id) & (Membership.person_id == Liaison.person_id),
@@ -186,7 +237,8 @@ def liaisons_of(session: Session, project_ids: Collection[UUID]) -> Sequence[Lia
         .where(Liaison.project_id.in_(project_ids))
         .options(joinedload(Liaison.person))
         .order_by(Liaison.created_at, Liaison.person_id)
-    ).all()
+    )
+    return [liaison for liaison, roles in rows if not LEAD_ROLES.isdisjoint(roles)]
 
 
 def engagements_of(session: Session, project_ids: Collection[UUID]) -> Sequence[Engagement]:

@@ -8,9 +8,9 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.authentication import sha256_of
-from app.accounts.queries import membership
+from app.accounts.queries import membership, studio_locked
 from app.accounts.quotas import QuotaKind, ensure_room
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.db import bypass_row_policies, widen_reach
@@ -129,12 +129,13 @@ def access_from_facts(actor: Actor, facts: queries.AccessFacts, *, before_nda: b
             "this project shows its brief, list and spec once its non-disclosure agreement is signed",
             fix="read and sign it under Contract; if there is none, the studio has not sent it yet",
         )
+    may_lead = not roles.isdisjoint(LEAD_ROLES)  # a row that names the caller gives nothing by itself
     return ProjectAccess(
         project=project,
         actor=actor,
         roles=roles,
-        is_liaison=bool(roles) and facts.is_liaison,
-        is_approver=bool(roles) and facts.approver_id == actor.person_id,
+        is_liaison=may_lead and facts.is_liaison,
+        is_approver=may_lead and facts.approver_id == actor.person_id,
         engagement=engagement,
     )
 
@@ -189,12 +190,16 @@ def change_project(
 
 
 def add_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:
-    """Make a member of the studio a liaison of this project."""
+    """Make a member of the studio a liaison of this project; they receive the studio's role for it too."""
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     studio_id = access.project.studio_id
-    if membership(session, studio_id, person_id) is None:
+    studio_locked(session, studio_id)  # nobody leaves between the look and the naming
+    member = membership(session, studio_id, person_id)
+    if member is None:
         raise LiaisonNotFound(f"no person {person_id} in this studio", fix="invite them into the studio first")
+    if LEAD_ROLES.isdisjoint(member.roles):
+        member.roles = sorted({*member.roles, Role.LIAISON})
     if not queries.is_liaison(session, project_id, person_id):
         session.add(Liaison(project_id=project_id, person_id=person_id, studio_id=studio_id))
         session.flush()
@@ -226,6 +231,7 @@ def name_approver(session: Session, actor: Actor, project_id: UUID, *, person_id
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     project = access.project
+    studio_locked(session, project.studio_id)  # nobody leaves between the look and the naming
     place = membership(session, project.studio_id, person_id)
     ensure_can_approve(
         is_liaison=place is not None and queries.is_liaison(session, project_id, person_id),

@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts import passwords
 from app.accounts.authentication import sha256_of
-from app.accounts.rules import Actor
+from app.accounts.rules import AccessKind, Actor, MemberChange
 from app.accounts.schemas import PersonBrief
 from app.kit import clock
 from app.kit.db import new_id
@@ -109,6 +109,19 @@ def revoke_link(session: Session, actor: Actor, link_id: UUID) -> GuestLinkRead:
         link.revoked_at, link.revoked_by = clock.now(), actor.person
         session.flush()
     return _read_one(session, actor, link_id)
+
+
+def end_links_of_member(session: Session, payload: Mapping[str, Any]) -> None:
+    """Revoke the links of who left the studio, or keep them in another name: a handler of `member.changed`."""
+    change = MemberChange.of(payload)
+    if not change.has_left:
+        return
+    for link in queries.open_links_by(session, change.studio_id, change.person_id):
+        if AccessKind.GUEST_LINKS in change.kept:
+            link.made_by = change.changed_by
+        else:
+            link.revoked_at, link.revoked_by = clock.now(), change.changed_by
+    session.flush()
 
 
 def secret_of(session: Session, actor: Actor, link_id: UUID, *, server_key: str) -> str:

@@ -204,6 +204,15 @@ def playlist_by_id(
     return session.scalar(query)
 
 
+def open_links_by(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[GuestLink]:
+    """Return the guest links that a person made in a studio and that were not revoked, the oldest first."""
+    return session.scalars(
+        select(GuestLink)
+        .where(GuestLink.studio_id == studio_id, GuestLink.made_by == person_id, GuestLink.revoked_at.is_(None))
+        .order_by(GuestLink.id)
+    ).all()
+
+
 def maker_of(session: Session, playlist: Playlist) -> Person:
     """Return who made a playlist."""
     return session.get_one(Person, playlist.made_by)

@@ -16,6 +16,16 @@ def webhooks_of(session: Session, studio_id: UUID) -> Sequence[Webhook]:
     return session.scalars(of_it.order_by(Webhook.id)).all()
 
 
+def enabled_webhooks_by(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Webhook]:
+    """Return the webhooks of a studio that a person added and that are called, with their projects."""
+    return session.scalars(
+        select(Webhook)
+        .where(Webhook.studio_id == studio_id, Webhook.created_by == person_id, Webhook.disabled_at.is_(None))
+        .options(joinedload(Webhook.project))
+        .order_by(Webhook.id)
+    ).all()
+
+
 def webhooks_count(session: Session, studio_id: UUID) -> int:
     """Return how many webhooks a studio has."""
     return session.scalar(select(func.count()).select_from(Webhook).where(Webhook.studio_id == studio_id)) or 0

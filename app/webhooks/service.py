@@ -8,7 +8,7 @@ from uuid import UUID
 from sqlalchemy import delete
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import AccessKind, Actor, MemberChange, Role
 from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.db import bypass_row_policies, insert_if_absent, new_id
@@ -139,6 +139,18 @@ def remove(session: Session, actor: Actor, webhook_id: UUID) -> None:
     session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(WebhookCall.webhook_id == webhook.id)))
     session.execute(delete(WebhookCall).where(WebhookCall.webhook_id == webhook.id))
     session.delete(webhook)
+
+
+def disable_webhooks_of_member(session: Session, payload: Mapping[str, Any]) -> None:
+    """Disable the webhooks of who left the studio, or keep them in another name: a handler of `member.changed`."""
+    change = MemberChange.of(payload)
+    if not change.has_left:
+        return
+    for webhook in queries.enabled_webhooks_by(session, change.studio_id, change.person_id):
+        webhook.created_by = change.changed_by
+        if AccessKind.WEBHOOKS not in change.kept:
+            webhook.disabled_at = clock.now()
+    session.flush()
 
 
 def send_test(session: Session, actor: Actor, webhook_id: UUID, base_url: str) -> WebhookCall:

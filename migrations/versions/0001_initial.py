@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_67676e47"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_58eaa1e2"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -743,6 +743,7 @@ def upgrade() -> None:
         sa.Column("work_from_on", sa.Date()),
         sa.Column("work_to_on", sa.Date()),
         sa.Column("secret_sha256", sa.String()),
+        sa.Column("link_made_by", sa.Uuid()),
         sa.Column("created_by", sa.Uuid(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("opened_at", sa.DateTime(timezone=True)),
@@ -751,6 +752,7 @@ def upgrade() -> None:
         sa.Column("awarded_at", sa.DateTime(timezone=True)),
         sa.Column("contract_id", sa.Uuid()),
         sa.ForeignKeyConstraint(["created_by"], ["accounts_people.id"], name=op.f("fk_hiring_postings_created_by")),
+        sa.ForeignKeyConstraint(["link_made_by"], ["accounts_people.id"], name=op.f("fk_hiring_postings_link_made_by")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_hiring_postings_project_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_hiring_postings_studio_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_hiring_postings")),

@@ -223,8 +223,8 @@ def test_who_decides_stays_a_liaison(world: World) -> None:
 
 
 def test_who_left_the_studio_no_longer_acts_for_it(world: World) -> None:
+    body = {"person_id": str(world.producer_id), "reason": "The audio director leaves."}
+    assert world.producer.put(project_path(world, "/approver"), json=body).json()["approver"]["name"] == "Producer"
     assert world.producer.delete(f"/v1/studios/{world.studio_id}/people/{world.approver_id}").status_code == 204
     assert world.producer.get(project_path(world)).json()["liaisons"] == []
     assert world.approver.get(project_path(world)).status_code == 404
-    body = {"person_id": str(world.producer_id), "reason": "The audio director left."}
-    assert world.producer.put(project_path(world, "/approver"), json=body).json()["approver"]["name"] == "Producer"
