@@ -1,15 +1,19 @@
 """The endpoints of this room."""
 
+from typing import Annotated
 from uuid import UUID
 
-from app.accounts.errors import OperatorNeeded, ProducerNeeded, StudioNotFound
+from fastapi import Query
+
+from app.accounts.errors import MemberNotFound, OperatorNeeded, ProducerNeeded, StudioNotFound
 from app.accounts.policies import allows
-from app.accounts.rules import Actor, Audience
+from app.accounts.rules import Actor, Audience, Role
 from app.kit.health import WORKER_SILENT_AFTER
 from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, problems
-from app.operations import quotas, service
+from app.operations import departures, quotas, service
 from app.operations.errors import JobNotFound, JobNotParked
 from app.operations.schemas import (
+    DepartureItem,
     JobRead,
     JobState,
     QuotaRead,
@@ -29,6 +33,21 @@ def read_studio_operations(
 ) -> StudioOperations:
     """Return how many of the studio's jobs wait, run or failed, and whether a worker is running."""
     return service.studio_operations(session, actor, studio_id, queue=runtime.queue, alive_within=WORKER_SILENT_AFTER)
+
+
+@router.get(
+    "/studios/{studio_id}/people/{person_id}/departure",
+    responses=problems(StudioNotFound, ProducerNeeded, MemberNotFound),
+)
+def read_departure(
+    studio_id: UUID,
+    person_id: UUID,
+    session: DbSession,
+    roles: Annotated[list[Role], Query(description="The roles that the member keeps; none: they leave.")] = [],  # noqa: B006  FastAPI copies it
+    actor: Actor = allows(Audience.PRODUCER),
+) -> list[DepartureItem]:
+    """Return what would end if a member left or had other roles, and what must be handed over first."""
+    return departures.departure(session, actor, studio_id, person_id, roles)
 
 
 @router.get("/studios/{studio_id}/storage", responses=problems(StudioNotFound, ProducerNeeded))

@@ -16,6 +16,7 @@ from app.deliveries.models import Archive, DryStem, Take
 from app.hiring.models import ReelSound, Sample
 from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
+from app.projects.models import Engagement, Project
 from app.references.models import ReferenceVersion
 from app.renders.models import MasterExport, Picture, Reel, Render
 from app.scenes.models import Comparison, SceneSound
@@ -123,3 +124,17 @@ def _drawn(studio_id: UUID | None) -> Sums:
 def studios(session: Session) -> Sequence[Studio]:
     """Return every studio, by name."""
     return session.scalars(select(Studio).order_by(Studio.name)).all()
+
+
+def project_names(session: Session, studio_id: UUID) -> dict[UUID | None, str]:
+    """Return the names of a studio's projects, archived ones too."""
+    return dict(session.execute(select(Project.id, Project.name).where(Project.studio_id == studio_id)).all())
+
+
+def engagements_of(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Engagement]:
+    """Return a person's running engagements on a studio's projects."""
+    return session.scalars(
+        select(Engagement)
+        .where(Engagement.studio_id == studio_id, Engagement.designer_id == person_id, Engagement.ended_at.is_(None))
+        .order_by(Engagement.id)
+    ).all()

@@ -146,3 +146,31 @@ class ServerStorage(Schema):
 
     studios: list[StorageRead] = Field(description="The largest first.")
     free_bytes: int | None = Field(description="What the disk of the store has left; null where the store is a bucket.")
+
+
+class DepartureKind(StrEnum):
+    """What a membership gave: of the project's approver and a signer another person takes over first, an engagement
+    goes on, a token, a link and a webhook may be kept, and everything else ends.
+    """
+
+    APPROVER = "approver"
+    SIGNER = "signer"
+    LIAISON = "liaison"
+    CATEGORY_APPROVER = "category_approver"
+    DEPUTY = "deputy"
+    INVITATION = "invitation"
+    TOKEN = "token"  # noqa: S105
+    GUEST_LINK = "guest_link"
+    POSTING_LINK = "posting_link"
+    WEBHOOK = "webhook"
+    ENGAGEMENT = "engagement"
+
+
+class DepartureItem(Schema):
+    """One thing that a member would lose, or that another person must take over first."""
+
+    kind: DepartureKind
+    id: UUID
+    name: str = Field(description="Its own name: of a project, a contract, a category, a link; the address of a call.")
+    project_id: UUID | None = Field(description="Null: of the studio.")
+    project_name: str | None

@@ -23,6 +23,7 @@ export const queryKeys = {
   mailPreferences: family('mail-preferences'),
   mailChoice: family<[secret: string]>('mail-choice'),
   studioPeople: family<[studioId: string]>('studio-people'),
+  departure: family<[studioId: string, personId: string, roles: string[]]>('departure'),
   studioInvitations: family<[studioId: string]>('studio-invitations'),
   studioInvitation: family<[secret: string]>('studio-invitation'),
   credits: family<[projectId: string]>('credits'),

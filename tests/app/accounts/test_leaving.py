@@ -187,6 +187,20 @@ def test_who_approves_hands_over_first(server: RunningServer, leaver: Leaver) ->
         answer = leaver.leave(hand_over_to=str(unfit))
         assert (*refused(answer), answer.json()["errors"][0]["where"]) == (422, "cannot-take-over", "hand_over_to")
     assert all(leaver.reaches().values())  # what is refused ends nothing
+    shown = [(item["kind"], item["name"]) for item in world.producer.get(f"{leaver.path}/departure").json()]
+    assert shown == [
+        ("approver", "Shield Wing"),
+        ("approver", "Two"),
+        ("liaison", "Shield Wing"),
+        ("category_approver", "ui"),
+        ("deputy", "Producer"),
+        ("deputy", "Producer"),
+        ("token", "CI"),
+        ("guest_link", "For the composer"),
+        ("posting_link", "Effects for Alpha"),
+        ("webhook", "https://hooks.example/in"),
+    ]
+    assert world.reviewer.get(f"{leaver.path}/departure").status_code == 403
     assert leaver.leave(hand_over_to=str(world.producer_id)).status_code == 204
     for project_id in (str(world.project_id), leaver.opened_project_id):
         project = body_of(world.producer.get(f"/v1/projects/{project_id}"))

@@ -7,7 +7,7 @@ import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type StudioCalendar, useSaveStudioCalendar, useStudioCalendar } from './api'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 import classes from './Studio.module.css'
 
 /** When the studio works: its contracts' clauses on silence count days by it. */

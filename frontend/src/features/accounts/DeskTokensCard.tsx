@@ -11,7 +11,7 @@ import { Row, Rows } from '@/ui/Rows'
 
 import classes from './Account.module.css'
 import { type DeskTokenMade, deskTokensQuery, useCreateDeskToken, useRevokeDeskToken } from './api'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 
 /** Keys with which `soundlist desk` on one's own machine reads what one owes. */
 export function DeskTokensCard() {

@@ -10,7 +10,7 @@ import { Select } from '@/ui/Select'
 import classes from './Account.module.css'
 import { type Cadence, type MailPreferences, mailPreferencesQuery, type News, useSaveMailPreferences } from './api'
 import { CADENCE_WORDS, cadencesOf, NEWS_WORDS } from './mailWords'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 
 const ZONES = ['UTC', ...Intl.supportedValuesOf('timeZone').filter((zone) => zone !== 'UTC')]
 const KINDS = Object.keys(NEWS_WORDS) as News[]

@@ -9,7 +9,7 @@ import { Button } from '@/ui/Button'
 import classes from './Account.module.css'
 import { mailChoiceQuery, useChooseMail } from './api'
 import { CADENCE_WORDS, cadencesOf, NEWS_WORDS } from './mailWords'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 
 const STANDS = { at_once: 'at once', hourly: 'once an hour', daily: 'once a day', never: 'no more' } as const
 

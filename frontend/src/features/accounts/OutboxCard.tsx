@@ -8,7 +8,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
 import { type Mail, useOutbox, useSendMail } from './api'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 import classes from './Studio.module.css'
 
 /** The studio's mails: those that wait first, without a mail server each with its link to copy. */

@@ -7,12 +7,12 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
 import { age, day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 
 import {
   type Member,
   type Role,
+  useFetchDeparture,
   useInvitations,
   useInvite,
   usePeople,
@@ -20,28 +20,16 @@ import {
   useSetRoles,
   useWithdraw,
 } from './api'
-import { Field, Form, refusalOf, sentence } from '@/app/Form'
-import { ROLE_MEANINGS, ROLE_WORDS, ROLES } from './parts'
+import { Field, Form } from '@/app/Form'
+import { CardProblem } from './CardProblem'
+import { type Departure, DepartureDialog } from './DepartureDialog'
+import { LEAD_ROLES, ROLE_MEANINGS, ROLE_WORDS, ROLES } from './parts'
 import classes from './Studio.module.css'
 
 const rolesInWords = (roles: readonly Role[]) =>
   ROLES.filter((role) => roles.includes(role))
     .map((role) => ROLE_WORDS[role])
     .join(', ')
-
-/** A refusal of something that was pressed in a card, said in the card. */
-export function CardProblem({ error }: { error: unknown }) {
-  if (error === null || error === undefined) return null
-  const refusal = refusalOf(error)
-  return (
-    <div className={classes.problem}>
-      <ProblemNote
-        detail={sentence(refusal?.detail ?? 'Can’t reach Soundlist.')}
-        fix={refusal?.fix ? sentence(refusal.fix) : undefined}
-      />
-    </div>
-  )
-}
 
 interface PeopleCardProps {
   studioId: string
@@ -54,9 +42,18 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
   const setRoles = useSetRoles(studioId)
   const remove = useRemoveMember(studioId)
 
-  const change = (member: Member, roles: Role[]) => {
+  const departureOf = useFetchDeparture(studioId)
+  const [departing, setDeparting] = useState<{ member: Member; roles: Role[] } | null>(null)
+
+  const change = async (member: Member, roles: Role[]) => {
     if (roles.length === 0) return
     remove.reset()
+    setRoles.reset()
+    const loses = LEAD_ROLES.some((role) => member.roles.includes(role) && !roles.includes(role))
+    if (loses && (await departureOf(member.person.id, roles)).length > 0) {
+      setDeparting({ member, roles })
+      return
+    }
     setRoles.mutate(
       { personId: member.person.id, roles },
       {
@@ -67,10 +64,34 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
       },
     )
   }
+  const confirm = ({ member, roles }: { member: Member; roles: Role[] }, { handOverTo, keep }: Departure) => {
+    const name = member.person.name
+    if (roles.length > 0) {
+      setRoles.mutate(
+        { personId: member.person.id, roles, handOverTo },
+        {
+          onSuccess: () => {
+            setDeparting(null)
+            showToast(`${name}: ${rolesInWords(roles)}.`)
+          },
+        },
+      )
+      return
+    }
+    remove.mutate(
+      { personId: member.person.id, handOverTo, keep },
+      {
+        onSuccess: () => {
+          setDeparting(null)
+          showToast(`${name} was removed from the studio. Invite them again to bring them back.`)
+        },
+      },
+    )
+  }
   return (
     <Card aria-labelledby="people">
       <CardHead id="people" title="People" count={people?.length} note="designers are listed in their projects" />
-      <CardProblem error={error ?? setRoles.error ?? remove.error} />
+      <CardProblem error={error ?? (departing ? null : setRoles.error)} />
       <Rows aria-labelledby="people">
         {people?.map((member) => (
           <Row key={member.person.id}>
@@ -84,15 +105,11 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
             {isProducer ? (
               <RolesMenu
                 member={member}
-                onChange={(roles) => change(member, roles)}
+                onChange={(roles) => void change(member, roles).catch(() => undefined)}
                 onRemove={() => {
                   setRoles.reset()
-                  remove.mutate(member.person.id, {
-                    onSuccess: () =>
-                      showToast(
-                        `${member.person.name} was removed from the studio. Invite them again to bring them back.`,
-                      ),
-                  })
+                  remove.reset()
+                  setDeparting({ member, roles: [] })
                 }}
               />
             ) : (
@@ -101,6 +118,19 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
           </Row>
         ))}
       </Rows>
+      {departing && (
+        <DepartureDialog
+          studioId={studioId}
+          meId={meId}
+          member={departing.member}
+          roles={departing.roles}
+          error={setRoles.error ?? remove.error}
+          busy={setRoles.isPending || remove.isPending}
+          onConfirm={(departure) => confirm(departing, departure)}
+          opened
+          onClose={() => setDeparting(null)}
+        />
+      )}
     </Card>
   )
 }
@@ -112,15 +142,8 @@ interface RolesMenuProps {
 }
 
 function RolesMenu({ member, onChange, onRemove }: RolesMenuProps) {
-  const [asking, setAsking] = useState(false)
   return (
-    <Menu
-      position="bottom-end"
-      width={300}
-      closeOnItemClick={false}
-      transitionProps={{ duration: 0 }}
-      onClose={() => setAsking(false)}
-    >
+    <Menu position="bottom-end" width={300} closeOnItemClick={false} transitionProps={{ duration: 0 }}>
       <Menu.Target>
         <Button variant="quiet" aria-label={`Roles of ${member.person.name}: ${rolesInWords(member.roles)}`}>
           {rolesInWords(member.roles)}
@@ -143,11 +166,9 @@ function RolesMenu({ member, onChange, onRemove }: RolesMenuProps) {
           )
         })}
         <Menu.Divider />
-        {asking ? (
-          <Menu.Item onClick={onRemove}>Take {member.person.name} out of the studio now</Menu.Item>
-        ) : (
-          <Menu.Item onClick={() => setAsking(true)}>Remove from the studio…</Menu.Item>
-        )}
+        <Menu.Item closeMenuOnClick onClick={onRemove}>
+          Remove from the studio…
+        </Menu.Item>
       </Menu.Dropdown>
     </Menu>
   )

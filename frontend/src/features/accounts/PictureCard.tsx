@@ -10,7 +10,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './Account.module.css'
 import { useSavePicture } from './api'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 
 const MAX_BYTES = 10_000_000 // a little below the server's limit
 const KINDS = ['image/png', 'image/jpeg', 'image/webp']

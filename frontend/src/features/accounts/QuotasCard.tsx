@@ -5,7 +5,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { State, type Tone } from '@/ui/State'
 
 import { type Quota, useQuotas } from './api'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 import classes from './Studio.module.css'
 
 const NEAR = 0.9

@@ -10,7 +10,7 @@ import { State } from '@/ui/State'
 
 import classes from './Account.module.css'
 import { type SignIn, signInsQuery, signUpQuery, useAskVerification, useEndOtherSignIns, useEndSignIn } from './api'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 
 /** The address, and whether it is verified. */
 export function AddressCard({ me }: { me: Me }) {

@@ -7,7 +7,7 @@ import { Button } from '@/ui/Button'
 
 import { useVerifyEmail } from './api'
 import { Sheet } from '@/app/Form'
-import { CardProblem } from './PeopleCards'
+import { CardProblem } from './CardProblem'
 
 /** The page of the mailed link that verifies an address; a press, since mail filters open links by themselves. */
 export function VerifyPage() {

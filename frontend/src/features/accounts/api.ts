@@ -8,6 +8,8 @@ type Schemas = components['schemas']
 export type MyStudio = Schemas['MyStudio']
 export type Member = Schemas['MemberRead']
 export type Role = Schemas['Role']
+export type AccessKind = Schemas['AccessKind']
+export type DepartureItem = Schemas['DepartureItem']
 export type StudioInvitation = Schemas['StudioInvitationRead']
 export type Mail = Schemas['MailRead']
 export type Quota = Schemas['QuotaRead']
@@ -258,24 +260,48 @@ export const useQuotas = (studioId: string) =>
 export function useSetRoles(studioId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: ({ personId, roles }: { personId: string; roles: Role[] }) =>
+    mutationFn: ({ personId, roles, handOverTo }: { personId: string; roles: Role[]; handOverTo?: string | null }) =>
       answered(
         api.PUT('/v1/studios/{studio_id}/people/{person_id}', {
           params: { path: { studio_id: studioId, person_id: personId } },
-          body: { roles },
+          body: handOverTo ? { roles, hand_over_to: handOverTo } : { roles },
         }),
       ),
     onSettled: () => invalidate(client, queryKeys.studioPeople(studioId)),
   })
 }
 
+const departureQuery = (studioId: string, personId: string, roles: Role[]) =>
+  queryOptions({
+    queryKey: queryKeys.departure(studioId, personId, roles),
+    queryFn: () =>
+      answered(
+        api.GET('/v1/studios/{studio_id}/people/{person_id}/departure', {
+          params: { path: { studio_id: studioId, person_id: personId }, query: { roles } },
+        }),
+      ),
+    staleTime: 0,
+  })
+
+/** What would end if a member had these roles alone, or with none left the studio. */
+export const useDeparture = (studioId: string, personId: string, roles: Role[]) =>
+  useQuery(departureQuery(studioId, personId, roles))
+
+export function useFetchDeparture(studioId: string) {
+  const client = useQueryClient()
+  return (personId: string, roles: Role[]) => client.fetchQuery(departureQuery(studioId, personId, roles))
+}
+
 export function useRemoveMember(studioId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (personId: string) =>
+    mutationFn: ({ personId, handOverTo, keep }: { personId: string; handOverTo: string | null; keep: AccessKind[] }) =>
       answered(
         api.DELETE('/v1/studios/{studio_id}/people/{person_id}', {
-          params: { path: { studio_id: studioId, person_id: personId } },
+          params: {
+            path: { studio_id: studioId, person_id: personId },
+            query: { keep, ...(handOverTo && { hand_over_to: handOverTo }) },
+          },
         }),
       ),
     onSettled: () => invalidate(client, queryKeys.studioPeople(studioId)),

@@ -19,6 +19,9 @@ export const ROLE_MEANINGS: Record<Role, string> = {
 
 export const ROLES = Object.keys(ROLE_WORDS) as Role[]
 
+/** The roles with which a member may act for the studio in a project, and approve. */
+export const LEAD_ROLES: readonly Role[] = ['producer', 'liaison']
+
 /** The word for a person's role in a project, or without one. */
 export function partWord(me: Me, project: MyProject | undefined): string {
   if (project?.part === 'designer') return 'Sound designer'
