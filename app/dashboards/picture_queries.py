@@ -12,7 +12,7 @@ from app.projects.models import Engagement
 
 
 def sees_name(session: Session, actor: Actor, person_id: UUID) -> bool:
-    """Whether a person is the caller, of a studio that the caller works for, or a designer of the caller's studio.
+    """Whether a person is the caller, of a studio that the caller works for now, or a designer of the caller's studio.
 
     Designers of the same project do not see each other.
     """
@@ -20,7 +20,7 @@ def sees_name(session: Session, actor: Actor, person_id: UUID) -> bool:
         return True
     studios = list(actor.roles)
     works_for = union(
-        select(Engagement.studio_id).where(Engagement.designer_id == actor.person),
+        select(Engagement.studio_id).where(Engagement.designer_id == actor.person, Engagement.ended_at.is_(None)),
         select(Candidate.studio_id).where(Candidate.person_id == actor.person, Candidate.revoked_at.is_(None)),
     )
     near = or_(Membership.studio_id.in_(studios), Membership.studio_id.in_(works_for))

@@ -98,6 +98,19 @@ def test_designers_of_a_project_do_not_see_each_other(world: World) -> None:
     assert world.other_designer.get(shown).status_code == 404
 
 
+def test_who_left_sees_none_and_is_not_seen(world: World) -> None:
+    of_reviewer, of_producer = address(world.reviewer), address(world.producer)
+    assert world.reviewer.get(of_producer).status_code == world.designer.get(of_producer).status_code == 200
+    assert world.producer.get(of_reviewer).status_code == 200
+    (engagement,) = world.producer.get(f"/v1/projects/{world.project_id}").json()["engagements"]
+    path = f"/v1/projects/{world.project_id}/engagements/{engagement['id']}"
+    assert world.producer.patch(path, json={"ended": True}).status_code == 200
+    assert world.producer.delete(f"/v1/studios/{world.studio_id}/people/{world.reviewer_id}").status_code == 204
+    for former in (world.reviewer, world.designer):
+        assert former.get(of_producer).status_code == 404
+    assert world.producer.get(of_reviewer).status_code == 404
+
+
 def test_a_candidate_and_the_team_see_each_other(world: World) -> None:
     of_candidate, of_producer = address(world.other_designer), address(world.producer)
     assert world.producer.get(of_candidate).status_code == 404

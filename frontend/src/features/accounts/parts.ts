@@ -13,7 +13,7 @@ export const ROLE_WORDS: Record<Role, string> = {
 export const ROLE_MEANINGS: Record<Role, string> = {
   producer: 'manages projects, money and people',
   liaison: 'answers designers for the team; can be the approver',
-  reviewer: 'listens and comments',
+  reviewer: 'listens, comments, ticks checklists, has files checked again, makes packs; decides nothing',
   implementer: 'puts approved sounds into the game',
 }
 
