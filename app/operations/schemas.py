@@ -149,8 +149,10 @@ class ServerStorage(Schema):
 
 
 class DepartureKind(StrEnum):
-    """What a membership gave: of the project's approver and a signer another person takes over first, an engagement
-    goes on, a token, a link and a webhook may be kept, and everything else ends.
+    """What a membership gave.
+
+    Another person takes over first from an approver and a signer; an engagement goes on; tokens, links and webhooks may
+    be kept; everything else ends.
     """
 
     APPROVER = "approver"
