@@ -5,7 +5,7 @@ import { ask, send } from './api'
 /** Approve by the key what the person has not heard: it is played first, and the second press decides. */
 export async function listenAndApprove(page: Page): Promise<void> {
   await page.keyboard.press('a')
-  await expect(page.getByText(/^Heard\..*approves/)).toBeVisible({ timeout: 30_000 })
+  await expect(page.getByText(/^Heard\. Press Approve/)).toBeVisible({ timeout: 30_000 })
   await page.keyboard.press('a')
 }
 

@@ -29,7 +29,7 @@ export function FirstListen({ listen, count, target, nameOf, silent, onApproveUn
       <span aria-live="polite">
         {isOver && (
           <>
-            Heard. <Key keys="a" /> approves {count === 1 ? 'it' : 'them'}.
+            Heard. Press Approve <Key keys="a" /> again.
           </>
         )}
       </span>
@@ -40,15 +40,15 @@ export function FirstListen({ listen, count, target, nameOf, silent, onApproveUn
       <span aria-live="polite">
         {listening ? (
           <>
-            <span className="strong">{nameOf(listening)} is playing for the first time.</span> Not approved yet: press{' '}
-            <Key keys="a" /> again once {enoughWords(unheard, target)} played.
+            <span className="strong">{nameOf(listening)} is playing for the first time.</span> Not approved yet: press
+            Approve <Key keys="a" /> again once {enoughWords(unheard, target)} played.
           </>
         ) : (
           <>
             {notHeardWords(unheard, count, nameOf)}{' '}
             {silent ?? (
               <>
-                <Key keys="a" /> plays {unheard.length === 1 ? 'it' : 'them'} first.
+                Approve <Key keys="a" /> plays {unheard.length === 1 ? 'it' : 'them'} first.
               </>
             )}
           </>

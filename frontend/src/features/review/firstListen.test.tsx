@@ -58,11 +58,11 @@ const sounds = async (count: number) => {
 describe('an approval of what was not heard', () => {
   test('plays it first, decides nothing, and is given when it is asked for again once it has played', async () => {
     await openOne()
-    expect(verdict()).toHaveTextContent('You have not heard version 1 yet. a plays it first.')
+    expect(verdict()).toHaveTextContent('You have not heard version 1 yet. Approve a plays it first.')
     await userEvent.keyboard('a')
     await sounds(1)
     expect(verdict()).toHaveTextContent(
-      'version 1 is playing for the first time. Not approved yet: press a again once it has played.',
+      'version 1 is playing for the first time. Not approved yet: press Approve a again once it has played.',
     )
     await userEvent.keyboard('a')
     expect(context.started).toHaveLength(1) // it goes on, and does not begin again
@@ -133,7 +133,7 @@ test('of a set each file is played to its end before the next, and the set is ap
   queueIs(set)
   serveReview(aReview(set))
   await opened('/walk')
-  expect(verdict()).toHaveTextContent('You have not heard the 2 files yet. a plays them first.')
+  expect(verdict()).toHaveTextContent('You have not heard the 2 files yet. Approve a plays them first.')
   await userEvent.keyboard('a')
   await sounds(1)
   expect(verdict()).toHaveTextContent('_01 is playing for the first time.')
@@ -141,7 +141,7 @@ test('of a set each file is played to its end before the next, and the set is ap
   await sounds(2)
   expect(verdict()).toHaveTextContent('_02 is playing for the first time.')
   playToEnd()
-  expect(await within(verdict()).findByText(/^Heard\./)).toHaveTextContent('Heard. a approves them.')
+  expect(await within(verdict()).findByText(/^Heard\./)).toHaveTextContent('Heard. Press Approve a again.')
   expect(decisions()).toEqual([])
   await userEvent.keyboard('a')
   await waitFor(() => expect(decisions()[0]?.body).toMatchObject({ heard_take_ids: ['w1', 'w2'] }))

@@ -46,7 +46,7 @@ describe('a verdict', () => {
     server.on('POST /v1/takes/a/verdict', {})
     await opened()
     const card = screen.getByRole('region', { name: /Pick one of two/ })
-    expect(card).toHaveTextContent('You have not heard A yet. a plays it first.')
+    expect(card).toHaveTextContent('You have not heard A yet. Approve a plays it first.')
     await userEvent.keyboard('a')
     expect(await within(card).findByRole('button', { name: /Pause/ })).toBeVisible()
     expect(server.of('POST /v1/takes/a/verdict')).toEqual([])
