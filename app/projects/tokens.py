@@ -43,7 +43,7 @@ def issue_token(session: Session, project_id: UUID, *, name: str, scopes: Collec
         session,
         studio_id=project.studio_id,
         project_id=project_id,
-        created_by=project.created_by,
+        created_by=queries.approver_of(session, project),  # who opened it may have left
         name=name,
         scopes=scopes,
     )
