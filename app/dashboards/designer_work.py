@@ -11,6 +11,7 @@ from app.dashboards.pace_rules import CuePace, days_late, first_pass_share, mean
 from app.dashboards.work_schemas import WorkedProject, WorkFigures
 from app.hiring.roster import entry_seen
 from app.hiring.roster_queries import designers_of
+from app.kit import clock
 from app.money.estimates import estimates_of
 from app.money.estimating import error_rate
 from app.money.schemas import HabitRead
@@ -36,6 +37,7 @@ def own_work(session: Session, actor: Actor) -> list[WorkFigures]:
 def _figures(
     session: Session, studio_id: UUID, studio_name: str, designer_id: UUID, *, with_estimates: bool
 ) -> WorkFigures:
+    now = clock.now()
     every: list[CuePace] = []
     projects = []
     for project_id, name, since in work_queries.projects_of(session, studio_id, designer_id):
@@ -49,11 +51,11 @@ def _figures(
         studio_name=studio_name,
         projects=projects,
         accepted=sum(project.accepted for project in projects),
-        on_time=on_time_share(every),
-        days_late=days_late(every),
+        on_time=on_time_share(every, now.date()),
+        days_late=days_late(every, now.date()),
         first_pass=first_pass_share(every),
         rounds_per_cue=mean_rounds(every),
-        revision_hours=median_hours([(asked, came) for asked, came in revisions]),
+        revision_hours=median_hours(revisions, now),
         estimates=_estimates(session, studio_id, designer_id) if with_estimates else None,
     )
 

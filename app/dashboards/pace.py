@@ -3,7 +3,6 @@
 from collections import defaultdict
 from collections.abc import Sequence
 from datetime import date, datetime
-from statistics import median
 from uuid import UUID
 
 from sqlalchemy import Row
@@ -20,8 +19,10 @@ from app.dashboards.pace_rules import (
     decided_before_and_since,
     finish_on,
     first_pass_share,
+    longest_wait_hours,
     mean_rounds,
     median_hours,
+    median_so_far,
 )
 from app.dashboards.pace_schemas import Pace, StudioPace, WornCue
 from app.dashboards.schemas import ProjectMoney
@@ -52,7 +53,7 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
     accepted = sum(cue.accepted_at is not None for cue in every)
     before, lately = decided_before_and_since(every, now - LATELY)
     paid = money.project_money(session, actor, project_id)
-    spent, estimates = costs(session, access, paid)
+    spent, estimates, over_estimate = costs(session, access, paid)
     return Pace(
         cues=len(every),
         accepted=accepted,
@@ -60,7 +61,7 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
         first_pass_lately=first_pass_share(lately),
         first_pass_before=first_pass_share(before),
         rounds_per_cue=mean_rounds(every),
-        days_late=days_late(every),
+        days_late=days_late(every, now.date()),
         overdue=sum(due_on < now.date() for due_on in still_due),
         finish_on=finish_on(every, now),
         needed_on=max(still_due, default=None),
@@ -68,6 +69,7 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
         studio=_studio_pace(session, project_id, designer_id, paid),
         costs=spent,
         estimates=estimates,
+        over_estimate=over_estimate,
     )
 
 
@@ -90,14 +92,15 @@ def _cue_paces(
     }
 
 
-Decided = tuple[int, datetime | None, dict[int, datetime]]  # rounds, the first of them, approvals by variation
+Approval = tuple[datetime, bool]  # since when, and whether it was adopted without a review
+Decided = tuple[int, datetime | None, dict[int, Approval]]  # rounds, the first of them, approvals by variation
 
 
 def _decided(session: Session, project_id: UUID, designer_id: UUID | None) -> dict[UUID, Decided]:
     counted = {cue_id: (count, first) for cue_id, count, first in pace_queries.rounds(session, project_id)}
-    approved: dict[UUID, dict[int, datetime]] = defaultdict(dict)
-    for cue_id, variation, at in pace_queries.approvals(session, project_id, designer_id):
-        approved[cue_id][variation] = at
+    approved: dict[UUID, dict[int, Approval]] = defaultdict(dict)
+    for cue_id, variation, at, is_adopted in pace_queries.approvals(session, project_id, designer_id):
+        approved[cue_id][variation] = (at, is_adopted)
     return {
         cue_id: (*counted.get(cue_id, (0, None)), approved.get(cue_id, {}))
         for cue_id in counted.keys() | approved.keys()
@@ -106,21 +109,32 @@ def _decided(session: Session, project_id: UUID, designer_id: UUID | None) -> di
 
 def _cue_pace(decided: Decided, variations: int, due_on: date | None) -> CuePace:
     rounds, first_round_at, approved = decided
-    first = [at for at in (first_round_at, *approved.values()) if at is not None]
+    first = [at for at in (first_round_at, *(at for at, _ in approved.values())) if at is not None]
     wanted = [approved[variation] for variation in range(1, variations + 1) if variation in approved]
     is_accepted = len(wanted) == variations
-    return CuePace(rounds, min(first, default=None), max(wanted) if is_accepted else None, due_on)
+    return CuePace(
+        rounds=rounds,
+        first_decided_at=min(first, default=None),
+        accepted_at=max(at for at, _ in wanted) if is_accepted else None,
+        due_on=due_on,
+        is_adopted=rounds == 0 and is_accepted and all(is_adopted for _, is_adopted in wanted),
+    )
 
 
 def _studio_pace(session: Session, project_id: UUID, designer_id: UUID | None, paid: ProjectMoney) -> StudioPace:
-    asked = pace_queries.answer_times(session, project_id, designer_id)
-    days = [one.last_days_to_pay for one in paid.contracts if one.last_days_to_pay is not None]
+    now = clock.now()
+    asked = [(began, ended) for began, ended in pace_queries.answer_times(session, project_id, designer_id)]
+    reviewed = [(began, ended) for began, ended in pace_queries.review_times(session, project_id, designer_id)]
+    waits = pace_queries.review_waits(session, project_id, designer_id)
+    paid_after = [contract.last_days_to_pay for contract in paid.contracts if contract.last_days_to_pay is not None]
+    unpaid = [invoice for contract in paid.contracts for invoice in contract.open_invoices]
     return StudioPace(
-        review_hours=median_hours(
-            [(began, ended) for began, ended in pace_queries.review_times(session, project_id, designer_id)]
-        ),
-        answer_hours=median_hours([(began, ended) for began, ended in asked if ended is not None]),
+        review_hours=median_hours([*reviewed, *((began, None) for began in waits)], now),
+        waiting_reviews=len(waits),
+        longest_review_wait_hours=longest_wait_hours(waits, now),
+        answer_hours=median_hours(asked, now),
         open_questions=sum(ended is None for _, ended in asked),
-        days_to_pay=median(days) if days else None,
-        late_invoices=sum(invoice.state == "late" for one in paid.contracts for invoice in one.open_invoices),
+        longest_answer_wait_hours=longest_wait_hours([began for began, ended in asked if ended is None], now),
+        days_to_pay=median_so_far(paid_after, [(now.date() - invoice.issued_on).days for invoice in unpaid]),
+        late_invoices=sum(invoice.state == "late" for invoice in unpaid),
     )

@@ -51,6 +51,14 @@ class EstimateError:
         return 100 * (self.logged_min - self.estimated_min) / self.estimated_min
 
 
+@dataclass(frozen=True)
+class OverEstimate:
+    """The open cues whose logged time exceeds their estimate already."""
+
+    cues: int
+    over_min: int
+
+
 def wants_another_sound(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
     """Whether a change of a cue says that another sound is wanted; what was only added to its words does not."""
     if not before:  # the cue was added
@@ -94,3 +102,9 @@ def estimate_error(pairs: Sequence[tuple[int, int]]) -> EstimateError | None:
     if len(pairs) < FEW:
         return None
     return EstimateError(len(pairs), sum(estimated for estimated, _ in pairs), sum(logged for _, logged in pairs))
+
+
+def over_estimate(open_pairs: Sequence[tuple[int, int]]) -> OverEstimate | None:
+    """Sum up by how much open cues exceed their estimates, of (estimated, logged) minutes; None: none does."""
+    over = [logged - estimated for estimated, logged in open_pairs if logged > estimated]
+    return OverEstimate(len(over), sum(over)) if over else None

@@ -17,10 +17,11 @@ from app.dashboards.pace_cost_rules import (
     churned_since,
     estimate_error,
     kept_sounds,
+    over_estimate,
     per_kept_minor,
     wants_another_sound,
 )
-from app.dashboards.pace_schemas import CostsRead, EstimateErrorRead
+from app.dashboards.pace_schemas import CostsRead, EstimateErrorRead, OverEstimateRead
 from app.dashboards.schemas import ProjectMoney
 from app.money.queries import worked_minutes
 from app.projects.budget_queries import budgets_of
@@ -32,8 +33,8 @@ Ordered = Sequence[Row[ContractCue, str, CueState]]
 
 def costs(
     session: Session, access: ProjectAccess, paid: ProjectMoney
-) -> tuple[list[CostsRead], EstimateErrorRead | None]:
-    """Return the costs of the contracts in `paid`, by currency, and the error of their estimates.
+) -> tuple[list[CostsRead], EstimateErrorRead | None, OverEstimateRead | None]:
+    """Return the costs of the contracts in `paid`, by currency, the error of their estimates, and what exceeds them.
 
     Budgets are for those who act for the studio; estimates for its producers and for the designer who made them.
     """
@@ -68,7 +69,9 @@ def costs(
             )
         )
     sees_estimates = access.is_producer or access.only_designer_id is not None
-    return read, _estimate_error(session, contract_ids, rows) if sees_estimates else None
+    if not sees_estimates:
+        return read, None, None
+    return read, *_estimate_errors(session, contract_ids, rows)
 
 
 def _ordered_cues(session: Session, rows: Ordered) -> list[OrderedCue]:
@@ -102,19 +105,27 @@ def _rewritten(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[d
     return rewritten
 
 
-def _estimate_error(session: Session, contract_ids: Collection[UUID], rows: Ordered) -> EstimateErrorRead | None:
+def _estimate_errors(
+    session: Session, contract_ids: Collection[UUID], rows: Ordered
+) -> tuple[EstimateErrorRead | None, OverEstimateRead | None]:
     logged = worked_minutes(session, contract_ids)
-    pairs = [
-        (cue.estimate_min, minutes)
-        for cue, _, _ in rows
-        if cue.estimate_min and cue.accepted_at and (minutes := logged.get((cue.contract_id, cue.cue_id)))
-    ]
-    error = estimate_error(pairs)
-    if error is None:
-        return None
-    return EstimateErrorRead(
-        cues=error.cues,
-        estimated_min=error.estimated_min,
-        logged_min=error.logged_min,
-        error_percent=error.percent,
+    accepted: list[tuple[int, int]] = []
+    open_ones: list[tuple[int, int]] = []
+    for cue, _, state in rows:
+        minutes = logged.get((cue.contract_id, cue.cue_id))
+        if cue.estimate_min and minutes and cue.accepted_at:
+            accepted.append((cue.estimate_min, minutes))
+        elif cue.estimate_min and minutes and cue.cut_at is None and state is not CueState.CUT:
+            open_ones.append((cue.estimate_min, minutes))
+    error, over = estimate_error(accepted), over_estimate(open_ones)
+    return (
+        EstimateErrorRead(
+            cues=error.cues,
+            estimated_min=error.estimated_min,
+            logged_min=error.logged_min,
+            error_percent=error.percent,
+        )
+        if error
+        else None,
+        OverEstimateRead(cues=over.cues, over_min=over.over_min) if over else None,
     )

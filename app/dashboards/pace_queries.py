@@ -8,6 +8,7 @@ from sqlalchemy import ColumnElement, Row, exists, func, select
 from sqlalchemy.orm import Session, aliased
 
 from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
 from app.reviews.models import Round, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question
@@ -37,10 +38,13 @@ def rounds(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, dateti
     ).all()
 
 
-def approvals(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[UUID, int, datetime]]:
-    """Return the variations whose approval stands, and since when: cue, variation, time."""
+def approvals(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[UUID, int, datetime, bool]]:
+    """Return the variations whose approval stands: cue, variation, since when, and whether only an adoption gave it."""
     found = (
-        select(Verdict.cue_id, Take.variation, func.min(Verdict.created_at))
+        select(
+            *(Verdict.cue_id, Take.variation, func.min(Verdict.created_at)),
+            func.count(Verdict.adoption_id) == func.count(),
+        )
         .join(Take, Take.id == Verdict.take_id)
         .where(Verdict.project_id == project_id, Verdict.kind == VerdictKind.APPROVE, *_stands(designer_id))
         .group_by(Verdict.cue_id, Take.variation)
@@ -49,7 +53,7 @@ def approvals(session: Session, project_id: UUID, designer_id: UUID | None) -> S
 
 
 def review_times(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[datetime, datetime]]:
-    """Return since when a version had waited for its verdict, and when a person gave it; the newest."""
+    """Return since when a version had waited for its verdict, and when a review gave it; the newest."""
     found = (
         select(Verdict.since_before, Verdict.created_at)
         .join(Take, Take.id == Verdict.take_id)
@@ -57,12 +61,25 @@ def review_times(session: Session, project_id: UUID, designer_id: UUID | None) -
             Verdict.project_id == project_id,
             Verdict.kind.in_((VerdictKind.APPROVE, VerdictKind.REQUEST_CHANGE)),
             Verdict.given_by.is_not(None),
+            Verdict.adoption_id.is_(None),
             *_stands(designer_id),
         )
         .order_by(Verdict.id.desc())
         .limit(NEWEST)
     )
     return session.execute(found).all()
+
+
+def review_waits(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[datetime]:
+    """Return since when versions wait for their verdict."""
+    waiting = (
+        select(Take.state_since)
+        .join(Cue, Cue.id == Take.cue_id)
+        .where(Take.project_id == project_id, Take.state == TakeState.CONFORMING, Cue.state != CueState.CUT)
+    )
+    if designer_id is not None:
+        waiting = waiting.where(Take.designer_id == designer_id)
+    return session.scalars(waiting).all()
 
 
 def answer_times(

@@ -20,10 +20,19 @@ class WornCue(Schema):
 class StudioPace(Schema):
     """How soon the studio does its own part."""
 
-    review_hours: float | None = Field(description="From conforming to a verdict, half of the time longer.")
-    answer_hours: float | None = Field(description="From a question to its answer, half of the time longer.")
+    review_hours: float | None = Field(
+        description="The median from conforming to a verdict; a longer wait without one counts for as long as it lasts."
+    )
+    waiting_reviews: int = Field(description="Versions that wait for a verdict.")
+    longest_review_wait_hours: float | None = Field(description="Of the versions that wait; null where none does.")
+    answer_hours: float | None = Field(
+        description="The median from a question to its answer; a longer wait counts for as long as it lasts."
+    )
     open_questions: int
-    days_to_pay: float | None = Field(description="From an invoice to its last payment, half of the time longer.")
+    longest_answer_wait_hours: float | None = Field(description="Of the open questions; null where there is none.")
+    days_to_pay: float | None = Field(
+        description="The median from an invoice to its last payment; a longer unpaid one counts for as long as it is."
+    )
     late_invoices: int
 
 
@@ -54,20 +63,34 @@ class EstimateErrorRead(Schema):
     error_percent: float = Field(description="Above zero it took longer than estimated.")
 
 
+class OverEstimateRead(Schema):
+    """The open cues whose logged time exceeds their estimate already."""
+
+    cues: int
+    over_min: int
+
+
 class Pace(Schema):
     """How a project goes: early warnings for both sides; null where too little has happened for a figure."""
 
     cues: int
     accepted: int
-    first_pass: float | None = Field(description="Share of the decided cues that were accepted as they came first.")
+    first_pass: float | None = Field(
+        description="Share of the cues accepted or sent back that were accepted as they came first."
+    )
     first_pass_lately: float | None = Field(description="The same of the last four weeks.")
     first_pass_before: float | None
-    rounds_per_cue: float | None
-    days_late: float | None = Field(description="By which accepted cues missed their day; below zero: early.")
+    rounds_per_cue: float | None = Field(description="Mean of the cues accepted or sent back, open ones so far.")
+    days_late: float | None = Field(
+        description="The median by which cues missed their day, overdue ones so far; below zero: early."
+    )
     overdue: int
-    finish_on: date | None = Field(description="At the pace of the last four weeks.")
+    finish_on: date | None = Field(
+        description="At the pace of the last four weeks, or since the first decision where that is later."
+    )
     needed_on: date | None = Field(description="The last day on which a cue that is not accepted is needed.")
     worn: list[WornCue]
     studio: StudioPace
     costs: list[CostsRead] = Field(description="Of the contracts that the caller is a party to.")
     estimates: EstimateErrorRead | None = Field(description="For producers, and for designers of their own work.")
+    over_estimate: OverEstimateRead | None = Field(description="For the same; null where no open cue exceeds its own.")

@@ -4,15 +4,18 @@ from collections.abc import Sequence
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import Row, func, select
+from sqlalchemy import Row, and_, func, select
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
 from app.agreements.models import Contract
 from app.agreements.rules import ContractState
 from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
 from app.projects.models import Engagement, Project
 from app.reviews.models import Round
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import CueState
 
 NEWEST = 1_000  # rounds: older ones say nothing of today
 
@@ -51,8 +54,8 @@ def contracts_of(session: Session, studio_id: UUID, designer_id: UUID) -> Sequen
     return session.scalars(found.order_by(Contract.id)).all()
 
 
-def revision_times(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[Row[datetime, datetime]]:
-    """Return when changes of a cue were sent, and when the designer's next take of it came; the newest rounds."""
+def revision_times(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[tuple[datetime, datetime | None]]:
+    """Return when changes of a cue were sent, and when the designer's next take came; None while they are awaited."""
     next_take = (
         select(func.min(Take.received_at))
         .where(Take.cue_id == Round.cue_id, Take.designer_id == designer_id, Take.received_at > Round.created_at)
@@ -60,10 +63,14 @@ def revision_times(session: Session, studio_id: UUID, designer_id: UUID) -> Sequ
         .scalar_subquery()
     )
     own = select(Take.cue_id).where(Take.studio_id == studio_id, Take.designer_id == designer_id)
+    is_awaited = and_(
+        Cue.state != CueState.CUT, Cue.id.in_(own.where(Take.state == TakeState.CHANGE_REQUESTED).correlate(None))
+    )
     rows = session.execute(
-        select(Round.created_at, next_take)
+        select(Round.created_at, next_take, is_awaited)
+        .join(Cue, Cue.id == Round.cue_id)
         .where(Round.studio_id == studio_id, Round.cue_id.in_(own))
         .order_by(Round.id.desc())
         .limit(NEWEST)
     )
-    return [row for row in rows if row[1] is not None]
+    return [(sent_at, came_at) for sent_at, came_at, awaited in rows if came_at is not None or awaited]

@@ -25,12 +25,14 @@ class WorkFigures(Schema):
     studio_name: str
     projects: list[WorkedProject]
     accepted: int
-    on_time: float | None = Field(description="Share of accepted cues with a day that were accepted by it.")
-    days_late: float | None = Field(description="Half of them later; below zero: early.")
-    first_pass: float | None = Field(description="Share of the decided cues that were accepted as they came first.")
-    rounds_per_cue: float | None
+    on_time: float | None = Field(description="Share of the cues accepted or overdue that were accepted by their day.")
+    days_late: float | None = Field(description="The median, overdue cues so far; below zero: early.")
+    first_pass: float | None = Field(
+        description="Share of the cues accepted or sent back that were accepted as they came first."
+    )
+    rounds_per_cue: float | None = Field(description="Mean of the cues accepted or sent back, open ones so far.")
     revision_hours: float | None = Field(
-        description="From changes that were sent to the next version, half of the time longer."
+        description="The median from changes that were sent to the next version; a longer wait counts so far."
     )
     estimates: HabitRead | None = Field(
         description="By how much work exceeded its estimates; for the designer and the studio's producers."

@@ -173,9 +173,19 @@ export const aPace = (facts: Partial<Schemas['Pace']> = {}): Schemas['Pace'] => 
   finish_on: null,
   needed_on: null,
   worn: [],
-  studio: { review_hours: null, answer_hours: null, open_questions: 0, days_to_pay: null, late_invoices: 0 },
+  studio: {
+    review_hours: null,
+    waiting_reviews: 0,
+    longest_review_wait_hours: null,
+    answer_hours: null,
+    open_questions: 0,
+    longest_answer_wait_hours: null,
+    days_to_pay: null,
+    late_invoices: 0,
+  },
   costs: [],
   estimates: null,
+  over_estimate: null,
   ...facts,
 })
 

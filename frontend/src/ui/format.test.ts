@@ -112,6 +112,64 @@ test('counts and words', () => {
 })
 
 test.each([
+  [0, '0 %'],
+  [0.004, 'under 1 %'],
+  [0.125, '13 %'],
+  [0.996, 'over 99 %'],
+  [1, '100 %'],
+])('a share of %s reads %s: none and all are only what they say', (value, text) => {
+  expect(format.share(value)).toBe(text)
+})
+
+test.each([
+  [0, '0.0'],
+  [0.03, 'under 0.1'],
+  [0.05, '0.1'],
+  [0.75, '0.8'],
+  [3, '3.0'],
+])('a mean of %s reads %s', (value, text) => {
+  expect(format.average(value)).toBe(text)
+})
+
+test.each([
+  [0, '0 %'],
+  [0.4, '+0.4 %'],
+  [-0.4, '−0.4 %'],
+  [0.96, '+1 %'],
+  [30.4, '+30 %'],
+  [-12, '−12 %'],
+])('a deviation of %s reads %s', (value, text) => {
+  expect(format.deviation(value)).toBe(text)
+})
+
+test.each([
+  [0, '0 s'],
+  [0.2, 'under 1 s'],
+  [8, '8 s'],
+  [59.6, '1 min'],
+  [90, '2 min'],
+  [59 * 60, '59 min'],
+  [3600, '1 hour'],
+  [5 * 3600, '5 hours'],
+  [47 * 3600, '47 hours'],
+  [48 * 3600, '2 days'],
+  [70 * 3600, '3 days'],
+])('a duration of %s s reads %s', (seconds, text) => {
+  expect(format.duration(seconds)).toBe(text)
+})
+
+test('days may be half', () => {
+  expect([0, 0.5, 1, 2, 2.5].map(format.days)).toEqual(['0 days', '0.5 days', '1 day', '2 days', '2.5 days'])
+})
+
+test('a short day names its year where it is not the current one', () => {
+  const now = new Date(2026, 10, 28)
+  expect(format.shortDay('2026-01-20', now)).toBe('20 January')
+  expect(format.shortDay('2029-01-20', now)).toBe('20 January 2029')
+  expect(format.shortDay('2025-12-31', now)).toBe('31 December 2025')
+})
+
+test.each([
   [0, '0.00'],
   [0.29, '0.29'], // 0.29 * 100 is 28.999999999999996
   [0.995, '0.99'],

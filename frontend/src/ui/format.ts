@@ -24,6 +24,26 @@ export function score(value: number): string {
   return figure(Math.floor(Math.round(value * 1000) / 10) / 100, 2)
 }
 
+/** A share from 0 to 1: "75 %"; "under 1 %" and "over 99 %" keep 0 % and 100 % for none and all. */
+export function share(value: number): string {
+  const percent = Math.round(value * 100)
+  if (value > 0 && percent === 0) return 'under 1 %'
+  if (value < 1 && percent === 100) return 'over 99 %'
+  return `${figure(percent)} %`
+}
+
+/** A mean of counts with one decimal: "1.5"; "under 0.1" keeps 0.0 for none. */
+export function average(value: number): string {
+  return value > 0 && value < 0.05 ? 'under 0.1' : figure(value, 1)
+}
+
+/** By how much something differs, signed: "+30 %", "−12 %", "+0.4 %"; "0 %" is only what is equal to a tenth. */
+export function deviation(percent: number): string {
+  const text = figure(percent, Math.abs(percent) < 0.95 ? 1 : 0)
+  if (text === '0.0') return '0 %'
+  return `${percent > 0 ? '+' : ''}${text} %`
+}
+
 export type LevelUnit = 'dB' | 'dBFS' | 'dBTP' | 'LUFS' | 'LU'
 
 /** A level with one decimal; null, NaN and −Infinity are silence: "−∞ dBFS". */
@@ -138,6 +158,21 @@ export function ago(at: Date | string, now: Date = new Date()): string {
   return passed === 'now' ? 'just now' : `${passed} ago`
 }
 
+/** How long something took: "under 1 s", "8 s", "12 min", "3 hours", "2 days"; the unit never says more than is known. */
+export function duration(s: number): string {
+  if (s <= 0) return '0 s'
+  if (s < 0.5) return 'under 1 s'
+  if (Math.round(s) < 60) return `${Math.round(s)} s`
+  if (Math.round(s / 60) < 60) return `${Math.round(s / 60)} min`
+  if (Math.round(s / 3600) < 48) return plural(Math.round(s / 3600), 'hour')
+  return plural(Math.round(s / 86_400), 'day')
+}
+
+/** Days that may be a half, as a median is: "1 day", "0.5 days", "12 days". */
+export function days(count: number): string {
+  return Number.isInteger(count) ? plural(count, 'day') : `${figure(count, 1)} days`
+}
+
 /** How long something still takes: "40 s", "3 min", "2 h". */
 export function remaining(s: number): string {
   if (s < 60) return `${Math.max(1, Math.ceil(s))} s`
@@ -173,15 +208,14 @@ const daysBetween = (from: Date, to: Date): number => Math.round((dayOf(to).getT
 
 /** "Friday 20 November", with the year where it is not this one. */
 export function day(on: Date | string, now: Date = new Date()): string {
-  const date = dayOf(on)
-  const year = date.getFullYear() === now.getFullYear() ? '' : ` ${date.getFullYear()}`
-  return `${WEEKDAYS[date.getDay()]} ${shortDay(date)}${year}`
+  return `${WEEKDAYS[dayOf(on).getDay()]} ${shortDay(on, now)}`
 }
 
-/** "20 November". */
-export function shortDay(on: Date | string): string {
+/** "20 November", with the year where it is not this one: "20 January 2029". */
+export function shortDay(on: Date | string, now: Date = new Date()): string {
   const date = dayOf(on)
-  return `${date.getDate()} ${MONTHS[date.getMonth()]}`
+  const year = date.getFullYear() === now.getFullYear() ? '' : ` ${date.getFullYear()}`
+  return `${date.getDate()} ${MONTHS[date.getMonth()]}${year}`
 }
 
 /** How far a day is, within a week: "today", "tomorrow", "in 3 days", "yesterday", "3 days ago"; else nothing. */

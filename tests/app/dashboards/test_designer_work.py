@@ -22,9 +22,10 @@ def accepted(days_after_due: int | None) -> CuePace:
 
 
 def test_on_time_is_by_the_day_and_of_cues_that_have_one() -> None:
-    assert on_time_share([accepted(0), accepted(-3), accepted(1), accepted(None)]) == pytest.approx(2 / 3)
-    assert on_time_share([accepted(0), accepted(0), accepted(None)]) is None
-    assert on_time_share([CuePace(0, None, None, NOW.date())] * 5) is None
+    today = NOW.date()
+    assert on_time_share([accepted(0), accepted(-3), accepted(1), accepted(None)], today) == pytest.approx(2 / 3)
+    assert on_time_share([accepted(0), accepted(0), accepted(None)], today) is None
+    assert on_time_share([CuePace(0, None, None, today)] * 5, today) is None
 
 
 @pytest.fixture

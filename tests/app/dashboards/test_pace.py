@@ -12,8 +12,11 @@ from app.dashboards.pace_rules import (
     decided_before_and_since,
     finish_on,
     first_pass_share,
+    longest_wait_hours,
     mean_rounds,
     median_hours,
+    median_so_far,
+    on_time_share,
 )
 from tests.app.reviews.making import Stage
 from tests.support.server import World
@@ -40,25 +43,63 @@ def test_equal_cues_count_each() -> None:
     assert (before, len(lately)) == ([], 4)
 
 
-def test_rounds_and_lateness_are_of_accepted_cues() -> None:
-    due = (NOW - timedelta(days=4)).date()
+def test_rounds_of_open_cues_count_so_far() -> None:
+    accepted = [cue(accepted_days=1)] * 3
+    assert mean_rounds([*accepted, cue(3, decided_days=1)]) == 0.75
+    assert mean_rounds([*accepted, cue(), cue(decided_days=1)]) == 0, "nothing of these two is known yet"
+    assert mean_rounds([cue(1, decided_days=1)] * 2) is None
+
+
+def test_a_set_approved_in_part_is_not_yet_decided() -> None:
+    partly = cue(decided_days=1)
+    assert first_pass_share([cue(accepted_days=1), cue(accepted_days=1), cue(1, decided_days=1), partly]) == 2 / 3
+    assert decided_before_and_since([partly], NOW - timedelta(days=3)) == ([], [])
+
+
+def test_an_overdue_cue_is_late_by_the_days_so_far() -> None:
+    today, due = NOW.date(), (NOW - timedelta(days=4)).date()
     cues = [cue(0, accepted_days=1, due=due), cue(3, accepted_days=2, due=due), cue(0, accepted_days=6, due=due)]
-    assert mean_rounds([*cues, cue(9, decided_days=1)]) == 1
-    assert days_late([*cues, cue(due=due)]) == 2
-    assert days_late(cues[:2]) is None
+    assert days_late(cues, today) == 2
+    assert days_late([*cues, cue(due=due)], today) == 2.5
+    assert days_late([*cues, cue(due=today), cue()], today) == 2, "due today, or without a day: not late"
+    assert days_late(cues[:2], today) is None
+    assert on_time_share(cues, today) == 1 / 3
+    assert on_time_share([*cues, cue(due=due), cue(due=today)], today) == 1 / 4
+
+
+def test_what_was_adopted_without_a_review_measures_nothing() -> None:
+    due = (NOW - timedelta(days=4)).date()
+    adopted = [CuePace(0, NOW, NOW, due, is_adopted=True)] * 5
+    assert (first_pass_share(adopted), mean_rounds(adopted), days_late(adopted, NOW.date())) == (None, None, None)
+    assert finish_on([*adopted, cue()], NOW) is None
 
 
 def test_the_finish_is_at_the_pace_of_four_weeks() -> None:
     done = [cue(accepted_days=days) for days in (1, 9, 20, 27)]
     assert finish_on([*done, cue(accepted_days=90), cue(), cue()], NOW) == date(2026, 12, 9)
+    assert finish_on([cue(accepted_days=10)] * 2 + [cue()] * 4, NOW) == date(2026, 12, 15), "2 in the ten days so far"
+    assert finish_on([cue(accepted_days=0)] * 2 + [cue()] * 4, NOW) == date(2026, 12, 9), "a day counts as a week"
     assert finish_on(done, NOW) is None, "nothing is left"
     assert finish_on([cue(accepted_days=90), cue()], NOW) is None, "nothing was accepted lately"
 
 
 def test_half_of_the_time_it_took_longer() -> None:
     spans = [(NOW, NOW + timedelta(hours=hours)) for hours in (1, 30, 2)]
-    assert median_hours(spans) == 2
-    assert median_hours(spans[:2]) is None
+    assert median_hours(spans, NOW) == 2
+    assert median_hours(spans[:2], NOW) is None
+
+
+def test_an_open_wait_counts_once_it_is_longer_than_the_median() -> None:
+    quick = [(NOW - timedelta(seconds=20), NOW - timedelta(seconds=12))] * 3
+    assert median_hours(quick, NOW) == pytest.approx(8 / 3600)
+    just_come = [(NOW - timedelta(seconds=1), None)] * 9
+    assert median_hours([*quick, *just_come], NOW) == pytest.approx(8 / 3600)
+    for_days = [(NOW - timedelta(days=3), None)] * 4
+    assert median_hours([*quick, *for_days], NOW) == 72
+    assert median_hours(for_days, NOW) is None, "nothing is finished"
+    assert longest_wait_hours([NOW, NOW - timedelta(hours=5)], NOW) == 5
+    assert longest_wait_hours([], NOW) is None
+    assert median_so_far([0, 10], [4, 30]) == 10
 
 
 @pytest.fixture
@@ -92,11 +133,12 @@ def test_both_sides_see_how_it_goes(world: World, stage: Stage) -> None:
     judge_three(stage)
     mine = pace(world, world.designer)
     assert (mine["cues"], mine["accepted"], mine["first_pass"]) == (4, 3, 0.5)
-    assert mine["rounds_per_cue"] == pytest.approx(1 / 3)
+    assert mine["rounds_per_cue"] == 1, "none, none, one, and three so far"
     assert (mine["overdue"], mine["needed_on"]) == (1, "2020-01-01")
     assert [(one["name"], one["rounds"]) for one in mine["worn"]] == [("worn", 3)]
     assert mine["finish_on"] is not None
-    assert mine["studio"]["review_hours"] is not None
+    assert 0 < mine["studio"]["review_hours"] < 1
+    assert (mine["studio"]["waiting_reviews"], mine["studio"]["longest_review_wait_hours"]) == (0, None)
     whole = pace(world, world.producer)
     assert whole["accepted"] == 3
     assert whole["first_pass"] == 0.5
@@ -115,7 +157,16 @@ def test_what_was_undone_was_not_decided(world: World, stage: Stage) -> None:
 def test_a_question_that_waits_is_counted(world: World, stage: Stage) -> None:
     cue_id = stage.cue("asked")
     world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "how heavy?"})
-    assert pace(world, world.producer)["studio"]["open_questions"] == 1
+    studio = pace(world, world.producer)["studio"]
+    assert (studio["open_questions"], studio["answer_hours"]) == (1, None)
+    assert 0 <= studio["longest_answer_wait_hours"] < 1
+
+
+def test_a_version_that_waits_for_its_verdict_is_counted(world: World, stage: Stage) -> None:
+    stage.take(stage.cue("waits"))
+    studio = pace(world, world.producer)["studio"]
+    assert (studio["waiting_reviews"], studio["review_hours"]) == (1, None)
+    assert 0 <= studio["longest_review_wait_hours"] < 1
 
 
 def test_reviewers_and_strangers_do_not_see_it(world: World) -> None:

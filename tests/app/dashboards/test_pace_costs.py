@@ -201,4 +201,6 @@ def test_estimates_against_logged_time_are_for_producers_and_their_designer(agre
     expected = {"cues": 3, "estimated_min": 300, "logged_min": 390, "error_percent": pytest.approx(30)}
     assert pace(agreed)["estimates"] == expected  # the fourth is not accepted yet
     assert pace(agreed, agreed.world.designer)["estimates"] == expected
+    assert pace(agreed)["over_estimate"] == {"cues": 1, "over_min": 800}, "it is open, and longer already"
     assert pace(agreed, agreed.world.approver)["estimates"] is None
+    assert pace(agreed, agreed.world.approver)["over_estimate"] is None

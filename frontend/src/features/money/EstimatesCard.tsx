@@ -2,7 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 
 import { estimatesQuery } from '@/money/api'
 import { Card, CardHead } from '@/ui/Card'
-import { day, figure, plural } from '@/ui/format'
+import { day, deviation, figure, plural } from '@/ui/format'
 
 import classes from './Page.module.css'
 
@@ -25,7 +25,7 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
             <span>
               {mean === null || spread === null
                 ? 'no finished cues yet'
-                : `${mean > 0 ? '+' : ''}${figure(mean)} %, spread ${figure(spread)} points, of ${plural(pairs, 'estimate')}`}
+                : `${deviation(mean)}, spread ${figure(spread)} points, of ${plural(pairs, 'estimate')}`}
             </span>
           </p>
         ))}

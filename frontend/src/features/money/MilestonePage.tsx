@@ -8,11 +8,11 @@ import { useMyProject } from '@/api/me'
 import { NotFoundPage } from '@/app/NotFoundPage'
 import { useTitle } from '@/app/title'
 import { milestoneQuery, type MilestoneCue, type MilestoneSheet, useLogWork } from '@/money/api'
-import { amount, money, slipInWords } from '@/money/words'
+import { amount, hours, money, slipInWords } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { day, dueDay, figure, plural, shortDay } from '@/ui/format'
+import { average, day, deviation, dueDay, figure, plural, shortDay } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 import { State, type StateKind } from '@/ui/State'
@@ -255,9 +255,9 @@ function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
         {growth !== null && (
           <p className="small mid">
             {growth > 0
-              ? `Each milestone is ${figure(growth, 1)} days later than the one before.`
+              ? `Each milestone is ${average(growth)} days later than the one before.`
               : growth < 0
-                ? `Each milestone is ${figure(-growth, 1)} days less late than the one before.`
+                ? `Each milestone is ${average(-growth)} days less late than the one before.`
                 : 'Delays are not growing.'}
           </p>
         )}
@@ -267,9 +267,7 @@ function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
 }
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
-const hours = (minutes: number): string => `${figure(minutes / 60, 1)} h`
-const error = (percent: number | null): string =>
-  percent === null ? '' : `, ${percent > 0 ? '+' : ''}${figure(percent)} %`
+const error = (percent: number | null): string => (percent === null ? '' : `, ${deviation(percent)}`)
 
 function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   const { estimates, milestone, cues } = sheet

@@ -113,7 +113,7 @@ describe('the page of a milestone', () => {
   test('holds its own cues’ estimates against the time logged', async () => {
     await opened()
     const estimates = within(screen.getByRole('region', { name: 'Estimates' }))
-    expect(estimates.getByText('1.0 h, logged 1.5 h, +50 %')).toBeVisible()
+    expect(estimates.getByText('1 h, logged 1 h 30 min, +50 %')).toBeVisible()
     expect(estimates.queryByText('dock_clamp')).toBeNull()
     expect(estimates.queryByRole('form')).toBeNull()
   })

@@ -41,7 +41,7 @@ test('hours due stand against hours there, and the first week that is short is n
     designers: [DESIGNER],
   })
   const card = await screen.findByRole('region', { name: 'Sound designer' })
-  expect(card).toHaveTextContent('38 h left, 4.5 h logged; 2 cues without an estimate')
+  expect(card).toHaveTextContent('38 h left, 4 h 30 min logged; 2 cues without an estimate')
   expect(card).toHaveTextContent('By the end of the week of 30 November: 38 h due, 32 h there.')
   expect(card).toHaveTextContent('1 cue without a day is in no week.')
   expect(within(card).getByRole('img', { name: 'more is due than there is' })).toBeVisible()

@@ -5,6 +5,7 @@ import { answered, api } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useTitle } from '@/app/title'
+import { hours as inHours } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { figure, plural, shortDay } from '@/ui/format'
@@ -25,7 +26,7 @@ const hoursQuery = (projectId: string) =>
       answered(api.GET('/v1/projects/{project_id}/hours', { params: { path: { project_id: projectId } } })),
   })
 
-const hours = (value: number): string => `${figure(value, Number.isInteger(value) ? 0 : 1)} h`
+const hours = (value: number): string => inHours(value > 0 ? Math.max(1, Math.round(value * 60)) : 0)
 
 /** "12 h left, 3 h done; 4 cues without an estimate". */
 function sumWords({ left_h: left, done_h: done, unknown }: Sum): string {

@@ -41,9 +41,19 @@ test('what both sides had better talk about stands out, with the figures', async
       finish_on: '2026-12-09',
       needed_on: '2026-12-05',
       worn: [{ cue_id: 'c1', label: 'SW-001', name: 'shield_hit', rounds: 4 }],
-      studio: { review_hours: 70, answer_hours: 3, open_questions: 2, days_to_pay: 12, late_invoices: 1 },
+      studio: {
+        review_hours: 70,
+        waiting_reviews: 3,
+        longest_review_wait_hours: 100,
+        answer_hours: 3,
+        open_questions: 1,
+        longest_answer_wait_hours: 1 / 60,
+        days_to_pay: 12,
+        late_invoices: 1,
+      },
       costs: [COSTS, { ...COSTS, currency: 'EUR', budget_minor: null, churn: null }],
       estimates: { cues: 3, estimated_min: 300, logged_min: 390, error_percent: 30 },
+      over_estimate: { cues: 1, over_min: 90 },
     }),
   })
   openApp('/projects/p1')
@@ -53,6 +63,10 @@ test('what both sides had better talk about stands out, with the figures', async
   expect(valueOf(card, 'Done at this pace')).toHaveTextContent('9 December; needed by 5 December')
   expect(valueOf(card, 'Time to a verdict')).toHaveTextContent('3 days')
   expect(valueOf(card, 'Time to an answer')).toHaveTextContent('3 hours')
+  expect(valueOf(card, 'Waiting for a verdict')).toHaveTextContent('3 versions, the longest for 4 days')
+  expect(valueOf(card, 'Waiting for an answer')).toHaveTextContent('1 question, for 1 min')
+  expect(valueOf(card, 'Time to pay')).toHaveTextContent('12 days')
+  expect(valueOf(card, 'Over estimate already')).toHaveTextContent('1 open cue by 1 h 30 min')
   expect(within(card).getByText('$300.00; $75.00 over')).toHaveClass('tone-warn')
   expect(within(card).getByText('$275.00; $175.00 due')).toBeVisible()
   expect(within(card).getByText('$137.50; 2 kept')).toBeVisible()
@@ -65,6 +79,30 @@ test('what both sides had better talk about stands out, with the figures', async
     'href',
     '/projects/p1/sound-list/cues/c1',
   )
+})
+
+test('small figures are neither rounded up to a unit nor down to none', async () => {
+  serve({
+    ...inProject(),
+    'GET /v1/projects/p1/pace': aPace({
+      first_pass: 0.996,
+      rounds_per_cue: 0.04,
+      days_late: 0.5,
+      finish_on: '2029-01-20',
+      studio: { ...aPace().studio, review_hours: 8 / 3600, answer_hours: 0.5, days_to_pay: 0 },
+      estimates: { cues: 3, estimated_min: 30_000, logged_min: 30_090, error_percent: 0.3 },
+    }),
+  })
+  openApp('/projects/p1')
+  const card = await screen.findByRole('region', { name: 'Pace' })
+  expect(await within(card).findByText('over 99 %')).toBeVisible()
+  expect(valueOf(card, 'Rounds per cue')).toHaveTextContent('under 0.1')
+  expect(valueOf(card, 'Against the due day')).toHaveTextContent('0.5 days late')
+  expect(valueOf(card, 'Done at this pace')).toHaveTextContent('20 January 2029')
+  expect(valueOf(card, 'Time to a verdict')).toHaveTextContent('8 s')
+  expect(valueOf(card, 'Time to an answer')).toHaveTextContent('30 min')
+  expect(valueOf(card, 'Time to pay')).toHaveTextContent('the same day')
+  expect(valueOf(card, 'Against estimates')).toHaveTextContent('under 1 % longer')
 })
 
 test('what has no figure yet has no line, and nothing warns', async () => {

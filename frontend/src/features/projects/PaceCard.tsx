@@ -6,7 +6,7 @@ import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { hours, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
-import { figure, plural, shortDay } from '@/ui/format'
+import { average, days, duration, figure, plural, share, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
 import { BudgetForm } from './BudgetForm'
@@ -15,7 +15,7 @@ import { Refusal } from './Refusal'
 
 type Pace = components['schemas']['Pace']
 
-const DAY_HOURS = 24
+const HOUR_S = 3_600
 const FEWER_BY = 0.1 // of the share: less is chance
 const HIGH_CHURN = 0.2 // of the ordered cues
 
@@ -32,29 +32,23 @@ interface Line {
   warns?: boolean
 }
 
-const percent = (share: number) => `${figure(share * 100)} %`
-
-/** "5 hours", "3 days". */
-const took = (hours: number) =>
-  hours < 2 * DAY_HOURS ? plural(Math.max(1, Math.round(hours)), 'hour') : plural(Math.round(hours / DAY_HOURS), 'day')
-
 function ofWork(pace: Pace): Line[] {
-  const { first_pass: share, first_pass_lately: lately, first_pass_before: before } = pace
+  const { first_pass: firstPass, first_pass_lately: lately, first_pass_before: before } = pace
   const falls = lately !== null && before !== null && lately < before - FEWER_BY
   const trend =
-    lately !== null && before !== null ? `; ${percent(lately)} in four weeks, ${percent(before)} before` : ''
+    lately !== null && before !== null ? `; ${share(lately)} in four weeks, ${share(before)} before` : ''
   const late = pace.days_late
   const isSlow = pace.finish_on !== null && pace.needed_on !== null && pace.finish_on > pace.needed_on
   return [
     { word: 'Accepted', value: `${figure(pace.accepted)} of ${figure(pace.cues)}` },
-    ...(share === null ? [] : [{ word: 'Accepted as first sent', value: percent(share) + trend, warns: falls }]),
-    ...(pace.rounds_per_cue === null ? [] : [{ word: 'Rounds per cue', value: figure(pace.rounds_per_cue, 1) }]),
+    ...(firstPass === null ? [] : [{ word: 'Accepted as first sent', value: share(firstPass) + trend, warns: falls }]),
+    ...(pace.rounds_per_cue === null ? [] : [{ word: 'Rounds per cue', value: average(pace.rounds_per_cue) }]),
     ...(late === null
       ? []
       : [
           {
             word: 'Against the due day',
-            value: late > 0 ? `${plural(Math.round(late), 'day')} late` : late < 0 ? 'early' : 'on time',
+            value: late > 0 ? `${days(late)} late` : late < 0 ? 'early' : 'on time',
             warns: late > 0,
           },
         ]),
@@ -71,15 +65,25 @@ function ofWork(pace: Pace): Line[] {
   ]
 }
 
+/** "1 version, for 20 min", "3 versions, the longest for 2 days". */
+const waiting = (count: number, noun: string, hours: number) =>
+  `${plural(count, noun)}, ${count === 1 ? '' : 'the longest '}for ${duration(hours * HOUR_S)}`
+
 function ofStudio({ studio }: Pace): Line[] {
   const { review_hours: review, answer_hours: answer, days_to_pay: pays } = studio
+  const { longest_review_wait_hours: reviewWait, longest_answer_wait_hours: answerWait } = studio
   return [
-    ...(review === null ? [] : [{ word: 'Time to a verdict', value: took(review) }]),
-    ...(answer === null ? [] : [{ word: 'Time to an answer', value: took(answer) }]),
-    ...(studio.open_questions > 0
-      ? [{ word: 'Open questions', value: figure(studio.open_questions), warns: true }]
-      : []),
-    ...(pays === null ? [] : [{ word: 'Time to pay', value: plural(Math.round(pays), 'day') }]),
+    ...(review === null ? [] : [{ word: 'Time to a verdict', value: duration(review * HOUR_S) }]),
+    ...(reviewWait === null
+      ? []
+      : [{ word: 'Waiting for a verdict', value: waiting(studio.waiting_reviews, 'version', reviewWait) }]),
+    ...(answer === null ? [] : [{ word: 'Time to an answer', value: duration(answer * HOUR_S) }]),
+    ...(answerWait === null
+      ? []
+      : [
+          { word: 'Waiting for an answer', value: waiting(studio.open_questions, 'question', answerWait), warns: true },
+        ]),
+    ...(pays === null ? [] : [{ word: 'Time to pay', value: pays === 0 ? 'the same day' : days(pays) }]),
     ...(studio.late_invoices > 0 ? [{ word: 'Late invoices', value: figure(studio.late_invoices), warns: true }] : []),
   ]
 }
@@ -113,23 +117,29 @@ function ofCosts(costs: Costs): Line[] {
       : [
           {
             word: 'Changed after work began',
-            value: `${percent(churn)}, ${figure(costs.churned)} of ${plural(costs.ordered, 'cue')}; ${said(costs.churned_minor)}`,
+            value: `${share(churn)}, ${figure(costs.churned)} of ${plural(costs.ordered, 'cue')}; ${said(costs.churned_minor)}`,
             warns: churn > HIGH_CHURN,
           },
         ]),
   ]
 }
 
-function ofEstimates({ estimates }: Pace): Line[] {
-  if (estimates === null) return []
+function ofEstimates({ estimates, over_estimate: over }: Pace): Line[] {
+  const overrun = over && {
+    word: 'Over estimate already',
+    value: `${plural(over.cues, 'open cue')} by ${hours(over.over_min)}`,
+    warns: true,
+  }
+  if (estimates === null) return overrun ? [overrun] : []
   const { error_percent: error, estimated_min: estimated, logged_min: logged, cues } = estimates
-  const off = Math.round(Math.abs(error))
+  const off = share(Math.abs(error) / 100)
   return [
     {
       word: 'Against estimates',
-      value: off === 0 ? 'as estimated' : `${figure(off)} % ${error > 0 ? 'longer' : 'shorter'}`,
+      value: error === 0 ? 'as estimated' : `${off} ${error > 0 ? 'longer' : 'shorter'}`,
     },
     { word: 'Logged, estimated', value: `${hours(logged)}, ${hours(estimated)}; ${plural(cues, 'cue')}` },
+    ...(overrun ? [overrun] : []),
   ]
 }
 

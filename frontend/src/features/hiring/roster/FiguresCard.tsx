@@ -1,34 +1,28 @@
 import { Link } from '@tanstack/react-router'
 
 import { Card, CardHead } from '@/ui/Card'
-import { figure, plural } from '@/ui/format'
+import { average, days, deviation, duration, figure, plural, share } from '@/ui/format'
 
 import forms from '../Hiring.module.css'
 import type { Figures } from './api'
 import classes from './Roster.module.css'
 
-const DAY_HOURS = 24
+const HOUR_S = 3_600
 const HABITS = { unknown: 'too few to say', steady: 'steady', wild: 'differs much from one to the next' } as const
-
-const percent = (share: number) => `${figure(share * 100)} %`
-const took = (hours: number) =>
-  hours < 2 * DAY_HOURS ? plural(Math.max(1, Math.round(hours)), 'hour') : plural(Math.round(hours / DAY_HOURS), 'day')
 
 /** What is known; figures of fewer than three cases are left out by the server. */
 function linesOf(figures: Figures): [word: string, value: string][] {
   const { on_time: onTime, days_late: late, first_pass: first, rounds_per_cue: rounds } = figures
   const { revision_hours: revision, estimates } = figures
   const lines: [string, string][] = [['Accepted cues', figure(figures.accepted)]]
-  if (onTime !== null) lines.push(['Accepted on time', percent(onTime)])
-  if (late !== null && late > 0) lines.push(['Typically late by', plural(Math.round(late), 'day')])
-  if (first !== null) lines.push(['Accepted as first sent', percent(first)])
-  if (rounds !== null) lines.push(['Rounds per cue', figure(rounds, 1)])
-  if (revision !== null) lines.push(['From changes to the next version', took(revision)])
+  if (onTime !== null) lines.push(['Accepted on time', share(onTime)])
+  if (late !== null && late > 0) lines.push(['Typically late by', days(late)])
+  if (first !== null) lines.push(['Accepted as first sent', share(first)])
+  if (rounds !== null) lines.push(['Rounds per cue', average(rounds)])
+  if (revision !== null) lines.push(['From changes to the next version', duration(revision * HOUR_S)])
   if (estimates !== null && estimates.mean_percent !== null) {
     const { mean_percent: error, pairs, habit } = estimates
-    const sign = error >= 0 ? '+' : '−'
-    const size = `${sign}${figure(Math.abs(error))} % over ${plural(pairs, 'cue')}`
-    lines.push(['Work against estimates', `${size}, ${HABITS[habit]}`])
+    lines.push(['Work against estimates', `${deviation(error)} over ${plural(pairs, 'cue')}, ${HABITS[habit]}`])
   }
   return lines
 }
