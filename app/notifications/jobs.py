@@ -61,10 +61,12 @@ def _notify_runs(runtime: Runtime, session: Session, event_id: str, take_ids: Se
             line = f"{name}: {take.file_name} passed the check and is ready for your review."
             waiting.setdefault(cue.category, []).append(line)
     for approver, lines in _by_approver(session, project, waiting).items():
-        notifier.notify(approver, "to-review", "sounds to review", *lines, page="review")
+        subject = notifier.fold("sound to review", "sounds to review")
+        notifier.notify(approver, "to-review", subject, *lines, page="review")
     for designer_id, lines in returned.items():
         designer = queries.address_of(session, designer_id)
-        notifier.notify(designer, "returned", "files returned by the check", *lines)
+        subject = notifier.fold("file returned by the check", "files returned by the check")
+        notifier.notify(designer, "returned", subject, *lines)
 
 
 def _by_approver(session: Session, project: Project, waiting: Mapping[str, Sequence[str]]) -> dict[str, list[str]]:
@@ -155,9 +157,9 @@ def notify_approval(runtime: Runtime, payload: Payload) -> None:
             return
         line = f"{cue_label(project, cue)}, version {take.number}: approved ({take.file_name})."
         designer = queries.address_of(session, take.designer_id)
-        Notifier(runtime, session, project, payload["event_id"]).notify(
-            designer, "approved", "sounds approved", line, page="sound-list"
-        )
+        notifier = Notifier(runtime, session, project, payload["event_id"])
+        subject = notifier.fold("version approved", "versions approved")
+        notifier.notify(designer, "approved", subject, line, page="sound-list")
 
 
 @job("notifications.notify_question")
@@ -215,7 +217,7 @@ def notify_cut(runtime: Runtime, payload: Payload) -> None:
         notifier = Notifier(runtime, session, project, payload["event_id"])
         line = f"{cue_label(project, cue)} was cut: {cue.cut_reason}. What you delivered for it is kept."
         for recipient in queries.designer_addresses(session, project.id):
-            notifier.notify(recipient, "cut", "cues were cut", line, page="sound-list")
+            notifier.notify(recipient, "cut", notifier.fold("cue cut", "cues cut"), line, page="sound-list")
 
 
 @job("notifications.notify_build")

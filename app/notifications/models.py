@@ -34,6 +34,7 @@ class Mail(Base):
     lines: Mapped[list[str]]
     spots: Mapped[dict[str, Any]] = mapped_column(default=dict)  # places in sounds, by the addresses in the lines
     event_ids: Mapped[list[str]]  # each event is mailed once, however often its job runs
+    folds: Mapped[dict[str, Any]] = mapped_column(default=dict)  # of a digest, by topic: the line and what it folds
     news: Mapped[str | None]  # its kind; empty: a digest of several; None: sent whatever its reader wishes
     link: Mapped[str | None]  # cleared once the mail is sent
     secret_of: Mapped[str | None]  # the event whose secret link it contains; made when sent or, without SMTP, shown
@@ -72,6 +73,13 @@ class Notice(Base):
             sqlite_where=text("read_at is null"),
             postgresql_where=text("read_at is null"),
         ),
+        Index(
+            "uq_notifications_notices_open",
+            *("person_id", "topic"),
+            unique=True,
+            sqlite_where=text("is_open"),
+            postgresql_where=text("is_open"),
+        ),
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
@@ -79,10 +87,13 @@ class Notice(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID | None] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     topic: Mapped[str]
-    event_id: Mapped[str]
+    event_id: Mapped[str]  # the first, where several are folded into it
+    event_ids: Mapped[list[str]] = mapped_column(default=list)  # of all that are folded into it
+    count: Mapped[int] = mapped_column(default=1)  # of what it reports
+    is_open: Mapped[bool] = mapped_column(default=False)  # further events of its topic are folded into it
     news: Mapped[str]  # its kind, as of mails
     subject: Mapped[str]
     text: Mapped[str]
     path: Mapped[str]  # of the page it leads to
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)  # when the newest of it came
     read_at: Mapped[datetime | None] = mapped_column(index=True)

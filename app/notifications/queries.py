@@ -221,6 +221,24 @@ def notices_of(session: Session, person_id: UUID, *, before: UUID | None, limit:
         return session.scalars(found.order_by(Notice.id.desc()).limit(limit)).all()
 
 
+def open_notice(session: Session, person_id: UUID, topic: str) -> Notice | None:
+    """Return the notice that takes further events of a topic, locked until this transaction ends."""
+    wanted = select(Notice).where(Notice.person_id == person_id, Notice.topic == topic, Notice.is_open)
+    return session.scalar(wanted.with_for_update())
+
+
+def has_notice(session: Session, person_id: UUID, topic: str, event_id: str) -> bool:
+    """Whether a person has a notice of an event, one of its own or the newest of its topic that others are folded into.
+
+    A job that runs again does so soon: its event is in the newest.
+    """
+    of_topic = select(Notice.event_id, Notice.event_ids).where(Notice.person_id == person_id, Notice.topic == topic)
+    newest = session.execute(of_topic.order_by(Notice.id.desc()).limit(1)).first()
+    if newest is not None and event_id in newest.event_ids:
+        return True
+    return session.scalar(of_topic.where(Notice.event_id == event_id).limit(1)) is not None
+
+
 def unread_notices(session: Session, person_id: UUID, *, limit: int) -> int:
     """Return how many notices a person has not read, counted up to a limit."""
     unread = select(Notice.id).where(

@@ -17,6 +17,7 @@ from app.notifications import notices, preferences, queries
 from app.notifications.errors import MailBusy, MailNotFound
 from app.notifications.models import Mail
 from app.notifications.preference_rules import Cadence, news_of
+from app.notifications.rules import DigestPart, Fold
 from app.notifications.spot_rules import SpotLine
 from app.projects.service import project_access
 
@@ -42,8 +43,13 @@ def write_mail(
     secret_of_id: UUID | None = None,
     news: str | None = None,
     send_after: datetime | None = None,
+    fold: Fold | None = None,
+    part: DigestPart | None = None,
 ) -> None:
-    """Add to the recipient's open mail on the topic, or begin one and have it sent at once, or after a moment."""
+    """Add to the recipient's open mail on the topic, or begin one and have it sent at once, or after a moment.
+
+    By a `fold` the subject counts the lines; a `part` of a digest takes the further lines of its own topic.
+    """
     now = clock.now()
     send_after = send_after or now
     mail_id = new_id()
@@ -56,6 +62,7 @@ def write_mail(
         "lines": list(lines),
         "spots": dict(spots),
         "event_ids": [event_id],
+        "folds": part.begun(0) if part else {},
         "link": link,
         "secret_of": secret_of,
         "secret_of_id": secret_of_id,
@@ -70,10 +77,19 @@ def write_mail(
                 delay_s = (send_after - now).total_seconds()
                 publish(session, "mail.written", studio_id=studio_id, delay_s=delay_s, mail_id=mail_id)
             return
-    if event_id not in mail.event_ids:
+    if event_id in mail.event_ids:
+        return
+    if part is None or part.topic not in mail.folds:
+        mail.folds = {**mail.folds, **(part.begun(len(mail.lines)) if part else {})}
         mail.lines = [*mail.lines, *lines]
-        mail.spots = {**mail.spots, **spots}
-        mail.event_ids = [*mail.event_ids, event_id]
+    else:
+        at = mail.folds[part.topic]["at"]
+        mail.folds, text = part.joined(mail.folds)
+        mail.lines = [*mail.lines[:at], text, *mail.lines[at + 1 :]]
+    if fold is not None:
+        mail.subject = fold.subject(len(mail.lines))
+    mail.spots = {**mail.spots, **spots}
+    mail.event_ids = [*mail.event_ids, event_id]
 
 
 def write_news(
@@ -84,7 +100,7 @@ def write_news(
     project_id: UUID | None,
     topic: str,
     recipient: str,
-    subject: str,
+    subject: str | Fold,
     lines: Sequence[str | SpotLine],
     base_url: str,
     path: str,
@@ -93,29 +109,29 @@ def write_news(
     """Add a notice in the app, and mail the news as its reader wishes it: at once, hourly, daily or not at all.
 
     Nothing is written to who left the studio, whatever still names them.
+    By a subject that is a `Fold`, further news of the topic joins what the reader has not read.
     """
     person_id = queries.person_id_at(session, recipient)
     if person_id is not None and not queries.is_addressed(session, studio_id, person_id):
         return
     news = news_of(topic)
     of_spots = [line for line in lines if isinstance(line, SpotLine)]
-    notices.add(
-        session,
-        event_id=event_id,
-        studio_id=studio_id,
-        project_id=project_id,
-        topic=topic,
-        recipient=recipient,
-        subject=subject,
-        text="\n".join(line.text if isinstance(line, SpotLine) else line for line in lines),
-        path=of_spots[0].spot.path if len(of_spots) == len(lines) == 1 else path,
-    )
+    texts = [line.text if isinstance(line, SpotLine) else line for line in lines]
+    about = {"event_id": event_id, "studio_id": studio_id, "project_id": project_id, "topic": topic}
+    if isinstance(subject, Fold):
+        notices.fold(session, **about, recipient=recipient, subject=subject, lines=texts, path=path)
+    else:
+        path_of_notice = of_spots[0].spot.path if len(of_spots) == len(lines) == 1 else path
+        text = "\n".join(texts)
+        notices.add(session, **about, recipient=recipient, subject=subject, text=text, path=path_of_notice)
     mailed = [f"{line.text}\n{base_url}{line.spot.path}" if isinstance(line, SpotLine) else line for line in lines]
     spots = {f"{base_url}{line.spot.path}": line.spot.stored() for line in of_spots}
     link = f"{base_url}{path}"
     cadence, send_after = preferences.timing(session, recipient, news, timedelta(seconds=delay_s))
     if cadence is Cadence.NEVER:
         return
+    fold = subject if isinstance(subject, Fold) else None
+    heading = subject.subject(len(lines)) if isinstance(subject, Fold) else subject
     if cadence is Cadence.AT_ONCE:
         write_mail(
             session,
@@ -123,12 +139,13 @@ def write_news(
             studio_id=studio_id,
             topic=topic,
             recipient=recipient,
-            subject=subject,
+            subject=heading,
             lines=mailed,
             spots=spots,
             link=link,
             news=news,
             send_after=send_after,
+            fold=fold,
         )
         return
     write_mail(
@@ -138,10 +155,11 @@ def write_news(
         topic=f"digest:{cadence}:{studio_id}",
         recipient=recipient,
         subject=DIGEST_SUBJECTS[cadence],
-        lines=["\n\n".join((subject, *mailed, link))],
+        lines=["\n\n".join((heading, *mailed, link))],
         spots=spots,
         news=preferences.EVERYTHING,
         send_after=send_after,
+        part=DigestPart(topic, fold, mailed, link) if fold else None,
     )
 
 

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_58eaa1e2"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_de186d1e"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -378,6 +378,7 @@ def upgrade() -> None:
         sa.Column("lines", JSON, nullable=False),
         sa.Column("spots", JSON, nullable=False),
         sa.Column("event_ids", JSON, nullable=False),
+        sa.Column("folds", JSON, nullable=False),
         sa.Column("news", sa.String()),
         sa.Column("link", sa.String()),
         sa.Column("secret_of", sa.String()),
@@ -788,6 +789,9 @@ def upgrade() -> None:
         sa.Column("project_id", sa.Uuid()),
         sa.Column("topic", sa.String(), nullable=False),
         sa.Column("event_id", sa.String(), nullable=False),
+        sa.Column("event_ids", JSON, nullable=False),
+        sa.Column("count", sa.Integer(), nullable=False),
+        sa.Column("is_open", sa.Boolean(), nullable=False),
         sa.Column("news", sa.String(), nullable=False),
         sa.Column("subject", sa.String(), nullable=False),
         sa.Column("text", sa.String(), nullable=False),
@@ -805,6 +809,7 @@ def upgrade() -> None:
     op.create_index(op.f("ix_notifications_notices_read_at"), "notifications_notices", ["read_at"])
     op.create_index(op.f("ix_notifications_notices_studio_id"), "notifications_notices", ["studio_id"])
     op.create_index("ix_notifications_notices_unread", "notifications_notices", ["person_id"], sqlite_where=sa.text("read_at is null"), postgresql_where=sa.text("read_at is null"))
+    op.create_index("uq_notifications_notices_open", "notifications_notices", ["person_id", "topic"], unique=True, sqlite_where=sa.text("is_open"), postgresql_where=sa.text("is_open"))
     op.create_table(
         "projects_approver_changes",
         sa.Column("id", sa.Uuid(), nullable=False),

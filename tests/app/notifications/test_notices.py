@@ -9,7 +9,8 @@ from fastapi.testclient import TestClient
 
 from app.kit import clock
 from app.kit.db import new_id
-from app.notifications import notice_jobs, notices
+from app.notifications import notice_jobs, notices, service
+from app.notifications.rules import Fold, folded_text
 from tests.support.deliver import add_cues
 from tests.support.server import World
 
@@ -141,3 +142,88 @@ def test_a_long_text_is_cut_and_an_address_without_an_account_has_no_notice(worl
     add(world, new_id())
     (notice,) = read(world.other_designer)["items"]
     assert len(notice["text"]) == notices.MAX_TEXT_CHARS
+
+
+FOLD = Fold("Shield Wing", "version approved", "versions approved")
+
+
+def approve(world: World, *lines: str, event_id: str | None = None) -> None:
+    """Write the news of approvals by one event for the designer."""
+    news = {
+        "event_id": event_id or str(new_id()),
+        "studio_id": world.studio_id,
+        "project_id": world.project_id,
+        "topic": f"approved:{world.project_id}",
+        "recipient": f"{world.designer_id}@example.test",
+        "subject": FOLD,
+        "lines": lines,
+        "base_url": "https://sounds.example",
+        "path": "/desk",
+        "delay_s": 60.0,
+    }
+    world.server.in_database(lambda session: service.write_news(session, **news))
+
+
+def approvals(world: World) -> list[dict[str, Any]]:
+    return [notice for notice in read(world.designer)["items"] if "approved" in notice["subject"]]
+
+
+def test_the_text_of_a_fold_shows_five_lines_and_counts_the_rest():
+    text, count = "", 0
+    for lines in (["a"], ["b", "c"], ["d", "e", "f"], ["g"]):
+        text, count = folded_text(text, count, lines), count + len(lines)
+    assert text == "a\nb\nc\nd\ne\nand 2 more"
+    assert folded_text("", 0, ["a"]) == "a"
+    assert folded_text("", 0, list("abcdef")) == "a\nb\nc\nd\ne\nand 1 more"
+    assert (FOLD.subject(1), FOLD.subject(2)) == ("Shield Wing: 1 version approved", "Shield Wing: 2 versions approved")
+
+
+@pytest.mark.both_databases
+def test_the_approvals_of_a_review_are_one_notice_and_one_mail(world: World):
+    for number in range(7):
+        approve(world, f"SW-00{number} hit: approved.", event_id=f"event {number}")
+        approve(world, f"SW-00{number} hit: approved.", event_id=f"event {number}")  # a job that runs twice
+    (notice,) = approvals(world)
+    assert (notice["subject"], notice["path"]) == ("Shield Wing: 7 versions approved", "/desk")
+    assert notice["text"].splitlines()[-2:] == ["SW-004 hit: approved.", "and 2 more"]
+    (mail,) = [mail for mail in outbox(world) if "approved" in mail["subject"]]
+    assert mail["subject"] == "Shield Wing: 7 versions approved"
+    assert mail["text"].count("approved.") == 7
+
+
+def test_what_was_read_and_what_a_pause_has_ended_take_no_more(world: World, monkeypatch: pytest.MonkeyPatch):
+    approve(world, "SW-001 hit: approved.", event_id="first")
+    (notice,) = approvals(world)
+    world.designer.post("/v1/me/notices/read", json={"ids": [notice["id"]]}).raise_for_status()
+    approve(world, "SW-001 hit: approved.", event_id="first")
+    approve(world, "SW-002 hit: approved.")
+    later = clock.now() + timedelta(hours=2)
+    monkeypatch.setattr(clock, "now", lambda: later)
+    approve(world, "SW-003 hit: approved.")
+    approve(world, "SW-004 hit: approved.")
+    shown = [(one["subject"], one["read_at"] is None) for one in approvals(world)]
+    assert shown == [
+        ("Shield Wing: 2 versions approved", True),
+        ("Shield Wing: 1 version approved", True),
+        ("Shield Wing: 1 version approved", False),
+    ]
+
+
+def test_a_digest_has_one_part_for_the_approvals_among_other_news(world: World):
+    body = {"cadences": {"sounds": "daily"}, "time_zone": "UTC", "daily_at": "08:00"}
+    world.designer.put("/v1/me/mail-preferences", json=body).raise_for_status()
+    approve(world, "SW-001 hit: approved.")
+    facts = {"studio_id": world.studio_id, "project_id": world.project_id, "base_url": "https://sounds.example"}
+    facts |= {"recipient": f"{world.designer_id}@example.test", "path": "/desk", "delay_s": 60.0}
+    facts |= {"event_id": str(new_id()), "topic": "changes:x", "subject": "Shield Wing: 1 change requested"}
+    world.server.in_database(lambda session: service.write_news(session, **facts, lines=["SW-009: duller."]))
+    approve(world, "SW-002 hit: approved.")
+    (mail,) = [mail for mail in outbox(world) if "news of the day" in mail["subject"]]
+    parts = "Shield Wing: 2 versions approved", "SW-001 hit: approved.", "SW-002 hit: approved."
+    expected = [*parts, "https://sounds.example/desk", "Shield Wing: 1 change requested", "SW-009: duller."]
+    assert mail["text"].split("\n\n")[: len(expected)] == expected
+
+
+def outbox(world: World) -> list[dict[str, Any]]:
+    mails = world.producer.get(f"/v1/studios/{world.studio_id}/outbox").json()["mails"]
+    return [mail for mail in mails if mail["recipient"] == f"{world.designer_id}@example.test"]

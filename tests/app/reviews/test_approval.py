@@ -282,7 +282,7 @@ def test_mails_of_sounds_to_review_go_to_who_may_approve_them(stage: Stage) -> N
         lambda session: {
             mail.recipient: " ".join(mail.lines)
             for mail in session.scalars(select(Mail).where(Mail.studio_id == world.studio_id))
-            if "sounds to review" in mail.subject
+            if "to review" in mail.subject
         }
     )
     about = {recipient.split("@")[0]: ("click" in text, "shot" in text) for recipient, text in mails.items()}
