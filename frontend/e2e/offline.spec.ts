@@ -48,7 +48,7 @@ test('verdicts and comments given without a line are sent later, in order, once 
   await test.step('a verdict, a change and a comment are given, and the next cue opens each time', async () => {
     await producer.keyboard.press('a')
     await expect(heading(1)).toBeVisible()
-    await expect(producer.getByText('1 verdict or comment kept in this browser until it is back.')).toBeVisible()
+    await expect(producer.getByText('1 verdict kept in this browser until it is back.')).toBeVisible()
     await producer.keyboard.press('u') // taken out of what is kept, without a line
     await expect(heading(0)).toBeVisible()
     await expect(producer.getByText('kept in this browser')).toBeHidden()
@@ -62,7 +62,7 @@ test('verdicts and comments given without a line are sent later, in order, once 
     await producer.keyboard.type('the seal is lovely')
     await producer.keyboard.press('Control+Enter')
     await expect(producer.getByText('waits for the connection')).toBeVisible()
-    await expect(producer.getByText('3 verdicts and comments kept in this browser until it is back.')).toBeVisible()
+    await expect(producer.getByText('2 verdicts and 1 comment kept in this browser until it is back.')).toBeVisible()
   })
 
   await test.step('the page is closed, and the next one sends them once the line is back', async () => {
@@ -95,7 +95,7 @@ test('verdicts and comments given without a line are sent later, in order, once 
     await asProducer.setOffline(true)
     await judging.keyboard.press('u')
     await expect(cue).toBeVisible()
-    await expect(judging.getByText('1 verdict or comment kept in this browser until it is back.')).toBeVisible()
+    await expect(judging.getByText('1 undo kept in this browser until it is back.')).toBeVisible()
     await judging.close()
     await asProducer.setOffline(false)
     expect((await review(2)).takes.map(({ state }) => state)).toEqual(['approved'])

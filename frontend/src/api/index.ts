@@ -1,7 +1,7 @@
 export { answered, api, csrfToken, newIdempotencyKey } from './client'
 export { checkServer, connection } from './connection'
 export { goOnLater } from './goOnLater'
-export { later } from './later'
+export { later, type WriteKind } from './later'
 export { everyPage } from './pages'
 export { ApiProblem, type FieldProblem, lineLost, problemOf } from './problem'
 export { leaveSession, onSessionEnd, signedInAgain } from './signIn'

@@ -5,9 +5,11 @@ export interface RefusedWrite {
   why: string
 }
 
+export type WriteKind = 'verdict' | 'undo' | 'comment'
+
 interface LaterState {
-  /** How many writes wait for the connection. */
-  waiting: number
+  /** What each write that waits for the connection does, in order. */
+  waiting: readonly WriteKind[]
   refused: readonly RefusedWrite[]
 }
 
@@ -16,7 +18,7 @@ export const WAITING = 'soundlist-later'
 export const REFUSED = 'soundlist-refused'
 
 const listeners = new Set<() => void>()
-let state: LaterState = { waiting: 0, refused: [] }
+let state: LaterState = { waiting: [], refused: [] }
 
 /** What every page knows of writes that are sent later; what sends them is loaded where there are any. */
 export const later = {

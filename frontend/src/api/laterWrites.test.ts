@@ -18,7 +18,7 @@ let answer: (arrived: Arrived) => Response
 
 beforeEach(() => {
   localStorage.clear()
-  later.show({ waiting: 0, refused: [] })
+  later.show({ waiting: [], refused: [] })
   document.cookie = 'soundlist_csrf=of-now; path=/'
   isThere = true
   arrived = []
@@ -92,12 +92,12 @@ describe('writes that a lost line must not lose', () => {
     const said = [say(writes, 't1', 'one', onKept), say(writes, 't2', 'two', onKept)]
     await vi.waitFor(() => expect(onKept).toHaveBeenCalledTimes(2))
     const third = say(writes, 't1', 'three', onKept)
-    await vi.waitFor(() => expect(later.getState().waiting).toBe(3))
+    await vi.waitFor(() => expect(later.getState().waiting).toHaveLength(3))
     isThere = true
     await Promise.all([...said, third])
     expect(texts()).toEqual(['one', 'two', 'three'])
     expect(new Set(arrived.map(({ key }) => key)).size).toBe(3)
-    expect(later.getState()).toEqual({ waiting: 0, refused: [] })
+    expect(later.getState()).toEqual({ waiting: [], refused: [] })
     expect(localStorage).toHaveLength(0)
   })
 
@@ -117,7 +117,7 @@ describe('writes that a lost line must not lose', () => {
     void say(begun(), 't1', 'one')
     await vi.waitFor(() => expect(localStorage).toHaveLength(1))
     begun(undefined, 'p2')
-    expect(later.getState().waiting).toBe(1)
+    expect(later.getState().waiting).toHaveLength(1)
     const onLateAnswer = vi.fn()
     const next = begun(onLateAnswer)
     const two = say(next, 't2', 'two')
@@ -207,15 +207,15 @@ describe('the undo of a write that is sent later', () => {
     const writes = begun()
     const { given } = await away(writes)
     const said = say(writes, 't2', 'two')
-    await vi.waitFor(() => expect(later.getState().waiting).toBe(2))
+    await vi.waitFor(() => expect(later.getState().waiting).toHaveLength(2))
     expect(writes.drop('k1')).toBe(true)
     await expect(given).rejects.toMatchObject({ name: 'AbortError' })
-    expect(later.getState().waiting).toBe(1)
+    expect(later.getState().waiting).toHaveLength(1)
     expect(localStorage).toHaveLength(1)
     lineReturns()
     await said
     expect(arrived.map(({ path }) => path)).toEqual(['/v1/takes/t2/comments'])
-    expect(later.getState()).toEqual({ waiting: 0, refused: [] })
+    expect(later.getState()).toEqual({ waiting: [], refused: [] })
   })
 
   test('is no longer sent by another page that had found it', async () => {
@@ -305,7 +305,7 @@ describe('the undo of a write that is sent later', () => {
     await expect(given).rejects.toMatchObject({ code: 'late' })
     await expect(undo(writes, 'k1')).rejects.toMatchObject({ name: 'AbortError' })
     expect(methods()).toEqual(['POST'])
-    expect(later.getState()).toMatchObject({ waiting: 0, refused: [{ what: 't1 approved' }] })
+    expect(later.getState()).toMatchObject({ waiting: [], refused: [{ what: 't1 approved' }] })
   })
 
   test('a write is sent all the same where the browser is wrong to know of no line', async () => {

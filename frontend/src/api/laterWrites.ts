@@ -1,6 +1,6 @@
 import { csrfToken, newIdempotencyKey, send } from './client'
 import { serverReturns } from './connection'
-import { later, REFUSED, type RefusedWrite, WAITING } from './later'
+import { later, REFUSED, type RefusedWrite, WAITING, type WriteKind } from './later'
 import { ApiProblem, problemOf } from './problem'
 
 /** A write of one person, kept in this browser until the server has answered it. */
@@ -28,6 +28,11 @@ interface Asked {
 }
 
 const BUSY_MS = 2_000
+
+function kindOf({ method, path }: KeptWrite): WriteKind {
+  if (method === 'DELETE') return 'undo'
+  return path.endsWith('/comments') ? 'comment' : 'verdict'
+}
 
 const dropped = () => new DOMException('it was undone before it was sent', 'AbortError')
 
@@ -213,7 +218,7 @@ export class LaterWrites {
   }
 
   #showWaiting(): void {
-    later.show({ waiting: this.#writes.filter((write) => this.#isLate(write)).length })
+    later.show({ waiting: this.#writes.filter((write) => this.#isLate(write)).map(kindOf) })
   }
 
   #stored<T extends { place: string }>(prefix: string): T[] {

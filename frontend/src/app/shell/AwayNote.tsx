@@ -1,8 +1,8 @@
 import { lazy, Suspense, useSyncExternalStore } from 'react'
 
 import { connection, later } from '@/api'
-import { plural } from '@/ui/format'
 
+import { keptWords } from './kept'
 import classes from './Shell.module.css'
 
 const RefusedWrites = lazy(async () => ({ default: (await import('./RefusedWrites')).RefusedWrites }))
@@ -11,12 +11,12 @@ const RefusedWrites = lazy(async () => ({ default: (await import('./RefusedWrite
 export function AwayNote() {
   const isAway = useSyncExternalStore(connection.subscribe, connection.isAway)
   const { waiting, refused } = useSyncExternalStore(later.subscribe, later.getState)
-  const kept = plural(waiting, 'verdict or comment', 'verdicts and comments')
+  const kept = keptWords(waiting)
   return (
     <>
-      <div aria-live="polite" className={classes.away} data-away={isAway || waiting > 0 || undefined}>
+      <div aria-live="polite" className={classes.away} data-away={isAway || waiting.length > 0 || undefined}>
         {isAway && <span>Can’t reach Soundlist. Retrying…</span>}
-        {waiting > 0 && (isAway ? ` ${kept} kept in this browser until it is back.` : `Sending ${kept}…`)}
+        {waiting.length > 0 && (isAway ? ` ${kept} kept in this browser until it is back.` : `Sending ${kept}…`)}
       </div>
       {refused.length > 0 && (
         <Suspense fallback={null}>
