@@ -51,6 +51,7 @@ from app.projects.errors import (
     TokenNotFound,
 )
 from app.projects.models import ApproverChange, Engagement, ProjectInvitation
+from app.projects.rules import audio_leads_warning
 from app.projects.visibility import nda_is_pending
 
 PAGE_ROWS = 50
@@ -77,6 +78,7 @@ def project_read(view: overviews.ProjectOverview) -> schemas.ProjectRead:
             for category, person in view.category_approvers.items()
         ],
         liaisons=[PersonBrief.model_validate(person) for person in view.liaisons],
+        audio_leads_warning=audio_leads_warning(len(view.liaisons)) if view.roles else None,
         engagements=[schemas.EngagementRead.model_validate(engagement) for engagement in view.engagements],
         mine=schemas.Mine(
             is_team=bool(view.roles),

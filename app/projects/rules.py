@@ -30,6 +30,7 @@ class DesignersHear(StrEnum):
 # The choices that open a sound, by whether it is approved or waits for approval.
 OPENS_APPROVED = frozenset({DesignersHear.APPROVED, DesignersHear.WAITING})
 OPENS_WAITING = frozenset({DesignersHear.WAITING})
+USUAL_AUDIO_LEADS = 2  # one or two people speak for a studio; more give different answers
 
 
 @dataclass(frozen=True)
@@ -94,6 +95,16 @@ class ApprovalRights:
 
         own = frozenset(category for category, approver_id in self.by_category.items() if approves(approver_id))
         return ApprovalScope(approves(self.approver_id), own, frozenset(self.by_category) - own)
+
+
+def audio_leads_warning(count: int) -> str | None:
+    """Return why so many audio leads are too many; None for one or two."""
+    if count <= USUAL_AUDIO_LEADS:
+        return None
+    return (
+        f"{count} audio leads speak for the team; one or two are usual, since more give designers different answers. "
+        "Who only listens and comments needs no such part"
+    )
 
 
 def ensure_can_approve(*, is_liaison: bool, is_producer: bool, where: str = "person_id") -> None:

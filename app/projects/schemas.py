@@ -87,6 +87,7 @@ class ProjectRead(Schema):
     approver: PersonBrief
     category_approvers: list[CategoryApproverRead] = Field(description="All other categories are the approver's.")
     liaisons: list[PersonBrief]
+    audio_leads_warning: str | None = Field(description="For the team, where more than two audio leads are named.")
     engagements: list[EngagementRead]
     mine: Mine
     spec_version: int

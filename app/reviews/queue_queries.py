@@ -13,11 +13,11 @@ from sqlalchemy import (
     Select,
     String,
     and_,
+    case,
     cast,
     exists,
     false,
     func,
-    not_,
     or_,
     select,
     tuple_,
@@ -37,9 +37,11 @@ from app.renders.models import Picture, RenderSet
 from app.reviews.models import ChangeRequest, Comment, NoteAnswer, Round
 from app.reviews.queries import answers_nothing
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import CueState
+from app.sound_lists.rules import CueState, Need
 
 URGENT_BEFORE = timedelta(days=7)
+NEED_ORDER = (Need.MUST, Need.SHOULD, Need.WISH)
+NO_PRIORITY = 1_001  # after every playback priority, which end at 1000
 STRETCH = 3  # takes looked at for one cue that is wanted: most of what conforms waits, some cues have several
 
 
@@ -107,34 +109,54 @@ class WaitingCue(NamedTuple):
 
 
 class QueuePlace(NamedTuple):
-    """A place in the queue: whether among what is urgent, since when, and which cue."""
+    """A place in the queue: what comes first is urgent, needed most, of the highest priority, and waits longest."""
 
-    is_urgent: bool
+    urgency: int  # 0: of the palette, or due in a week; 1: neither
+    need: int  # its place among NEED_ORDER
+    priority: int  # the playback priority, 0 first; NO_PRIORITY where the list gives none
     since: datetime
     cue_id: UUID
 
-
-def is_urgent(today: date) -> ColumnElement[bool]:
-    """Admit takes of cues that others wait for: of the palette, by which others are judged, and those due in a week."""
-    return exists().where(Cue.id == Take.cue_id, or_(Cue.palette, Cue.due_on <= today + URGENT_BEFORE)).correlate(Take)
+    @property
+    def is_urgent(self) -> bool:
+        """Whether others wait for the cue."""
+        return self.urgency == 0
 
 
 def queued_cues(
     session: Session, reach: ColumnElement[bool], today: date, *, after: QueuePlace | None, limit: int
-) -> list[tuple[bool, WaitingCue]]:
-    """Return the cues that takes wait for, those that are urgent first, each part oldest first."""
-    urgent: list[WaitingCue] = []
-    rest_after = None
-    if after is None or after.is_urgent:
-        urgent_after = after and (after.since, after.cue_id)
-        urgent = waiting_cues(session, and_(is_urgent(today), reach), after=urgent_after, limit=limit)
-    else:
-        rest_after = (after.since, after.cue_id)
-    others: list[WaitingCue] = []
-    if len(urgent) < limit:
-        rest = and_(reach, not_(is_urgent(today)))
-        others = waiting_cues(session, rest, after=rest_after, limit=limit - len(urgent))
-    return [*((True, cue) for cue in urgent), *((False, cue) for cue in others)]
+) -> list[tuple[QueuePlace, WaitingCue]]:
+    """Return the cues that takes wait for, in the order of the queue.
+
+    Others wait for what is urgent: the palette, by which other cues are judged, and what is due in a week. Then come
+    need, playback priority, and the time since when it waits. What conforms is sorted a stretch at a time, before the
+    dearer question whether it waits is asked of that stretch.
+    """
+    urgency = case((or_(Cue.palette, Cue.due_on <= today + URGENT_BEFORE), 0), else_=1)
+    need = case({need: rank for rank, need in enumerate(NEED_ORDER)}, value=Cue.need, else_=len(NEED_ORDER))
+    priority = func.coalesce(Cue.playback_priority, NO_PRIORITY)
+    order = (urgency, need, priority, Take.state_since, Take.cue_id, Take.id)
+    walk = (
+        select(*order)
+        .join(Cue, Cue.id == Take.cue_id)
+        .where(reach, Take.state == TakeState.CONFORMING)
+        .order_by(*order)
+        .limit(STRETCH * limit)
+    )
+    stretch = walk if after is None else walk.where(tuple_(*order[:-1]) > tuple_(*after))
+    queued: list[tuple[QueuePlace, WaitingCue]] = []
+    while len(queued) < limit:
+        rows = session.execute(stretch).all()
+        by_cue = _waiting_by_cue(session, {cue_id for *_, cue_id, _ in rows if cue_id is not None})
+        queued += [
+            (QueuePlace(*place, since, cue_id), WaitingCue(cue_id, since, by_cue[cue_id]))
+            for *place, since, cue_id, take_id in rows
+            if cue_id in by_cue and take_id == by_cue[cue_id][0]
+        ]
+        if len(rows) < STRETCH * limit:
+            break
+        stretch = walk.where(tuple_(*order) > tuple_(*rows[-1]))
+    return queued[:limit]
 
 
 def waiting_cues(

@@ -1,5 +1,6 @@
 """The review room: the queue, one cue with everything said of it, the history of a take."""
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from datetime import datetime
@@ -18,7 +19,7 @@ from app.conformance.set_findings import SetFinding, findings_of_sets, with_set_
 from app.deliveries.rules import TakeState, undecided_groups
 from app.deliveries.tray import open_take_of
 from app.kit import clock
-from app.kit.http import Page, cursor_of, instant_cursor
+from app.kit.http import Page, bad_cursor, cursor_of, instant_cursor
 from app.kit.in_array import in_array
 from app.projects.approval import approval_rights, approval_scope, approval_scopes
 from app.projects.errors import TeamNeeded
@@ -33,7 +34,7 @@ from app.reviews.checklists import cue_checklist
 from app.reviews.deemed_cues import LastDay, last_days
 from app.reviews.models import ChangeRequest, Comment, Verdict
 from app.reviews.queue_filter_queries import filtered
-from app.reviews.queue_queries import CueOnReview, QueuePlace, WaitingCue
+from app.reviews.queue_queries import CueOnReview, QueuePlace
 from app.reviews.rules import EVERYTHING, QueueFilter, missing_variations, queue_kind
 from app.reviews.schemas import (
     ChangeRequestRead,
@@ -55,7 +56,6 @@ from app.sound_lists.service import visible_cue
 
 PAGE_CUES = 16  # as many lines as a tall screen shows
 COUNTED_CUES = 99  # more is shown as "99+"
-URGENT = "urgent."  # begins the cursor of a place among what is urgent
 
 
 def review_queue(
@@ -73,7 +73,7 @@ def review_queue(
         session, reach, clock.now().date(), after=_place_of(cursor), limit=PAGE_CUES + 1
     )
     shown = [cue for _, cue in waiting[:PAGE_CUES]]
-    urgent = {cue.id for is_urgent, cue in waiting if is_urgent}
+    urgent = {place.cue_id for place, _ in waiting if place.is_urgent}
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     cues: list[Cue] = []
     take_ids = [take_id for cue in shown for take_id in cue.take_ids]
@@ -102,16 +102,23 @@ def review_queue(
         for cue in shown
         if (takes := by_cue.get(cue.id))
     ]
-    return Page(items=items, next=_cursor_at(*waiting[PAGE_CUES - 1]) if len(waiting) > PAGE_CUES else None)
+    return Page(items=items, next=_cursor_at(waiting[PAGE_CUES - 1][0]) if len(waiting) > PAGE_CUES else None)
 
 
-def _cursor_at(is_urgent: bool, cue: WaitingCue) -> str:
-    return (URGENT if is_urgent else "") + cursor_of(cue.since.isoformat(), cue.id)
+def _cursor_at(place: QueuePlace) -> str:
+    ranks = "-".join(map(str, (place.urgency, place.need, place.priority)))
+    return cursor_of(ranks, place.since.isoformat(), place.cue_id)
 
 
 def _place_of(cursor: str | None) -> QueuePlace | None:
-    place = instant_cursor(cursor and cursor.removeprefix(URGENT))
-    return place and QueuePlace(bool(cursor and cursor.startswith(URGENT)), *place)
+    if cursor is None:
+        return None
+    ranks, _, rest = cursor.partition(".")
+    read = re.fullmatch(r"([01])-(\d)-(\d{1,4})", ranks, re.ASCII)
+    place = instant_cursor(rest)
+    if read is None or place is None:
+        raise bad_cursor(cursor)
+    return QueuePlace(int(read[1]), int(read[2]), int(read[3]), *place)
 
 
 def _wanted(reach: ColumnElement[bool], wanted: QueueFilter, person_id: UUID) -> ColumnElement[bool]:

@@ -133,7 +133,9 @@ class QueueItem(Schema):
     cue: ReviewCue
     kind: QueueKind
     waiting_since: datetime
-    is_urgent: bool = Field(description="Of the palette, or due within a week; such cues come first.")
+    is_urgent: bool = Field(
+        description="Of the palette, or due within a week; such cues come first, then need and priority order."
+    )
     rounds_so_far: int
     last_change: str | None = Field(description="What was asked last of this cue, which these takes answer.")
     open_notes: int = Field(description="Notes on earlier versions that are not done in these.")

@@ -146,6 +146,7 @@ export const aProject = (part: Part = 'producer', more: Record<string, unknown> 
   approver: WHO.approver,
   category_approvers: [],
   liaisons: [WHO.approver],
+  audio_leads_warning: null,
   engagements: [
     { id: 'e1', designer: WHO.designer, kind: 'contract', created_at: '2026-11-02T10:00:00Z', ended_at: null },
   ],

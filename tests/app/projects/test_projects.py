@@ -144,6 +144,16 @@ def test_changing_a_project_is_the_producers(world: World) -> None:
     assert world.producer.patch(project_path(world), json={"studio_id": str(uuid4())}).status_code == 422
 
 
+def test_more_than_two_audio_leads_are_accepted_with_a_warning(world: World) -> None:
+    for person_id, warning in ((world.reviewer_id, None), (world.producer_id, "3 audio leads speak for the team")):
+        answer = world.producer.put(project_path(world, f"/liaisons/{person_id}"))
+        assert answer.status_code == 200, answer.text
+        said = answer.json()["audio_leads_warning"]
+        assert said is None if warning is None else said.startswith(warning)
+    assert world.reviewer.get(project_path(world)).json()["audio_leads_warning"] == said
+    assert world.designer.get(project_path(world)).json()["audio_leads_warning"] is None
+
+
 def test_liaisons_come_from_the_studio(world: World) -> None:
     path = project_path(world, f"/liaisons/{world.reviewer_id}")
     for _ in range(2):  # naming twice is naming once

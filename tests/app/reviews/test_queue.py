@@ -252,6 +252,35 @@ def test_what_others_wait_for_comes_first(stage: Stage) -> None:
     assert items[2]["cue"]["due_on"] == in_days(7).isoformat()
 
 
+def test_need_then_playback_priority_order_what_is_equally_urgent(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.reviews.review_room.PAGE_CUES", 2)
+    start = datetime(2026, 11, 20, tzinfo=UTC)
+    cues = [
+        ("a wish", {"need": "wish", "playback_priority": 0}, 1),
+        ("no priority", {}, 2),
+        ("no priority, younger", {}, 9),
+        ("priority 7", {"playback_priority": 7}, 3),
+        ("should", {"need": "should"}, 4),
+        ("priority 1000", {"playback_priority": 1000}, 5),
+        ("priority 0", {"playback_priority": 0}, 6),
+        ("due, and only a wish", {"need": "wish", "due_on": in_days(3)}, 7),
+        ("due, priority 3", {"playback_priority": 3, "due_on": in_days(5)}, 8),
+    ]
+    for name, facts, hour in cues:
+        stage.take(stage.cue(name, **facts), state_since=start + timedelta(hours=hour))
+    expected = ["due, priority 3", "due, and only a wish", "priority 0", "priority 7", "priority 1000"]
+    expected += ["no priority", "no priority, younger", "should", "a wish"]
+    names: list[str] = []
+    cursor: str | None = None
+    while cursor is not None or not names:
+        page = body_of(stage.world.approver.get("/v1/review-queue", params={"cursor": cursor} if cursor else {}))
+        names += [item["cue"]["name"] for item in page["items"]]
+        cursor = page["next"]
+    assert names == expected
+
+
 @pytest.mark.parametrize("urgent", [3, PAGE_CUES, PAGE_CUES + 3])
 def test_pages_go_from_what_is_urgent_to_the_rest_and_repeat_nothing(stage: Stage, urgent: int) -> None:
     start, count = datetime(2026, 11, 20, tzinfo=UTC), 2 * PAGE_CUES + 5
@@ -270,6 +299,15 @@ def test_pages_go_from_what_is_urgent_to_the_rest_and_repeat_nothing(stage: Stag
     assert read == [f"cue_{number:02}" for number in order]
 
 
-@pytest.mark.parametrize("cursor", ["urgent.", "urgent.now.x", "later.2026-11-20T00:00:00+00:00.x"])
+@pytest.mark.parametrize(
+    "cursor",
+    [
+        "urgent.",
+        "0-0-1001.",
+        "0-0-1001.now.x",
+        "0-0-1001.2026-11-20T00:00:00+00:00.x",
+        "2-0-1.2026-11-20T00:00:00+00:00.x",
+    ],
+)
 def test_a_cursor_that_is_none_is_refused(stage: Stage, cursor: str) -> None:
     assert refused(stage.world.approver.get("/v1/review-queue", params={"cursor": cursor}))[0] == 422

@@ -182,7 +182,10 @@ describe('people', () => {
   test('an audio lead is made; the approver stays one, and it is said why', async () => {
     const { asked } = serve({
       ...inProject(),
-      'PUT /v1/projects/p1/liaisons/x4': aProject('producer', { liaisons: [people.approver, people.composer] }),
+      'PUT /v1/projects/p1/liaisons/x4': aProject('producer', {
+        liaisons: [people.approver, people.composer],
+        audio_leads_warning: '3 audio leads speak for the team',
+      }),
       'DELETE /v1/projects/p1/liaisons/x2': refusal(
         409,
         'liaison-is-approver',
@@ -196,6 +199,7 @@ describe('people', () => {
     await userEvent.click(await screen.findByRole('button', { name: 'Make audio lead: Composer' }))
     expect(await screen.findByRole('button', { name: 'Remove as audio lead: Composer' })).toBeVisible()
     expect(wrote(asked, 'PUT /v1/projects/p1/liaisons/x4')).toHaveLength(1)
+    expect(screen.getByText('3 audio leads speak for the team.')).toBeVisible()
     await userEvent.click(screen.getByRole('button', { name: 'Remove as audio lead: Audio director' }))
     const alert = await screen.findByRole('alert')
     expect(alert).toHaveTextContent('This audio lead is the project’s approver. Name another approver first.')

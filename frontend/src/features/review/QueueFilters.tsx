@@ -83,7 +83,7 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
         'Designer',
         Object.fromEntries(designers.map(({ designer }) => [designer.id, designer.name])),
       )}
-      {choice('need', 'Priority', NEEDS)}
+      {choice('need', 'Need', NEEDS)}
       {choice('kind', 'Waiting', KINDS)}
       {choice('version', 'Version', VERSIONS)}
       {choice('heard', 'Heard', HEARD)}

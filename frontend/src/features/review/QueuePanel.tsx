@@ -54,7 +54,7 @@ export function QueuePanel(props: QueuePanelProps) {
       <header className={classes.head}>
         <h2 className="nowrap">{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
-        <span className="small dim end">urgent first, then oldest</span>
+        <span className="small dim end">urgent, need, priority, then oldest</span>
         <Button
           variant="quiet"
           icon="sliders"

@@ -21,7 +21,7 @@ const FIELD_WORDS: Record<string, string> = {
   variations: 'Variations',
   state: 'Design status',
   need: 'Need',
-  playback_priority: 'Priority',
+  playback_priority: 'Playback priority',
   due_on: 'Needed by',
   placeholder: 'Placeholder in build',
   palette: 'Palette',

@@ -33,20 +33,33 @@ interface ThenListProps {
   beyond?: Queue
 }
 
-/** What waits after the first thing: cues to review and questions, urgent cues first, then the oldest. */
+type Line = { item: QueueItem; question?: undefined } | { item?: undefined; question: AskedQuestion }
+
+/** Cues in the order of the queue; each question before the first cue that is not urgent and has waited less. */
+function inOrder(items: readonly QueueItem[], questions: readonly AskedQuestion[]): Line[] {
+  const lines: Line[] = []
+  const asked = questions.toSorted((a, b) => a.asked_at.localeCompare(b.asked_at))
+  for (const item of items) {
+    while (asked[0] && !item.is_urgent && asked[0].asked_at < item.waiting_since) {
+      lines.push({ question: asked[0] })
+      asked.shift()
+    }
+    lines.push({ item })
+  }
+  return [...lines, ...asked.map((question) => ({ question }))]
+}
+
+/** What waits after the first thing: cues to review in the order of the queue, and questions among them. */
 export function ThenList({ items, questions, projectId, mayApprove, title, beyond }: ThenListProps) {
   const headId = useId()
-  const lines = [
-    ...items.map((item) => ({ at: item.waiting_since, isUrgent: item.is_urgent, item, question: undefined })),
-    ...questions.map((question) => ({ at: question.asked_at, isUrgent: false, item: undefined, question })),
-  ].sort((a, b) => Number(b.isUrgent) - Number(a.isUrgent) || a.at.localeCompare(b.at))
+  const lines = inOrder(items, questions)
   return (
     <Card aria-labelledby={headId}>
       <CardHead
         id={headId}
         title={title}
         count={beyond ? `${lines.length}+` : lines.length}
-        end={<span className="wide-only">urgent first, then oldest</span>}
+        end={<span className="wide-only">urgent, need, priority, then oldest</span>}
       />
       <ul>
         {lines.map(({ item, question }) =>

@@ -4,6 +4,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
+import { Icon } from '@/ui/Icon'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Project } from '../api'
@@ -44,6 +45,11 @@ export function TeamCard({ project, members }: { project: Project; members: read
         Audio leads edit the spec, invite designers, answer questions and can be the approver. Reviewers listen and
         comment.
       </p>
+      {project.audio_leads_warning && (
+        <p role="status" className={`small tone-warn toned ${classes.says}`}>
+          <Icon name="triangle" /> {project.audio_leads_warning}.
+        </p>
+      )}
       <Refusal error={set.error} />
       <Rows aria-label="Members of the studio">
         {members?.map((member) => {

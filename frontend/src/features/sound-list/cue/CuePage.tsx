@@ -267,7 +267,7 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
     ['Plays', cue.loop ? 'as a loop' : 'once'],
     ['Variations', cue.variations > 1 && `a set of ${cue.variations}`],
     ['Reverb', cue.reverb && wordOf(REVERBS, cue.reverb).toLowerCase()],
-    ['Priority', cue.playback_priority],
+    ['Playback priority', cue.playback_priority],
     ['Needed by', cue.due_on && day(cue.due_on)],
     ...TASKS.map(({ fact, label }): [string, ReactNode] => [label, names.get(cue[fact] ?? '') ?? null]),
     ['Placeholder', cue.placeholder && 'the build has a placeholder, which must not ship'],
