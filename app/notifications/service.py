@@ -117,7 +117,7 @@ def write_news(
     news = news_of(topic)
     of_spots = [line for line in lines if isinstance(line, SpotLine)]
     texts = [line.text if isinstance(line, SpotLine) else line for line in lines]
-    about = {"event_id": event_id, "studio_id": studio_id, "project_id": project_id, "topic": topic}
+    about: dict[str, Any] = {"event_id": event_id, "studio_id": studio_id, "project_id": project_id, "topic": topic}
     if isinstance(subject, Fold):
         notices.fold(session, **about, recipient=recipient, subject=subject, lines=texts, path=path)
     else:

@@ -149,7 +149,7 @@ def queued_cues(
         rows = session.execute(stretch).all()
         by_cue = _waiting_by_cue(session, {cue_id for *_, cue_id, _ in rows if cue_id is not None})
         queued += [
-            (QueuePlace(*place, since, cue_id), WaitingCue(cue_id, since, by_cue[cue_id]))
+            (QueuePlace._make((*place, since, cue_id)), WaitingCue(cue_id, since, by_cue[cue_id]))
             for *place, since, cue_id, take_id in rows
             if cue_id in by_cue and take_id == by_cue[cue_id][0]
         ]

@@ -35,8 +35,7 @@ interface Line {
 function ofWork(pace: Pace): Line[] {
   const { first_pass: firstPass, first_pass_lately: lately, first_pass_before: before } = pace
   const falls = lately !== null && before !== null && lately < before - FEWER_BY
-  const trend =
-    lately !== null && before !== null ? `; ${share(lately)} in four weeks, ${share(before)} before` : ''
+  const trend = lately !== null && before !== null ? `; ${share(lately)} in four weeks, ${share(before)} before` : ''
   const late = pace.days_late
   const isSlow = pace.finish_on !== null && pace.needed_on !== null && pace.finish_on > pace.needed_on
   return [
