@@ -197,6 +197,12 @@ type ContractPart =
 type MoneyPart =
   'cue' | 'ledger' | 'invoices' | 'invoice-draft' | 'estimates' | 'milestone' | 'plan' | 'plan-check' | 'days'
 
+const wordsOf = (...families: readonly { all: readonly [string] }[]): ReadonlySet<string> =>
+  new Set(families.map(({ all: [word] }) => word))
+
+/** Families of the review room, which shows each verdict itself and goes on without a connection. */
+const KEPT = wordsOf(queryKeys.reviewQueue, queryKeys.cueReview)
+
 /**
  * Refetch what is shown of these keys and of all that begin with one of them. What no page shows is forgotten, so that
  * no page begins with a state older than the act; without a connection it is kept, for there is nothing newer.
@@ -204,13 +210,11 @@ type MoneyPart =
 export const invalidate = (client: QueryClient, ...touched: readonly QueryKey[]): Promise<void[]> =>
   Promise.all(
     touched.map((queryKey) => {
-      if (onlineManager.isOnline()) client.removeQueries({ queryKey, type: 'inactive' })
+      const isForgotten = onlineManager.isOnline() && !KEPT.has(String(queryKey[0]))
+      if (isForgotten) client.removeQueries({ queryKey, type: 'inactive' })
       return client.invalidateQueries({ queryKey })
     }),
   )
-
-const wordsOf = (...families: readonly { all: readonly [string] }[]): ReadonlySet<string> =>
-  new Set(families.map(({ all: [word] }) => word))
 
 /** Families that no change on the server affects: texts of the product, and answers about something typed. */
 export const FIXED = wordsOf(
