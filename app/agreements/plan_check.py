@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from datetime import date
 
 from app.kit.money import BASIS_POINTS, money
+from app.kit.plural import day_in_words
 
 HOLDBACK_BP = 5_000  # of what the milestones pay; more at the end is a loan from the designer
 DEPOSIT_BP = (2_000, 5_000)  # what is usual, of the whole price
@@ -90,7 +91,8 @@ def _dates(milestones: Sequence[PlannedPayment]) -> Iterator[Advice]:
         if before.due_on is not None and after.due_on is not None and after.due_on <= before.due_on:
             yield Advice(
                 "dates-not-rising",
-                f"{after.name} is due on {after.due_on}, not after {before.name} on {before.due_on}.",
+                f"{after.name} is due on {day_in_words(after.due_on)}, "
+                f"not after {before.name} on {day_in_words(before.due_on)}.",
                 "Milestones that fall together show no slip until it is late.",
                 subject=after.name,
                 excess=(before.due_on - after.due_on).days,

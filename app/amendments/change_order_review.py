@@ -20,6 +20,7 @@ from app.amendments.rules import Difference, Planned, changed_plan, warnings_of
 from app.amendments.work import work_states
 from app.kit import clock
 from app.kit.money import money, part_of
+from app.kit.plural import day_in_words
 from app.money import overview
 from app.money.ledger import called, load_ledger_book, priced
 from app.money.ledger_book import price_of_round
@@ -129,9 +130,9 @@ class Reviewer:
     def _problems_of_date(self, change: schemas.MoveDate) -> list[str]:
         name = self.milestones[change.milestone_id].name
         if change.due_on < clock.now().date():
-            return [f"{change.due_on} is over; give {name} a day to come"]
+            return [f"{day_in_words(change.due_on)} is over; give {name} a day to come"]
         if change.due_on == self.milestones[change.milestone_id].due_on:
-            return [f"{name} is due on {change.due_on} already; give it another day"]
+            return [f"{name} is due on {day_in_words(change.due_on)} already; give it another day"]
         return []
 
     def _problems_of_added(self, cue_id: UUID) -> list[str]:

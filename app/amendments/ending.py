@@ -30,6 +30,7 @@ from app.amendments.work import work_states
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.money import money
+from app.kit.plural import day_in_words
 from app.money import overview
 from app.money import queries as money_queries
 from app.money.days import price_of
@@ -51,7 +52,7 @@ def give_notice(session: Session, actor: Actor, contract_id: UUID, *, reason: st
     standing = queries.standing_notice(session, contract.id)
     if standing is not None:
         raise NoticeGiven(
-            f"{standing.giver.name} gave notice on {standing.given_at.date()}",
+            f"{standing.giver.name} gave notice on {day_in_words(standing.given_at.date())}",
             fix="agree to its statement; who gave the notice can withdraw it",
         )
     is_agreed = contract.state is ContractState.AGREED
@@ -290,7 +291,9 @@ def _open_points(session: Session, contract: Contract, terms: MoneyTerms) -> lis
     by_day = terms.price_mode is PriceMode.DAY_RATE
     days = [
         schemas.OpenPointRead(
-            kind="day", text=f"work on {one.worked_on}", amount_minor=price_of(one.quarters, terms.day_rate_minor)
+            kind="day",
+            text=f"work on {day_in_words(one.worked_on)}",
+            amount_minor=price_of(one.quarters, terms.day_rate_minor),
         )
         for one in (money_queries.worked_days_of(session, contract.id) if by_day else ())
         if one.quarters and one.agreed_at is None and one.refused_at is None

@@ -10,7 +10,7 @@ from app.agreements.deemed_acceptance import working_days
 from app.agreements.plan_check import Advice, PlannedPayment
 from app.amendments.errors import NoticeTooShort
 from app.kit.money import percent
-from app.kit.plural import counted
+from app.kit.plural import counted, day_in_words
 
 
 class ChangeOrderState(StrEnum):
@@ -108,11 +108,13 @@ def warnings_of(
     for old, new in zip(before, after, strict=True):
         is_earlier = old.due_on is not None and new.due_on is not None and new.due_on < old.due_on
         has_more = new.cues > old.cues or new.milestone_id in more_work
-        if is_earlier and (has_more or new.amount_minor > old.amount_minor):
+        is_more = has_more or new.amount_minor > old.amount_minor
+        if old.due_on and new.due_on and is_earlier and is_more:
             said.append(
                 Advice(
                     "earlier-and-more",
-                    f"{new.name} moves from {old.due_on} up to {new.due_on} while work is added to it.",
+                    f"{new.name} moves from {day_in_words(old.due_on)} up to {day_in_words(new.due_on)} "
+                    "while work is added to it.",
                     "Less time for more work is how dates are missed; move the date back, or take a cue out.",
                 )
             )
@@ -120,7 +122,8 @@ def warnings_of(
             said.append(
                 Advice(
                     "rush",
-                    f"{new.name} is due on {new.due_on}, in less than {counted(rush_days, 'working day')}.",
+                    f"{new.name} is due on {day_in_words(new.due_on)}, "
+                    f"in less than {counted(rush_days, 'working day')}.",
                     f"By the clause on rates such work costs {percent(rush_bp)} more; say so in its price.",
                 )
             )

@@ -18,6 +18,7 @@ from app.deliveries.models import Take
 from app.deliveries.schemas import Sources
 from app.deliveries.source_rules import open_points, words_of_points
 from app.deliveries.sources import sources_of
+from app.kit.plural import day_in_words
 from app.money.ledger import load_ledger_book, priced
 from app.money.ledger_book import paid_cues
 from app.projects.models import Project
@@ -117,7 +118,7 @@ def _approved_by(approval: Verdict | None, name: str) -> str:
 
 def _agreement(contract: Contract | None, *, is_in_house: bool) -> str:
     if contract is not None and contract.agreed_at is not None:
-        return f"{contract.title}, agreed {contract.agreed_at.date()}"
+        return f"{contract.title}, agreed {day_in_words(contract.agreed_at.date())}"
     return "employed by the studio" if is_in_house else "no contract in Soundlist"
 
 

@@ -4,9 +4,10 @@ import json
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from datetime import date
 
 from app.builds.documentation_key import Cell, workbook_of
-from app.kit.plural import counted, verb
+from app.kit.plural import counted, day_in_words, verb
 from app.kit.typesetting import typeset
 from app.sound_lists.rules import spreadsheet_safe
 
@@ -117,6 +118,12 @@ def sums_of(rows: Sequence[ClearanceRow]) -> str:
     )
 
 
+def _approval(row: ClearanceRow) -> str:
+    if not row.approved_on:
+        return ""
+    return f"approved {day_in_words(date.fromisoformat(row.approved_on))}, {row.approved_by}"
+
+
 def _entry(row: ClearanceRow) -> dict[str, object]:
     yes = {"made from scratch": row.from_scratch, "own recordings": row.own_recordings}
     listed = {"Libraries": row.libraries, "Generated": row.generated, "Performers": row.performers, "Note": row.note}
@@ -127,7 +134,7 @@ def _entry(row: ClearanceRow) -> dict[str, object]:
             row.designer,
             row.agreement,
             {"yes": "paid in full", "no": "not paid in full"}.get(row.paid, ""),
-            f"approved {row.approved_on}, {row.approved_by}" if row.approved_on else "",
+            _approval(row),
         ],
         "sources": [
             ", ".join(words for words, said in yes.items() if said == "yes"),

@@ -9,7 +9,7 @@ from typing import Any, Self
 import httpx
 
 from app.accounts.rules import Scope
-from app.demo import brief, cues, voice
+from app.demo import brief, cues, extras, voice
 from app.demo.game_ci import GameCi
 from app.demo.hiring import Hiring
 from app.demo.people import SECOND_DESIGNER, make_people
@@ -150,6 +150,7 @@ class _Maker:
         self._ci.audit(self._producer.ask, {"481": {}, "482": {cues.FOOTSTEPS: cues.FOOTSTEPS_LOUDER_DB}})
         self._begin("Adding voice lines")
         self._add_voice_lines()
+        extras.add_extras(self._producer, self._people["studio"], self._project, self._cues)
         return self._project, token
 
     def _begin(self, step: str) -> None:
@@ -304,12 +305,20 @@ class _Maker:
         return {one["text"] for one in self._approver.ask("GET", path, params=params)["items"]}
 
     def _agree_on_contract(self) -> None:
-        """Award the work by a posting, plan and send the draft, and have both say yes to the same text."""
+        """Award the work, send the draft, answer a redline, and have both accept the same text."""
         hiring = Hiring(self._producer, self._approver, self._people["studio"], self._project, self._await)
         self._contract = hiring.award(self._designer, [self._designer, self._second_designer])
         contract = f"/contracts/{self._contract}"
-        if self._producer.ask("GET", contract)["state"] == "draft":
+        read = self._producer.ask("GET", contract)
+        if read["state"] == "draft" and not read["redlines"]:
             self._producer.ask("PUT", f"{contract}/milestones", json={"milestones": self._plan()})
+            read = self._producer.ask("POST", f"{contract}/send", json={"note": ""})
+        if read["state"] == "sent" and not read["redlines"]:
+            extras.propose_redline(self._designer, read)
+        read = self._producer.ask("GET", contract)
+        if read["state"] == "draft":
+            if read["redlines"]["unanswered"]:
+                self._producer.ask("POST", f"{contract}/redlines/1/answer", json={"answer": "accepted"})
             self._producer.ask("POST", f"{contract}/send", json={"note": ""})
         for visitor, name in ((self._producer, "Producer"), (self._designer, "Sound designer")):
             read = visitor.ask("GET", contract)

@@ -1,4 +1,4 @@
-"""The references of the demo project, all made here: a picture, a sound and a page of the story."""
+"""The references of the demo project, all made here: a picture, a sound, a clip and a page of the story."""
 
 import base64
 import io
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image, ImageDraw
 
+from app.demo.clip import warp_in_clip
 from app.demo.synth import Clock, fall, noise, struck
 
 SIZE = (1_280, 720)
@@ -39,7 +40,7 @@ class DemoReference:
 
 
 def demo_references() -> list[DemoReference]:
-    """Return the references of three cues."""
+    """Return the references of four cues."""
     return [
         DemoReference("vo_oath", "scene_14.txt", STORY.encode(), "The page of the story that it belongs to"),
         DemoReference(
@@ -47,6 +48,9 @@ def demo_references() -> list[DemoReference]:
             terms="For reference only: may not be shipped", start_s=0.2, end_s=0.9,
         ),
         DemoReference("coolant_splash", "tank.png", _tank(), "The tank on the lower deck, seen from the walkway"),
+        DemoReference(
+            "warp_in", "warp_in.webm", warp_in_clip(), "The ship is there at 2 s", start_s=1.0, end_s=4.0
+        ),
     ]  # fmt: skip
 
 

@@ -6,13 +6,14 @@ from typing import Any
 from app.hiring.models import Bid, Posting
 from app.hiring.rules import hourly_rate_minor, missing_lines, total_minor
 from app.kit.money import money
+from app.kit.plural import day_in_words
 
 
 def markdown_of(project_name: str, postings: Iterable[tuple[Posting, Sequence[Bid]]]) -> str:
     """Return every posting with its lines, and with each bid that was sent: total, hours, dates, lines left out."""
     blocks = [f"# Postings: {project_name}"]
     for posting, bids in postings:
-        until = f", bids until {posting.bids_until_on}" if posting.bids_until_on else ""
+        until = f", bids until {day_in_words(posting.bids_until_on)}" if posting.bids_until_on else ""
         blocks.append(f"## {posting.title}\n\n{posting.state.value.capitalize()}{until}.")
         blocks.append(
             _table("| asked for | cues | files |", ((_cell(a["label"]), a["cues"], a["files"]) for a in posting.lines))

@@ -1,4 +1,6 @@
-"""A number with its noun, in sentences that people read."""
+"""Numbers with their nouns, and days, in sentences that people read."""
+
+from datetime import date
 
 
 def counted(count: int, one: str, many: str | None = None) -> str:
@@ -9,3 +11,8 @@ def counted(count: int, one: str, many: str | None = None) -> str:
 def verb(count: int, one: str, many: str) -> str:
     """Return the form of a verb, or of another word, that agrees with a number."""
     return one if count == 1 else many
+
+
+def day_in_words(day: date) -> str:
+    """Return a day as sentences name it: 20 November 2026."""
+    return f"{day.day} {day:%B %Y}"

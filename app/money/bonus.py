@@ -6,7 +6,7 @@ from datetime import date
 from enum import StrEnum
 
 from app.agreements.terms import BonusWhen
-from app.kit.plural import counted, verb
+from app.kit.plural import counted, day_in_words, verb
 
 
 class BonusState(StrEnum):
@@ -41,7 +41,7 @@ def bonus_status_of(
     """Return whether a bonus that the software calculates is earned; `cues` are those that were not cut."""
     if when is BonusWhen.SHIPPED:
         if shipped_on is not None:
-            return BonusStatus(BonusState.EARNED, f"the game shipped on {_words(shipped_on)}, as the studio said")
+            return BonusStatus(BonusState.EARNED, f"the game shipped on {day_in_words(shipped_on)}, as the studio said")
         return _open(is_running, "the studio has not said yet that the game has shipped")
     fault = next((fault for cue in cues if (fault := _fault(when, cue, today))), None)
     if fault is not None:
@@ -67,11 +67,7 @@ def _fault(when: BonusWhen, cue: BonusCue, today: date) -> str | None:
         return f"a round of changes was counted for {cue.name}" if cue.has_round else None
     if cue.due_on is None or (cue.accepted_on or today) <= cue.due_on:
         return None
-    day = _words(cue.due_on)
+    day = day_in_words(cue.due_on)
     if cue.accepted_on is None:
         return f"{cue.name} was not accepted by {day}"
-    return f"{cue.name} was accepted on {_words(cue.accepted_on)}; the date was {day}"
-
-
-def _words(day: date) -> str:
-    return f"{day.day} {day:%B %Y}"
+    return f"{cue.name} was accepted on {day_in_words(cue.accepted_on)}; the date was {day}"

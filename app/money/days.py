@@ -18,7 +18,7 @@ from app.agreements.terms import MoneyTerms, PriceMode
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.money import money
-from app.kit.plural import counted, verb
+from app.kit.plural import counted, day_in_words, verb
 from app.money import queries
 from app.money.errors import (
     CapExceeded,
@@ -95,7 +95,9 @@ def correct_work(session: Session, actor: Actor, worked_day_id: UUID, work: Work
     if work.quarters is not None:
         others = [one for one in queries.worked_days_of(session, contract.id) if one.quarters and one.id != day.id]
         if any(one.worked_on == work.worked_on for one in others):
-            raise DayLogged(f"{work.worked_on} is logged already", fix="correct that day, and remove this one")
+            raise DayLogged(
+                f"{day_in_words(work.worked_on)} is logged already", fix="correct that day, and remove this one"
+            )
     return _put(session, contract, day, work)
 
 
@@ -200,7 +202,8 @@ def _facts_of(day: WorkedDay) -> dict[str, object]:
 
 def called_work(day: WorkedDay) -> str:
     """Return logged work as messages name it: 2 h 30 min on 2026-11-20."""
-    return f"{hours_in_words(day.minutes)} on {day.worked_on}" if day.minutes else str(day.worked_on)
+    worked_on = day_in_words(day.worked_on)
+    return f"{hours_in_words(day.minutes)} on {worked_on}" if day.minutes else worked_on
 
 
 def _locked(session: Session, actor: Actor, worked_day_id: UUID) -> tuple[WorkedDay, Contract]:

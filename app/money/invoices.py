@@ -16,6 +16,7 @@ from app.agreements.queries import lock_contract
 from app.agreements.rules import ContractState, WorkState
 from app.kit.events import publish
 from app.kit.money import money, percent
+from app.kit.plural import day_in_words
 from app.money import invoice_numbers, queries, schemas
 from app.money.errors import InvoiceNotFound, InvoiceNumberTaken, NoInterestDue, NotAgreed, OtherPartyNeeded
 from app.money.late_interest import interest_minor
@@ -200,12 +201,14 @@ def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dic
             case LineKind.WORKED_HOURS if line.worked_day_id:
                 day = worked[line.worked_day_id]
                 length = hours_in_words(day.minutes or 0)
-                return f"{length} on {day.worked_on}: {', '.join(part for part in (cue, day.note) if part)}"
+                about = ", ".join(part for part in (cue, day.note) if part)
+                return f"{length} on {day_in_words(day.worked_on)}: {about}"
             case LineKind.RETAINER:
                 return f"Retainer, month {line.month_number}"
-            case LineKind.LATE_INTEREST if line.late_invoice_id:
+            case LineKind.LATE_INTEREST if line.late_invoice_id and line.late_until_on:
                 late = queries.invoice_by_id(session, line.late_invoice_id)
-                return f"Interest on invoice {late.full_number if late else ''}, up to {line.late_until_on}"
+                until = day_in_words(line.late_until_on)
+                return f"Interest on invoice {late.full_number if late else ''}, up to {until}"
             case LineKind.EXTRA_WORK:
                 return f"Work by a change order ({milestone})"
             case LineKind.BONUS:

@@ -3,6 +3,7 @@
 from datetime import date, timedelta
 from enum import StrEnum
 
+from app.kit.plural import day_in_words
 from app.money.errors import DayInFuture
 
 
@@ -29,7 +30,7 @@ class LineKind(StrEnum):
 def ensure_not_ahead(day: date, today: date, why: str) -> None:
     """Raise DayInFuture for a day that has come nowhere on earth yet: somewhere it is tomorrow already."""
     if day > today + timedelta(days=1):
-        raise DayInFuture(f"{day} is in the future; {why}", fix="give the day on which it happened")
+        raise DayInFuture(f"{day_in_words(day)} is in the future; {why}", fix="give the day on which it happened")
 
 
 def hours_in_words(minutes: int) -> str:

@@ -13,6 +13,7 @@ from app.agreements.queries import lock_contract
 from app.agreements.rules import ContractState
 from app.agreements.terms import BonusWhen
 from app.kit import clock
+from app.kit.plural import day_in_words
 from app.money.bonuses import studio_days
 from app.money.errors import NoShippingBonus
 from app.money.rules import ensure_not_ahead
@@ -37,7 +38,7 @@ def say_shipped(session: Session, actor: Actor, contract_id: UUID, *, shipped_on
         )
     if contract.game_shipped_on is not None:
         raise NoShippingBonus(
-            f"it is on record that the game shipped on {contract.game_shipped_on}",
+            f"it is on record that the game shipped on {day_in_words(contract.game_shipped_on)}",
             fix="this is final: the bonus is due since then",
         )
     today = studio_days(session, contract).of(clock.now())

@@ -11,6 +11,7 @@ from app.agreements.models import Contract
 from app.agreements.plan_queries import milestones_of, terms_of
 from app.agreements.terms import PriceMode
 from app.kit import clock
+from app.kit.plural import day_in_words
 from app.money import queries
 from app.money.bonuses import studio_days
 from app.money.errors import CapExceeded, NotHourly
@@ -71,7 +72,8 @@ class HourBook:
         left = self.terms.left(month, others)
         if minutes > left:
             raise CapExceeded(
-                f"{hours_in_words(minutes)} on {worked_on} is more than the contract pays for: {self._limits()}; "
+                f"{hours_in_words(minutes)} on {day_in_words(worked_on)} is more than the contract pays for: "
+                f"{self._limits()}; "
                 f"{hours_in_words(left)} left in this month",
                 fix=(f"log up to {hours_in_words(left)}, and " if left else "") + self._more_hours(),
             )

@@ -110,7 +110,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await expect(ben.getByRole('heading', { name: 'All sounds of Deep Field' })).toBeVisible()
     await ben.getByLabel('Email').fill(addressOf('ben'))
     await ben.getByRole('button', { name: /^(Email me|Ask for) a link$/ }).click()
-    await expect(ben.getByText(`We have sent an email to ${addressOf('ben')}`)).toBeVisible()
+    await expect(ben.getByText(`the studio hands you a link for ${addressOf('ben')}`)).toBeVisible()
     const own = await linkTo(producer, url, addressOf('ben'), /asks you for a bid/)
     await arriveBy(ben, own, 'Ben Waves')
     await bid(ben, '75', '80')

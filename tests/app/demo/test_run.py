@@ -118,6 +118,7 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         references = client.get(f"{path}/references").json()["items"]
         assert {one["cue"]["name"]: (one["version"]["kind"], one["version"]["preview"]) for one in references} == {
             "vo_oath": ("text", "none"), "shield_hit": ("audio", "none"), "coolant_splash": ("picture", "made"),
+            "warp_in": ("video", "none"),
         }  # fmt: skip
         lines = client.get(f"{path}/voice-lines", params={"language": "de"}).json()["lines"]
         assert (len(lines), [line["key"] for line in lines if line["length_is_off"]]) == (6, ["captain_020"])
@@ -138,6 +139,9 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         assert {item["cue"]["name"]: item["last_change"] for item in queue}["suit_hit"] == "Add a dull metallic clank"
         ensure_money(client, path, next(item["cue"]["id"] for item in queue if item["cue"]["name"] == "shield_hit"))
         ensure_hired(client, path)
+        ensure_no_empty_page(client, path, project["studio"]["id"])
+        with closing(sqlite3.connect(data / "soundlist.sqlite")) as database:
+            assert database.execute("select role, is_on from beds").fetchall() == [("ambience", 1)]
         builds = client.get(f"{path}/builds").json()["items"]
         assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
         audits = client.get(f"{path}/audits").json()["items"]
@@ -240,3 +244,22 @@ def test_wrong_settings_are_refused_with_a_reason(
     assert result.exit_code == 2
     assert said in result.output
     assert "Traceback" not in result.output
+
+
+def ensure_no_empty_page(client: httpx.Client, path: str, studio_id: str) -> None:
+    """Hold the demo to one of each thing that a visitor would otherwise meet an empty page for."""
+    client.cookies.set(DEMO_COOKIE, "producer")
+    roster = client.get(f"/v1/studios/{studio_id}/roster").json()["items"]
+    assert {entry["name"] for entry in roster} == {"Sound designer", "Second designer"}
+    (playlist,) = client.get(f"{path}/playlists").json()
+    assert playlist["name"] == "Palette, for the kick-off"
+    (webhook,) = client.get(f"/v1/studios/{studio_id}/webhooks").json()["items"]
+    assert webhook["disabled_at"] is not None
+    (contract,) = client.get(f"{path}/contracts").json()
+    redlines = client.get(f"/v1/contracts/{contract['id']}").json()["redlines"]
+    assert (redlines["rounds"], redlines["count"], redlines["unanswered"]) == (1, 1, 0)
+    listening = client.get(f"{path}/listening-pass").json()["listening_pass"]
+    assert {note["cue"]["name"]: note["said"] for note in listening["notes"]} == {
+        "foot_deck_walk": "too-loud", "radar_ping": "good",
+    }  # fmt: skip
+    client.cookies.clear()

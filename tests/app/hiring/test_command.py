@@ -39,7 +39,7 @@ def test_postings_with_their_bids(world: World) -> None:
     assert world.designer.post(f"{path}/bid/send", json={"revision": 1}).status_code == 200
     shown = CliRunner().invoke(cli, ["postings", str(world.project_id)])
     assert shown.exit_code == 0, shown.output
-    assert "## Effects for Alpha\n\nOpen, bids until 2099-01-05.\n" in shown.output
+    assert "## Effects for Alpha\n\nOpen, bids until 5 January 2099.\n" in shown.output
     assert "| Foley | 1 | 1 |\n" in shown.output
     assert "| Ada \\| Tones | USD 120.00 | 2.5 | USD 48.00 | 2099-02-01 |  | Foley |\n" in shown.output
 

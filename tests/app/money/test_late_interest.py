@@ -7,6 +7,7 @@ from uuid import UUID
 import pytest
 from sqlalchemy.orm import Session
 
+from app.kit.plural import day_in_words
 from app.money.late_interest import interest_minor
 from app.money.models import Invoice
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
@@ -75,7 +76,7 @@ def test_it_is_shown_charged_once_and_invoiced_without_tax(world: World) -> None
     assert sum(figures[name] for name in sums) == figures["agreed_minor"]
     billed = agreed.invoice()
     assert [line["text"] for line in billed["lines"]] == [
-        f"Interest on invoice {invoice['full_number']}, up to {TODAY}"
+        f"Interest on invoice {invoice['full_number']}, up to {day_in_words(TODAY)}"
     ]
     assert (billed["taxes"], billed["total_minor"]) == ([], 1_190)
     record = body_of(world.producer.get(f"/v1/contracts/{agreed.contract_id}/record"))

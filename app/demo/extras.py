@@ -1,0 +1,83 @@
+"""One of each thing that the story of the demo does not need, so that a visitor finds no empty page."""
+
+from datetime import timedelta
+from typing import Any
+from uuid import NAMESPACE_URL, uuid5
+
+from app.demo import cues
+from app.demo.visitors import Visitor
+from app.kit import clock
+
+PLAYLIST = "Palette, for the kick-off"
+BED, BED_LEVEL_DB = "amb_bridge_loop", -12.0
+WEBHOOK = {
+    "url": "https://chat.soundlist.example/hooks/shield-wing",
+    "events": ["changes.requested", "take.approved", "pack.made"],
+}
+# Heard in the second build: which cue, as what, and by how much it is off.
+HEARD: tuple[tuple[str, dict[str, Any]], ...] = (
+    (cues.FOOTSTEPS, {"said": "too-loud", "amount_db": -6.0, "text": "Steps cover the voices on the bridge."}),
+    ("radar_ping", {"said": "good", "text": "Reads over the engine."}),
+)
+REDLINE = {
+    "kind": "insert",
+    "after_key": "rounds",
+    "title": "Listening together",
+    "text": "Before each milestone {designer} and the studio listen to its sounds together once.",
+    "comment": "An hour together saves a round.",
+}
+
+
+def propose_redline(designer: Visitor, contract: dict[str, Any]) -> None:
+    """Insert a clause into the text that was sent."""
+    body = {"version": contract["version"]["number"], "changes": [REDLINE], "note": "One addition; the rest is fine."}
+    designer.ask("POST", f"/contracts/{contract['id']}/redlines", json=body)
+
+
+def add_extras(producer: Visitor, studio_id: str, project_id: str, cue_ids: dict[str, str]) -> None:
+    """Add a roster entry, a playlist, a bed, a webhook that is off and a listening pass, each once."""
+    project = f"/projects/{project_id}"
+    _add_to_roster(producer, f"/studios/{studio_id}/roster")
+    if not producer.ask("GET", f"{project}/playlists"):
+        body = {"name": PLAYLIST, "cue_ids": [cue_ids[name] for name in cues.PALETTE]}
+        producer.ask("POST", f"{project}/playlists", json=body)
+    if not producer.ask("GET", f"/studios/{studio_id}/webhooks")["items"]:
+        webhook = producer.ask("POST", f"/studios/{studio_id}/webhooks", json=WEBHOOK | {"project_id": project_id})
+        producer.ask("PATCH", f"/webhooks/{webhook['id']}", json={"enabled": False})
+    approved = producer.ask("GET", f"{project}/takes", params={"state": "approved", "limit": "200"})["items"]
+    take = next(take for take in approved if take["cue"] and take["cue"]["name"] == BED)
+    bed = {"role": "ambience", "take_id": take["id"], "level_db": BED_LEVEL_DB}
+    producer.ask("PUT", f"{project}/beds", json=bed)
+    _listen(producer, project)
+
+
+def _add_to_roster(producer: Visitor, path: str) -> None:
+    address = "second.designer@soundlist.example"
+    if address in {entry["email"] for entry in producer.ask("GET", path)["items"]}:
+        return
+    producer.ask(
+        "POST",
+        path,
+        json={
+            "name": "Second designer",
+            "email": address,
+            "specialities": ["ambience", "footsteps"],
+            "services": ["field_recording"],
+            "languages": ["English"],
+            "equipment": "A hall of 400 m², a pair of omnis, contact microphones.",
+            "weekly_hours": 20,
+            "available_from_on": (clock.now().date() + timedelta(days=30)).isoformat(),
+            "notes": "Bid on the effects; the recordings were fine, the price was over the budget.",
+            "rate": {"amount_minor": 6_000, "currency": "USD", "unit": "hour"},
+        },
+    )
+
+
+def _listen(producer: Visitor, project: str) -> None:
+    listening = producer.ask("GET", f"{project}/listening-pass")["listening_pass"]
+    listening = listening or producer.ask("POST", f"{project}/listening-passes")["listening_pass"]
+    ids = {one["cue"]["name"]: one["cue"]["id"] for one in listening["cues"]}
+    for name, heard in HEARD:
+        note_id = str(uuid5(NAMESPACE_URL, f"{listening['id']}/{name}"))  # a note that is sent again is the same note
+        body = {"note_id": note_id, "cue_id": ids[name]} | heard
+        producer.ask("POST", f"/listening-passes/{listening['id']}/notes", json=body)
