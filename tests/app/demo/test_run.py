@@ -141,7 +141,7 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         ensure_hired(client, path)
         ensure_no_empty_page(client, path, project["studio"]["id"])
         with closing(sqlite3.connect(data / "soundlist.sqlite")) as database:
-            assert database.execute("select role, is_on from beds").fetchall() == [("ambience", 1)]
+            assert database.execute("select role, is_on from scenes_beds").fetchall() == [("ambience", 1)]
         builds = client.get(f"{path}/builds").json()["items"]
         assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
         audits = client.get(f"{path}/audits").json()["items"]
