@@ -22,7 +22,7 @@ describe('alternates', () => {
     queueIs(walk)
     await userEvent.keyboard('a')
     expect(await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })).toBeVisible()
-    expect(screen.getByRole('status')).toHaveTextContent('shield_hit B approved.')
+    expect(screen.getByText('shield_hit B approved.')).toBeVisible()
     expect(server.of('POST /v1/takes/b/verdict')[0]?.body).toMatchObject({ kind: 'approve', seen_state: 'conforming' })
   })
 
