@@ -5,9 +5,9 @@ from uuid import UUID
 
 import pytest
 
-from app.deliveries.rules import OpenTake, TakeState, undecided_groups
-from tests.app.deliveries.test_takes import another, become
+from app.deliveries.rules import OpenTake, undecided_groups
 from tests.app.deliveries.test_tray import tray_action, undo
+from tests.app.reviews.test_adoption_with_project import sound
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.server import World
 
@@ -53,7 +53,7 @@ def test_two_files_for_one_sound_are_named_until_somebody_decides(world: World) 
     [steps, laser] = add_cues(world, {"name": "Steps", "variations": 2}, {"name": "Laser"})
     delivery_id = open_delivery(world)
     first, second, _ = (
-        deliver(world, name, another(place), delivery_id=delivery_id)
+        deliver(world, name, sound(place), delivery_id=delivery_id)
         for place, name in enumerate(["steps_02.wav", "Steps 02 FINAL (2).wav", "steps_01.wav"])
     )
     [place] = undecided(world)
@@ -83,11 +83,10 @@ def test_a_set_with_files_nobody_chose_between_is_not_approved_in_silence(world:
     [steps] = add_cues(world, {"name": "Steps", "variations": 2})
     delivery_id = open_delivery(world)
     made = [
-        deliver(world, name, another(place), delivery_id=delivery_id)
+        deliver(world, name, sound(place), delivery_id=delivery_id)
         for place, name in enumerate(["steps_01.wav", "steps_02.wav", "Steps 02 FINAL (2).wav"])
     ]
-    for one in made:
-        become(world, one["id"], TakeState.CONFORMING)
+    world.server.wait_for_jobs()
     takes = world.approver.get(f"/v1/cues/{steps['id']}/review").json()["takes"]
     rivals = {one["id"]: one["undecided_with"] for one in takes}
     assert rivals == {made[0]["id"]: [], made[1]["id"]: [made[2]["id"]], made[2]["id"]: [made[1]["id"]]}

@@ -88,44 +88,44 @@ def test_nobody_reads_or_marks_the_notices_of_another(world: World):
 
 def test_what_is_read_counts_no_more_and_what_came_since_still_does(world: World):
     for _ in range(3):
-        add(world, world.other_designer_id)
-    newest, middle, oldest = read(world.other_designer)["items"]
-    assert unread(world.other_designer) == 3
-    world.other_designer.post("/v1/me/notices/read", json={"ids": [newest["id"]]}).raise_for_status()
-    assert unread(world.other_designer) == 2
-    world.other_designer.post("/v1/me/notices/read", json={"up_to": middle["id"]}).raise_for_status()
-    assert unread(world.other_designer) == 0
-    add(world, world.other_designer_id)
-    world.other_designer.post("/v1/me/notices/read", json={"up_to": newest["id"]}).raise_for_status()
-    assert unread(world.other_designer) == 1
+        add(world, world.designer_id)
+    newest, middle, oldest = read(world.designer)["items"]
+    assert unread(world.designer) == 3
+    world.designer.post("/v1/me/notices/read", json={"ids": [newest["id"]]}).raise_for_status()
+    assert unread(world.designer) == 2
+    world.designer.post("/v1/me/notices/read", json={"up_to": middle["id"]}).raise_for_status()
+    assert unread(world.designer) == 0
+    add(world, world.designer_id)
+    world.designer.post("/v1/me/notices/read", json={"up_to": newest["id"]}).raise_for_status()
+    assert unread(world.designer) == 1
     assert oldest["id"] < middle["id"] < newest["id"]
 
 
 def test_an_event_is_noticed_once_however_often_its_job_runs(world: World):
     for _ in range(2):
-        add(world, world.other_designer_id, event_id="one")
-    add(world, world.other_designer_id, event_id="one", topic=f"replies:{world.project_id}")
-    assert len(read(world.other_designer)["items"]) == 2
+        add(world, world.designer_id, event_id="one")
+    add(world, world.designer_id, event_id="one", topic=f"replies:{world.project_id}")
+    assert len(read(world.designer)["items"]) == 2
 
 
 def test_pages_follow_one_another_and_the_count_ends_at_a_hundred(world: World):
     for number in range(103):
-        add(world, world.other_designer_id, subject=f"piece {number}")
-    first = read(world.other_designer)
-    second = read(world.other_designer, cursor=first["next"])
-    third = read(world.other_designer, cursor=second["next"])
+        add(world, world.designer_id, subject=f"piece {number}")
+    first = read(world.designer)
+    second = read(world.designer, cursor=first["next"])
+    third = read(world.designer, cursor=second["next"])
     subjects = [one["subject"] for page in (first, second, third) for one in page["items"]]
     assert subjects == [f"piece {number}" for number in reversed(range(103))]
     assert third["next"] is None
-    assert unread(world.other_designer) == 100
-    assert world.other_designer.get("/v1/me/notices", params={"cursor": "x"}).status_code == 422
+    assert unread(world.designer) == 100
+    assert world.designer.get("/v1/me/notices", params={"cursor": "x"}).status_code == 422
 
 
 def test_notices_leave_ninety_days_after_they_were_read(world: World, monkeypatch: pytest.MonkeyPatch):
     for _ in range(2):
-        add(world, world.other_designer_id)
-    kept, gone = read(world.other_designer)["items"]
-    world.other_designer.post("/v1/me/notices/read", json={"ids": [gone["id"]]}).raise_for_status()
+        add(world, world.designer_id)
+    kept, gone = read(world.designer)["items"]
+    world.designer.post("/v1/me/notices/read", json={"ids": [gone["id"]]}).raise_for_status()
     now = clock.now()
     for days, wanted in ((89, {kept["id"], gone["id"]}), (91, {kept["id"]})):
         later = now + timedelta(days=days)
@@ -133,14 +133,14 @@ def test_notices_leave_ninety_days_after_they_were_read(world: World, monkeypatc
         notice_jobs.delete_old_notices(world.server.runtime, {})
         with world.server.runtime.database.reading() as session:
             left = {str(one.id) for one in notices.queries.notices_of(
-                session, world.other_designer_id, before=None, limit=10)}  # fmt: skip
+                session, world.designer_id, before=None, limit=10)}  # fmt: skip
         assert left == wanted
 
 
 def test_a_long_text_is_cut_and_an_address_without_an_account_has_no_notice(world: World):
-    add(world, world.other_designer_id, text="a" * 5_000)
+    add(world, world.designer_id, text="a" * 5_000)
     add(world, new_id())
-    (notice,) = read(world.other_designer)["items"]
+    (notice,) = read(world.designer)["items"]
     assert len(notice["text"]) == notices.MAX_TEXT_CHARS
 
 

@@ -115,7 +115,7 @@ def test_a_bed_that_is_off_covers_nothing(world: World, stage: Stage, take_id: s
     assert (changed.status_code, changed.json()["level_db"], changed.json()["is_on"]) == (200, 0.0, False)
     assert beds_in(opened_scene(world, take_id, settled=False))["ambience"]["is_on"] is False
     assert heard_with < 1.0
-    assert masking(world, take_id, sound=0.0)["energy_share"] == 1.0
+    assert masking(world, take_id, sound=0.0)["is_compared"] is False
 
 
 @pytest.mark.parametrize(
