@@ -112,6 +112,7 @@ def test_a_page_is_found_by_the_index_that_was_made_for_it(server: RunningServer
     assert any(re.fullmatch(index, used) for used in found)
 
 
+@pytest.mark.slow
 def test_comments_of_the_queue_are_not_found_among_all_that_are_no_replies(server: RunningServer, made: Made):
     screen, engine = SCREENS["review queue"], server.runtime.database.engine
     asking = sign_in(server.browser(), server.runtime.settings, screen.secret(made))

@@ -57,6 +57,7 @@ def test_of_two_editors_of_a_cue_one_is_refused(world: World, together: Callable
         assert world.producer.get(f"/v1/cues/{cue['id']}").json()["description"] == saved.json()["description"]
 
 
+@pytest.mark.slow
 def test_a_spec_is_saved_by_one_of_two(world: World, together: Callable[..., list[Response]]):
     address = f"/v1/projects/{world.project_id}/spec"
     for number in range(ROUNDS):
@@ -75,6 +76,7 @@ def test_a_spec_is_saved_by_one_of_two(world: World, together: Callable[..., lis
         assert statuses(answers) == [200, 409], [answer.text for answer in answers]
 
 
+@pytest.mark.slow
 def test_a_question_is_answered_by_one_of_two(world: World, together: Callable[..., list[Response]]):
     (cue,) = add_cues(world, {"name": "splash"})
     question = world.designer.post(f"/v1/cues/{cue['id']}/questions", json={"text": "how large?"}).json()

@@ -98,6 +98,7 @@ def test_web_worker_migration_and_backup_are_there(ours: dict[str, dict[str, Any
     assert not ours["worker"].get("ports")
 
 
+@pytest.mark.slow
 def test_every_service_runs_a_command_that_there_is(ours: dict[str, dict[str, Any]]):
     for name, service in ours.items():
         program, command, *options = service["command"]
@@ -135,6 +136,7 @@ def test_every_volume_and_every_service_waited_for_is_there(compose: dict[str, A
             assert (how["condition"] == "service_completed_successfully") is one_shot, f"{name} waits for {other}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["web", "worker"])
 def test_a_health_check_distinguishes_well_from_ill(ours: dict[str, dict[str, Any]], name: str):
     [how, *command] = ours[name]["healthcheck"]["test"]
@@ -179,6 +181,7 @@ def test_the_health_checks_ask_what_the_server_answers(server: RunningServer, ou
     assert ours["worker"]["environment"]["SOUNDLIST_METRICS_PORT"] in ours["worker"]["healthcheck"]["test"][-1]
 
 
+@pytest.mark.slow
 def test_the_store_runs_as_configured(compose: dict[str, Any], tmp_path: Path):
     service, port = compose["services"]["s3"], free_port()
     made = compose["services"]["bucket"]["entrypoint"][-1].partition(" && ")[0].replace("/store", str(tmp_path))

@@ -4,11 +4,14 @@ import doctest
 import re
 from pathlib import Path
 
+import pytest
+
 import audio_checks
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
+@pytest.mark.slow
 def test_the_examples_of_the_python_api(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     document = ROOT / "docs" / "python-api.md"

@@ -121,6 +121,7 @@ def test_signing_out_clears_what_the_browser_kept(served: RunningServer):
     assert (answer.status_code, answer.headers["clear-site-data"]) == (204, '"cache", "storage"')
 
 
+@pytest.mark.slow
 def test_a_fault_carries_the_headers_too(served: RunningServer, monkeypatch: pytest.MonkeyPatch):
     def broken(*_: object) -> None:
         raise ZeroDivisionError

@@ -64,6 +64,7 @@ def test_the_mailed_link_verifies_once(
     assert browser.post("/v1/me/email-verifications").json()["code"] == "already-verified"
 
 
+@pytest.mark.slow
 def test_the_link_verifies_nobody_elses_account(
     server: RunningServer, account: tuple[TestClient, str], mails: MailServer
 ) -> None:
@@ -81,6 +82,7 @@ def test_the_link_verifies_nobody_elses_account(
     assert proof_of(server, email) is None
 
 
+@pytest.mark.slow
 def test_a_link_asked_for_again_replaces_the_one_before(account: tuple[TestClient, str], mails: MailServer) -> None:
     browser, email = account
     ask_link(browser)
@@ -135,6 +137,7 @@ def invite(world: World, email: str) -> None:
     assert world.producer.post(f"/v1/studios/{world.studio_id}/invitations", json=body).is_success
 
 
+@pytest.mark.slow
 def test_an_invitation_that_was_only_mailed_verifies(world: World, mails: MailServer) -> None:
     email = address()
     invite(world, email)
@@ -149,6 +152,7 @@ def test_an_invitation_that_the_outbox_showed_verifies_nothing(world: World) -> 
     assert proof_of(world.server, email) is None
 
 
+@pytest.mark.slow
 def test_a_link_that_the_outbox_showed_is_invalid_once_it_is_mailed(world: World) -> None:
     email = address()
     invite(world, email)
@@ -202,6 +206,7 @@ def soundlist(server: RunningServer, monkeypatch: pytest.MonkeyPatch) -> Callabl
     return lambda *arguments: CliRunner().invoke(cli, arguments)
 
 
+@pytest.mark.slow
 def test_an_operator_is_named_by_the_command_line_alone(
     server: RunningServer, account: tuple[TestClient, str], mails: MailServer, soundlist: Callable[..., Any]
 ) -> None:

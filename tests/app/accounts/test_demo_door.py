@@ -102,6 +102,7 @@ def test_without_demo_mode_the_endpoint_does_not_exist(server: RunningServer) ->
     assert browser.put("/v1/demo/part/designer").status_code == 401
 
 
+@pytest.mark.slow
 def test_the_switch_changes_who_is_played(visitor: Visitor) -> None:
     browser = visitor()
     assert browser.get("/v1/session").json()["demo"] is True

@@ -49,12 +49,14 @@ def wrong_guesses(browser: TestClient, email: str, count: int) -> list[int]:
     return [sign_in(browser, email, f"guess {n} of many").status_code for n in range(count)]
 
 
+@pytest.mark.slow
 def test_an_attacker_behind_the_proxy_holds_up_no_one_else(server: RunningServer, account: str) -> None:
     attacker = behind_proxy(server, "198.51.100.7")
     assert wrong_guesses(attacker, account, 12)[-1] == 429
     assert sign_in(behind_proxy(server, "198.51.100.8"), account).status_code == 200
 
 
+@pytest.mark.slow
 def test_what_an_untrusted_peer_says_of_the_visitor_counts_for_nothing(server: RunningServer, account: str) -> None:
     for n in range(12):  # a new address each time, from one peer that is not a proxy of ours
         browser = behind_proxy(server, f"198.51.100.{n}", proxy="192.0.2.1")
@@ -88,6 +90,7 @@ def test_the_device_cookie_is_out_of_reach_of_scripts(server: RunningServer) -> 
     assert "httponly" in line.lower()
 
 
+@pytest.mark.slow
 def test_a_device_guesses_no_faster_than_others(server: RunningServer, account: str) -> None:
     browser = server.browser()
     assert sign_in(browser, account).status_code == 200

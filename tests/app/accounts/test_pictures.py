@@ -68,6 +68,7 @@ def test_nothing_else_that_the_file_says_is_kept(world: World) -> None:
     assert b"EXIF" not in kept
 
 
+@pytest.mark.slow
 def test_the_name_carries_it_wherever_the_person_is_named(world: World) -> None:
     shown = address(world.approver)
     assert world.approver.get("/v1/me").json()["person"]["picture"] == shown
@@ -81,6 +82,7 @@ def test_the_name_carries_it_wherever_the_person_is_named(world: World) -> None:
     assert world.designer.get(f"/v1/projects/{world.project_id}").json()["approver"]["picture"] == shown
 
 
+@pytest.mark.slow
 def test_those_who_see_the_name_see_it_and_no_others(world: World) -> None:
     of_approver, of_designer = address(world.approver), address(world.designer)
     for client in (world.producer, world.reviewer, world.designer):
@@ -218,6 +220,7 @@ def test_what_is_no_such_picture_is_refused_in_words(world: World, name: str) ->
     assert world.producer.get("/v1/me").json()["person"]["picture"] is None
 
 
+@pytest.mark.slow
 def test_a_bomb_of_the_largest_size_is_drawn_within_the_childs_memory(world: World) -> None:
     rows = zlib.compress((b"\0" + bytes(5_000)) * 5_000)
     assert len(rows) < 100_000

@@ -134,6 +134,7 @@ def test_wrong_and_unknown_are_one_answer(server: RunningServer, account: tuple[
     assert wrong.json()["detail"] == unknown.json()["detail"]
 
 
+@pytest.mark.slow
 def test_a_hash_costs_what_is_recommended() -> None:
     """Tests run with cheaper hashes: what a server has is in a module of its own."""
     spec = importlib.util.find_spec("app.accounts.passwords")
@@ -160,6 +161,7 @@ def test_an_unknown_address_costs_a_hash_too(monkeypatch: pytest.MonkeyPatch) ->
     assert costs == [costs[0]] * 2
 
 
+@pytest.mark.slow
 def test_guessing_is_slowed_down_and_says_for_how_long(server: RunningServer, account: tuple[TestClient, str]) -> None:
     for _ in range(10):
         assert sign_in(server.browser(), account[1], "a guess").status_code == 401
@@ -238,6 +240,7 @@ def desk_token(server: RunningServer, browser: TestClient) -> Callable[[], int]:
     return lambda: server.browser().get("/v1/me/desk", headers=bearer).status_code
 
 
+@pytest.mark.slow
 def test_a_changed_password_ends_the_desk_tokens(server: RunningServer, account: tuple[TestClient, str]) -> None:
     browser, _ = account
     token = desk_token(server, browser)
@@ -266,6 +269,7 @@ def test_spaces_are_part_of_a_password(server: RunningServer, account: tuple[Tes
     assert sign_in(server.browser(), account[1], f" {PASSWORD} ").status_code == 401
 
 
+@pytest.mark.slow
 def test_a_forgotten_password_is_reset_once_by_mail(server: RunningServer, account: tuple[TestClient, str]) -> None:
     browser, email = account
     secrets = []
@@ -318,6 +322,7 @@ def test_a_mailbox_cannot_be_flooded(server: RunningServer, account: tuple[TestC
     assert asked == [202] * 5 + [429]
 
 
+@pytest.mark.slow
 def test_a_revoked_or_unknown_token_is_nobody(server: RunningServer, world: World) -> None:
     path = f"/v1/projects/{world.project_id}/tokens"
     made = world.producer.post(path, json={"name": "CI", "scopes": ["spec:read"]}).json()

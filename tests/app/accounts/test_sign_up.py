@@ -29,6 +29,7 @@ def ask(browser: TestClient, email: str) -> int:
 REST = {"name": "Producer", "password": PASSWORD, "studio_name": "Night Studio"}
 
 
+@pytest.mark.slow
 def test_the_mailed_link_opens_a_verified_account_once(server: RunningServer, mails: MailServer) -> None:
     browser, email = server.browser(), address()
     assert ask(browser, email.upper()) == 202
@@ -41,6 +42,7 @@ def test_the_mailed_link_opens_a_verified_account_once(server: RunningServer, ma
     assert server.browser().post(path, json=REST).json()["code"] == "sign-up-not-found"
 
 
+@pytest.mark.slow
 def test_known_and_unknown_are_one_answer_and_the_owner_is_notified(server: RunningServer, mails: MailServer) -> None:
     known, unknown = address(), address()
     ask(server.browser(), known)
@@ -54,6 +56,7 @@ def test_known_and_unknown_are_one_answer_and_the_owner_is_notified(server: Runn
     assert "/sign-up/" in mails.texts_for(unknown)[-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", ["/v1/sign-ups", "/v1/password-resets"])
 def test_the_request_itself_looks_nobody_up(server: RunningServer, mails: MailServer, path: str) -> None:
     """The same statements for a known and an unknown address, so the same time; the job finds out."""
@@ -113,6 +116,7 @@ def test_an_empty_server_takes_its_first_person(tmp_path_factory: pytest.TempPat
     runtime.close()
 
 
+@pytest.mark.slow
 def test_a_new_password_of_an_unverified_holder_is_theirs_alone(server: RunningServer) -> None:
     """A person who opened an account with another's address loses it to the reader of that mail."""
     thief, email = server.browser(), address()

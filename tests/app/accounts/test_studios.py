@@ -67,6 +67,7 @@ def test_who_leaves_sees_nothing_more(world: World) -> None:
     assert world.reviewer.get(f"/v1/projects/{world.project_id}").status_code == 404
 
 
+@pytest.mark.slow
 def test_a_newcomer_joins_by_the_link(server: RunningServer, world: World) -> None:
     email = address()
     invite(world, email.upper(), "liaison", "reviewer")
@@ -85,6 +86,7 @@ def test_a_newcomer_joins_by_the_link(server: RunningServer, world: World) -> No
     assert world.producer.get(f"/v1/studios/{world.studio_id}/invitations").json() == []
 
 
+@pytest.mark.slow
 def test_the_account_of_an_address_is_its_holders(server: RunningServer, world: World) -> None:
     """A link that reached the wrong hands does not open an account that exists."""
     email = address()
@@ -143,6 +145,7 @@ def test_a_second_invitation_replaces_the_first(server: RunningServer, world: Wo
     assert len(world.producer.get(f"/v1/studios/{world.studio_id}/invitations").json()) == 1
 
 
+@pytest.mark.slow
 def test_a_withdrawn_or_old_invitation_is_worth_nothing(server: RunningServer, world: World) -> None:
     email = address()
     invite(world, email)

@@ -13,6 +13,7 @@ from app.agreements.errors import NothingToSplit
 AMOUNTS = st.integers(0, 10**12)
 
 
+@pytest.mark.slow
 @given(AMOUNTS, st.lists(st.integers(0, 10**9), min_size=1, max_size=40))
 def test_parts_add_up_and_none_is_a_cent_off(amount, weights):
     parts = split(amount, weights)
@@ -22,6 +23,7 @@ def test_parts_add_up_and_none_is_a_cent_off(amount, weights):
         assert abs(part - Fraction(amount * weight, sum(shown))) < 1
 
 
+@pytest.mark.slow
 @given(AMOUNTS, st.lists(st.integers(0, 10**9), min_size=2, max_size=40))
 def test_more_weight_never_gets_less(amount, weights):
     pairs = sorted(zip(weights, split(amount, weights), strict=True))

@@ -121,6 +121,7 @@ def entries(agreed: Agreed) -> list[dict[str, Any]]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("act", "kind", "part"),
     [pytest.param(act, kind, part, id=f"{name} by {part}") for name, act, kind, parts in ACTS for part in parts],
@@ -162,6 +163,7 @@ def test_a_waiver_is_the_approvers(agreed: Agreed) -> None:
     )
 
 
+@pytest.mark.slow
 def test_what_a_build_delivers_names_its_token(agreed: Agreed) -> None:
     world, cue = agreed.world, agreed.cue("radar_ping")
     agreed.agree(milestone("Alpha", cue, amount_minor=18_000))

@@ -91,6 +91,7 @@ def engage_producer(world: World) -> str:
     return str(engagement_id)
 
 
+@pytest.mark.slow
 def test_a_producer_begins_no_contract_with_themselves(world: World) -> None:
     body = {"engagement_id": engage_producer(world), "kind": "single", "title": "Effects"}
     refused = world.producer.post(f"/v1/projects/{world.project_id}/contracts", json=body)

@@ -48,6 +48,7 @@ def test_a_few_changed_words_of_a_long_text_are_the_only_ones_shown() -> None:
     assert len(changed) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "between", [" ", "\n\n", " the\n\n"], ids=["one paragraph", "paragraphs", "paragraphs that end alike"]
 )

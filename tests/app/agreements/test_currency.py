@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import pytest
+
 from tests.app.agreements.conftest import Contracts
 from tests.app.agreements.redlining import refusal
 from tests.support.server import World
@@ -19,6 +21,7 @@ def drafted(world: World, contracts: Contracts) -> dict[str, Any]:
     return draft
 
 
+@pytest.mark.slow
 def test_the_plans_amounts_are_asked_for_again(world: World, contracts: Contracts) -> None:
     draft = drafted(world, contracts)
     body = contracts.draft_of(draft, currency="EUR") | {"based_on_version": draft["version"]["number"]}
@@ -39,6 +42,7 @@ def test_the_plans_amounts_are_asked_for_again(world: World, contracts: Contract
     assert [one["amount_minor"] for one in plan["milestones"]] == [90_000, 360_000]
 
 
+@pytest.mark.slow
 def test_amounts_of_the_clauses_are_asked_for_too(world: World, contracts: Contracts) -> None:
     begun = contracts.begin()
     terms = begun["version"]["terms"] | {"direction_hour_minor": 9_900}

@@ -138,6 +138,7 @@ def content_of(page: Any) -> bytes:
     return found + b"".join(one.get_object().get_data() for one in forms.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "drawing",
     [

@@ -63,6 +63,7 @@ def test_clauses_terms_and_payment_are_those_of_the_last(contracts: Contracts) -
     assert {**terms, "po_number": "PO-77"} == before
 
 
+@pytest.mark.slow
 def test_what_is_another_designers_own_begins_as_in_the_library(contracts: Contracts, world: World) -> None:
     sent = changed(contracts)
     library = contracts.begin()["version"]
@@ -84,6 +85,7 @@ def test_the_last_with_the_same_designer_comes_first(contracts: Contracts) -> No
     assert last(contracts, engagement_id=other)["id"] == theirs["id"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["nda", "framework"])
 def test_one_of_another_kind_is_none_to_begin_like(contracts: Contracts, kind: str) -> None:
     sent = changed(contracts)

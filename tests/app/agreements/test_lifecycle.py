@@ -23,6 +23,7 @@ def strike(contract: dict[str, Any], key: str) -> list[dict[str, Any]]:
     return [{**row, "stands": False} if row["key"] == key else row for row in contract["version"]["clauses"]]
 
 
+@pytest.mark.slow
 def test_the_text_shows_list_spec_and_open_questions(world: World, contracts: Contracts):
     cues = add(
         world, {"name": "Shield | hit", "duration_s": 1.5, "variations": 4}, {"name": "Radar *ping*", "loop": True}
@@ -43,6 +44,7 @@ def test_music_is_a_variant(contracts: Contracts):
     assert "released as a soundtrack" in words_of(contracts.begin(with_music=True))
 
 
+@pytest.mark.slow
 def test_toggled_edited_versioned(world: World, contracts: Contracts):
     begun = contracts.begin()
     struck = contracts.save(
@@ -59,6 +61,7 @@ def test_toggled_edited_versioned(world: World, contracts: Contracts):
     assert [each["number"] for each in listed] == [2, 1]
 
 
+@pytest.mark.slow
 def test_a_draft_is_looked_at_before_it_is_saved(world: World, contracts: Contracts):
     begun = contracts.begin()
     body = contracts.draft_of(begun, title="Other", terms={**begun["version"]["terms"], "rounds_included": 99})
@@ -71,6 +74,7 @@ def test_a_draft_is_looked_at_before_it_is_saved(world: World, contracts: Contra
     assert (refused.status_code, refused.json()["code"]) == (422, "bad-draft")
 
 
+@pytest.mark.slow
 def test_the_text_says_how_the_price_comes_about(world: World, contracts: Contracts):
     (cue,) = add(world, {"name": "Radar ping"})
     begun = contracts.begin(currency="EUR")
@@ -98,6 +102,7 @@ def test_a_mistyped_term_is_refused_with_a_reason(world: World, contracts: Contr
     assert (refused.status_code, refused.json()["errors"][0]["message"]) == (422, message)
 
 
+@pytest.mark.slow
 def test_two_editors_notice_each_other(world: World, contracts: Contracts):
     begun = contracts.begin()
     contracts.save(begun, title="Mine")
@@ -131,6 +136,7 @@ def test_both_accept_the_same_text(world: World, contracts: Contracts):
     assert yes["text_sha256"] == sent["version"]["text_sha256"]
 
 
+@pytest.mark.slow
 def test_the_pdf_is_kept_and_can_be_made_again(world: World, contracts: Contracts):
     sent = contracts.send(contracts.begin())
     path = f"/contracts/{sent['id']}/versions/{sent['version']['number']}"
@@ -149,6 +155,7 @@ def test_the_pdf_is_kept_and_can_be_made_again(world: World, contracts: Contract
     assert world.server.in_database(again) == kept
 
 
+@pytest.mark.slow
 def test_nobody_accepts_what_they_did_not_read(world: World, contracts: Contracts):
     sent = contracts.send(contracts.begin())
     body = {"name": "N. Designer", "text_sha256": "0" * 64}
@@ -212,6 +219,7 @@ def test_a_contract_too_large_for_a_pdf_stays_a_draft(
     assert contracts.ask(world.producer, "GET", f"/contracts/{saved['id']}")["state"] == "draft"
 
 
+@pytest.mark.slow
 def test_the_pdf_of_another_text_is_not_sent(world: World, contracts: Contracts, monkeypatch: pytest.MonkeyPatch):
     draft = contracts.begin()
 
@@ -240,6 +248,7 @@ def test_agreed_is_agreed(world: World, contracts: Contracts):
     assert (refused.status_code, refused.json()["code"]) == (409, "notice-needed")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["framework", "nda"])
 def test_what_orders_no_work_ends_at_once(world: World, contracts: Contracts, kind: str):
     agreed = contracts.agree(contracts.begin(kind))
@@ -247,6 +256,7 @@ def test_what_orders_no_work_ends_at_once(world: World, contracts: Contracts, ki
     assert (ended["state"], ended["end_reason"]) == ("ended", "Done early.")
 
 
+@pytest.mark.slow
 def test_a_draft_that_was_never_sent_stays_unseen_when_it_ends(world: World, contracts: Contracts):
     begun = contracts.begin()
     contracts.ask(world.producer, "POST", f"/contracts/{begun['id']}/end", json={"reason": "Not needed."})

@@ -39,6 +39,7 @@ def mails(world: World) -> list[str]:
     return sorted(world.server.in_database(read))
 
 
+@pytest.mark.slow
 def test_both_parties_are_reminded_and_mailed_once(world: World) -> None:
     agreed = Agreed(world, terms={"option_until_on": in_days(14)})
     agreed.agree(deposit(10_000))
@@ -60,6 +61,7 @@ def test_a_day_is_near_for_two_weeks(world: World, days: int, is_shown: bool) ->
     assert len(steps(world, world.designer)) == is_shown
 
 
+@pytest.mark.slow
 def test_a_text_that_is_no_day_reminds_nobody(world: World) -> None:
     agreed = Agreed(world, terms={"exclusive_until": "the last milestone"})
     agreed.agree(deposit(10_000))
@@ -67,6 +69,7 @@ def test_a_text_that_is_no_day_reminds_nobody(world: World) -> None:
     assert mails(world) == []
 
 
+@pytest.mark.slow
 def test_before_both_have_signed_nothing_is_said(world: World) -> None:
     Agreed(world, terms={"option_until_on": in_days(1)})
     assert steps(world, world.producer) == []

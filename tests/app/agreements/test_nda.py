@@ -75,6 +75,7 @@ def test_half_an_nda_opens_nothing(world: World, contracts: Contracts):
     assert world.designer.get(f"/v1/projects/{world.project_id}/sound-list").status_code == 200
 
 
+@pytest.mark.slow
 def test_a_link_shows_no_list_before_the_nda(world: World):
     add(world, {"name": "Radar ping"})
     request_nda(world)
@@ -84,6 +85,7 @@ def test_a_link_shows_no_list_before_the_nda(world: World):
     assert (shown["nda_needed"], shown["cues"], shown["spec"]) == (True, [], None)
 
 
+@pytest.mark.slow
 def test_mails_name_no_cue_before_the_nda(world: World, contracts: Contracts):
     request_nda(world)
     (cue,) = add(world, {"name": "Radar ping"})

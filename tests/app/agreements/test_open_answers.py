@@ -28,6 +28,7 @@ def test_open_answers_are_printed_into_the_text(world: World, contracts: Contrac
     assert "What kind of game is it?" not in said
 
 
+@pytest.mark.slow
 def test_without_a_brief_nothing_of_it_is_printed_and_all_is_sent(world: World, contracts: Contracts) -> None:
     begun = contracts.begin()
     assert "No question is open." in words_of(begun)
@@ -48,6 +49,7 @@ def test_a_text_that_leaves_them_out_is_not_sent(world: World, contracts: Contra
     assert world.producer.post(f"/v1/contracts/{restored['id']}/send", json={"note": ""}).status_code == 200
 
 
+@pytest.mark.slow
 def test_an_nda_waits_for_no_brief(world: World, contracts: Contracts) -> None:
     answer(world, 0, naming={"is_unknown": True})
     assert contracts.send(contracts.begin("nda", title="NDA"))["state"] == "sent"

@@ -77,6 +77,7 @@ def expected(round_: Round) -> tuple[list[Clause], Terms]:
     return [by_key[key] for key in order if key in by_key], terms
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(st.integers(1, len(CHANGES)), st.sampled_from(AnswerKind)), max_size=20))
 def test_the_last_answers_alone_make_the_draft(answers: list[tuple[int, AnswerKind]]):
     round_, draft = begun(), (BASE, TERMS)

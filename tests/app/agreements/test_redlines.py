@@ -99,6 +99,7 @@ def _words(lines: list[dict[str, Any]], is_in: str) -> list[str]:
     return [run["text"] for line in lines for run in line["runs"] if run["is_in"] == is_in]
 
 
+@pytest.mark.slow
 def test_both_read_one_text_with_marks(world: World, redlining: Redlining):
     text = redlining.clause("rounds")["text"].replace("{rounds_included}", "three")
     redlining.propose(redlining.replace("rounds", text, comment="As we said."))
@@ -129,6 +130,7 @@ def test_a_value_of_a_clause_is_changed_with_it(redlining: Redlining):
     assert redlining.draft()["version"]["terms"]["rounds_included"] == 2
 
 
+@pytest.mark.slow
 def test_a_variable_that_became_its_value_is_marked_too(redlining: Redlining):
     project = redlining.contracts.ask(redlining.world.producer, "GET", f"/projects/{redlining.world.project_id}")
     text = redlining.clause("parties")["text"].replace("{project}", project["name"])
@@ -155,6 +157,7 @@ def test_a_number_typed_over_a_figure_is_signed_as_it_is_counted(world: World, r
     assert world.server.in_database(counted) == 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("key", "old", "new", "figure"),
     [
@@ -176,6 +179,7 @@ def test_a_figure_that_is_no_longer_said_is_refused(redlining: Redlining, key: s
     assert f"{{{figure}}}" in problem["message"]
 
 
+@pytest.mark.slow
 def test_a_needed_figure_cannot_be_struck_or_contradicted_elsewhere(world: World, redlining: Redlining):
     struck = redlining.try_to_propose({"kind": "strike", "clause_key": "rounds"})
     assert refusal(struck)[:2] == (422, "bad-redlines")
@@ -250,6 +254,7 @@ def test_an_agreed_clause_that_was_edited_afterwards_is_not_sent(world: World, r
     assert "Own work." in words_of(redlining.contracts.send(redlining.draft()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "words"),
     [
@@ -299,6 +304,7 @@ def test_a_clause_is_changed_once_and_really(redlining: Redlining):
     assert "no clause would be left" in none_left.json()["errors"][0]["message"]
 
 
+@pytest.mark.slow
 def test_answers_that_mean_nothing_are_refused(redlining: Redlining):
     redlining.propose(redlining.replace("warranty", "Own work."))
     for body, words in (
@@ -328,6 +334,7 @@ def test_accepting_keeps_the_draft_whole(redlining: Redlining, contracts: Contra
     assert redlining.drafted("tax") == {**redlining.clause("tax"), "stands": False}
 
 
+@pytest.mark.slow
 def test_each_does_their_own_part(world: World, redlining: Redlining):
     change = redlining.replace("warranty", "Own work.")
     body = {"version": redlining.sent["version"]["number"], "changes": [change]}
@@ -344,6 +351,7 @@ def test_each_does_their_own_part(world: World, redlining: Redlining):
     assert refusal(redlining.try_to_propose(change))[:2] == (409, "wrong-state"), "it is with the studio now"
 
 
+@pytest.mark.slow
 def test_changes_of_a_text_that_stands_no_more_are_kept_back(redlining: Redlining):
     old = redlining.sent["version"]["number"]
     redlining.contracts.ask(redlining.world.producer, "POST", f"{redlining.path}/recall", json={"reason": "A slip."})
@@ -366,6 +374,7 @@ def test_a_second_round_counts_on(world: World, redlining: Redlining):
     assert refusal(redlining.try_to_answer(1, "accepted"))[:2] == (404, "redline-not-found"), "its round is closed"
 
 
+@pytest.mark.slow
 def test_a_designer_bound_to_an_nda_learns_nothing_by_inserting_variables(world: World, contracts: Contracts):
     add(world, {"name": "Secret boss roar"})
     project = f"/projects/{world.project_id}"

@@ -165,6 +165,7 @@ def test_a_file_that_is_too_large_is_refused(world: World) -> None:
     assert world.nobody.post("/v1/verify", content=b"0" * ((8 << 20) + 1)).status_code == 413
 
 
+@pytest.mark.slow
 def test_files_are_verified_a_few_times_at_once(world: World) -> None:
     world.server.forget_tries()
     codes = [world.nobody.post("/v1/verify", content=b"no PDF").status_code for _ in range(31)]

@@ -97,6 +97,7 @@ def test_two_named_signers_sign_in_their_order(world: World, contracts: Contract
     assert entries[0]["payload"]["signs_first"] == "studio"
 
 
+@pytest.mark.slow
 def test_a_producer_who_is_not_named_does_not_sign(world: World, contracts: Contracts, second: UUID) -> None:
     draft = contracts.begin()
     name_signers(world, draft, second)
@@ -136,6 +137,7 @@ def test_only_producers_are_named_and_two_at_most(world: World, contracts: Contr
     assert refusal(answer) == ((422, "too-many-signers") if who == "thrice" else (403, "not-a-signer"))
 
 
+@pytest.mark.slow
 def test_signers_stand_once_it_is_sent(world: World, contracts: Contracts) -> None:
     sent = contracts.send(contracts.begin())
     assert refusal(name_signers(world, sent, world.producer_id)) == (409, "wrong-state")
@@ -182,6 +184,7 @@ def test_a_name_counts_with_the_code_that_was_mailed(world: World, contracts: Co
     assert entry["agent"].startswith("Firefox")
 
 
+@pytest.mark.slow
 def test_neither_database_nor_outbox_holds_the_code(world: World, contracts: Contracts, mails: MailServer) -> None:
     sent = contracts.send(contracts.begin())
     code = code_for(world, mails, sent, world.designer, world.designer_id)
@@ -255,6 +258,7 @@ def test_a_code_ends_after_ten_minutes_and_with_the_next_one(
     )
 
 
+@pytest.mark.slow
 def test_codes_are_mailed_a_few_times_only(world: World, contracts: Contracts, mails: MailServer) -> None:
     sent = contracts.send(contracts.begin())
     path, body = f"/v1/contracts/{sent['id']}/signing-codes", {"text_sha256": sent["version"]["text_sha256"]}
@@ -281,6 +285,7 @@ def test_a_change_order_is_signed_with_a_code_too(world: World, contracts: Contr
     assert world.designer.post(f"{path}/1/accept", json=body | {"code": code}).status_code == 200
 
 
+@pytest.mark.slow
 def test_without_mail_no_code_is_asked_for(world: World, contracts: Contracts) -> None:
     sent = contracts.send(contracts.begin())
     body = {"text_sha256": sent["version"]["text_sha256"]}
@@ -291,6 +296,7 @@ def test_without_mail_no_code_is_asked_for(world: World, contracts: Contracts) -
     assert entry["code"] == "none was asked for: this server sends no mail"
 
 
+@pytest.mark.slow
 def test_who_is_no_party_is_mailed_no_code(world: World, contracts: Contracts) -> None:
     sent = contracts.send(contracts.begin())
     body = {"text_sha256": sent["version"]["text_sha256"]}

@@ -83,6 +83,7 @@ def test_a_template_with_faults_is_not_kept(world: World):
     assert refused.json()["errors"][0]["where"] == "clauses.a"
 
 
+@pytest.mark.slow
 def test_another_studio_has_its_own(world: World, contracts: Contracts):
     kept = contracts.ask(
         world.producer, "POST", f"/contracts/{contracts.begin()['id']}/template", json={"name": "Ours"}

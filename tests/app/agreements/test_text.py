@@ -118,6 +118,7 @@ WORDS = st.lists(
 TEXTS = st.lists(WORDS.map(" ".join), max_size=7).map("\n\n".join)
 
 
+@pytest.mark.slow
 @given(TEXTS, TEXTS)
 def test_both_texts_can_be_read_back(earlier: str, later: str):
     compared = compare(earlier, later)
@@ -126,6 +127,7 @@ def test_both_texts_can_be_read_back(earlier: str, later: str):
         assert [line for line in kept if line] == [line.text for line in lines_of(text)]
 
 
+@pytest.mark.slow
 @given(WORDS.map(" ".join))
 def test_no_change_is_no_notification(text: str):
     assert [run.is_in for run in words_between(text, text)] == ["both"]

@@ -100,6 +100,7 @@ def test_accepting_gives_the_later_text_and_rejecting_the_earlier_one():
 PARAGRAPHS = st.lists(st.text("ab é&<\x01\x0b\ud800", min_size=1, max_size=12), max_size=6)
 
 
+@pytest.mark.slow
 @given(PARAGRAPHS, PARAGRAPHS)
 def test_tracked_changes_lead_from_any_text_to_any_other(old: list[str], new: list[str]):
     earlier, later = ("\n\n".join(["# Effects", *paragraphs]) for paragraphs in (old, new))
@@ -131,6 +132,7 @@ def test_both_parties_take_a_version_out_and_only_those_they_see(world: World, c
     assert "Own work." not in lines(tracked.content, accepted=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("query", ["", "?against=1"])
 def test_a_draft_is_the_studios(world: World, contracts: Contracts, query: str):
     redlining = Redlining(world, contracts)

@@ -334,6 +334,7 @@ LINES = st.tuples(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=50, deadline=None)
 @given(st.lists(LINES, max_size=5), st.integers(0, 2**32))
 def test_any_edited_lines_read_back_as_they_were_typed(typed: list[tuple[Any, Any]], seed: int):

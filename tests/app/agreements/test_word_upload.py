@@ -81,6 +81,7 @@ def test_a_number_in_words_is_the_new_value_of_its_field(upload: Upload):
     assert upload.contracts.send(upload.draft())["version"]["terms"]["rounds_included"] == 3
 
 
+@pytest.mark.slow
 def test_a_document_that_nobody_edited_proposes_nothing(upload: Upload):
     read = upload.upload(upload.document())
     assert read == {"version": 1, "changes": [], "note": "", "findings": []}
@@ -101,6 +102,7 @@ def test_a_document_of_an_earlier_version_names_what_changed_since(upload: Uploa
     assert (tracked["version"], tracked["changes"], tracked["findings"]) == (number, [], [])
 
 
+@pytest.mark.slow
 def test_who_may_not_propose_may_not_upload(upload: Upload, world: World):
     document = upload.document()
     assert upload.try_to_upload(document, world.reviewer).status_code == 404
@@ -109,12 +111,14 @@ def test_who_may_not_propose_may_not_upload(upload: Upload, world: World):
     assert upload.try_to_upload(document).json()["code"] == "wrong-state"
 
 
+@pytest.mark.slow
 def test_a_document_of_another_contract_is_refused(upload: Upload, world: World, contracts: Contracts):
     other = Upload(world, contracts)
     code = refusal(upload.try_to_upload(other.document()))
     assert code == (422, "other-contracts-file", "the file was made from another contract")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("document", "detail"),
     [
@@ -132,6 +136,7 @@ def test_a_file_that_is_too_large_is_refused_before_it_is_read(upload: Upload):
     assert upload.try_to_upload(b"PK\x03\x04" + b"\0" * (7 << 20)).status_code == 413
 
 
+@pytest.mark.slow
 def test_what_is_no_base64_is_refused(upload: Upload):
     refused = upload.world.designer.post(f"/v1{upload.path}/redlines/word", json={"content_base64": "é"})
     assert refusal(refused)[:2] == (422, "bad-word-file")

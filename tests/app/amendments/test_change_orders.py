@@ -205,6 +205,7 @@ def test_what_is_refused_and_the_act_that_works(order: Order) -> None:
     assert twice == ["one cue, date or cap is named by two changes; leave one of them out"]
 
 
+@pytest.mark.slow
 def test_without_a_price_of_rounds_none_is_invented(world: World) -> None:
     order = Order(world, terms={"extra_round_bp": 0})
     (said,) = problems_of(order, about("add_round", order.cues[0]))
@@ -237,6 +238,7 @@ def test_two_orders_on_one_milestone(order: Order) -> None:
     assert refused(order.accept(order.world.producer, number=2)) == (409, "change-order-stale")
 
 
+@pytest.mark.slow
 def test_refused_or_withdrawn_by_the_right_party(order: Order) -> None:
     order.propose(about("add_round", order.cues[0]), by=order.world.designer)
     reason = {"json": {"reason": "Too dear"}}
@@ -249,6 +251,7 @@ def test_refused_or_withdrawn_by_the_right_party(order: Order) -> None:
     assert refused(order.world.producer.post(f"{order.path}/2/refuse", **reason)) == (404, "change-order-not-found")
 
 
+@pytest.mark.slow
 def test_one_person_does_not_sign_for_both(order: Order) -> None:
     order.propose(about("add_round", order.cues[0]))
     body_of(order.accept(order.world.producer))
@@ -284,6 +287,7 @@ def test_who_sees_and_who_proposes(order: Order) -> None:
     assert refused(order.propose(about("add_round", order.cues[0]), by=world.approver)) == (403, "not-your-contract")
 
 
+@pytest.mark.slow
 def test_the_text_says_what_changes_and_nothing_else(order: Order) -> None:
     order.propose(about("reprice_cue", order.cues[0], price_minor=20_000), begins_at_once=True)
     (shown,) = order.read()["orders"]
@@ -328,6 +332,7 @@ def test_less_time_for_more_work_is_pointed_out(differences: list[Difference], d
     assert warned(*differences, days=days) == codes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["add_work", "add_round"])
 def test_work_beside_the_cues_is_more_work_too(order: Order, kind: str) -> None:
     work = {"kind": "add_work", "milestone_id": order.milestones["Alpha"], "text": "Voice session", "amount_minor": 900}
@@ -341,6 +346,7 @@ def test_work_beside_the_cues_is_more_work_too(order: Order, kind: str) -> None:
     assert later["difference"]["warnings"] == []
 
 
+@pytest.mark.slow
 def test_only_what_a_change_adds_or_worsens_is_warned_of(world: World) -> None:
     order = Order(world)
     # Its plan has warnings of its own: the last milestone holds more than half back.
@@ -364,6 +370,7 @@ def test_only_what_a_change_adds_or_worsens_is_warned_of(world: World) -> None:
     assert [one["code"] for one in difference["advice_gone"]] == ["too-much-held-back"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "words"),
     [

@@ -226,6 +226,7 @@ def test_only_who_gave_the_notice_withdraws_it(agreed: Agreed) -> None:
     assert refused(give_notice(agreed)) == (409, "already-ended")
 
 
+@pytest.mark.slow
 def test_notice_is_as_long_as_the_contract_says(agreed: Agreed) -> None:
     half_way(agreed)
     assert refused(give_notice(agreed, ends_on=day(13))) == (422, "notice-too-short")
@@ -331,6 +332,7 @@ def test_a_contract_that_ended_without_settlement_is_settled_by_both(agreed: Agr
     assert agreed.owed()[-2:] == [("cut", 15_750), ("cut", 23_625)]
 
 
+@pytest.mark.slow
 def test_who_sees_and_who_acts(agreed: Agreed) -> None:
     half_way(agreed)
     world, path = agreed.world, f"/v1/contracts/{agreed.contract_id}/ending"

@@ -64,6 +64,7 @@ def send_rounds(order: Order, cue_id: UUID, count: int) -> None:
         order.send()
 
 
+@pytest.mark.slow
 def test_nothing_is_offered_where_nothing_changed(order: Order) -> None:
     send_rounds(order, order.cues[0], 2)
     assert offers(order) == []
@@ -124,6 +125,7 @@ def test_a_cue_described_differently_after_work_began(order: Order) -> None:
     assert "length" not in again["text"], "only what changed since the change order"
 
 
+@pytest.mark.slow
 def test_what_is_changed_and_changed_back_is_not_offered(order: Order) -> None:
     cue = order.cues[0]
     order.take(cue)
@@ -191,6 +193,7 @@ def test_another_delivery_spec(order: Order) -> None:
     assert offers(order) == [], "as it was agreed"
 
 
+@pytest.mark.slow
 def test_a_spec_of_other_categories_is_not_offered(order: Order) -> None:
     save_spec(order, f"{newest_toml(order)}\n[categories.dragon.limits]\ntrue_peak_dbtp = -6.0\n")
     assert offers(order) == []
@@ -250,6 +253,7 @@ def test_a_cue_that_the_list_gained_in_the_categories_of_the_contract(order: Ord
     settle(order, offer, price_minor=22_500)
 
 
+@pytest.mark.slow
 def test_a_change_order_for_an_added_cue_written_by_hand_settles_it(order: Order) -> None:
     cue = order.cue("shield_down")
     assert kinds(order) == ["added"]
@@ -269,6 +273,7 @@ def test_a_cue_cut_in_work_where_no_clause_says_what_it_owes(world: World) -> No
     settle(order, offer, amount_minor=9_000)
 
 
+@pytest.mark.slow
 def test_a_cut_that_a_clause_settles_is_not_offered(order: Order) -> None:
     order.take(order.cues[0], state=TakeState.RETURNED)
     order.world.producer.post(f"/v1/cues/{order.cues[0]}/cut", json={"reason": "Left the game"})
@@ -303,6 +308,7 @@ def test_a_dismissal_is_of_one_party_and_stays_in_the_record(order: Order) -> No
     assert [one for one in order.world.server.in_database(faults) if "change order" in one] == []
 
 
+@pytest.mark.slow
 def test_only_the_two_parties_read_and_dismiss(order: Order) -> None:
     order.take(order.cues[0])
     edit(order, order.cues[0], loop=True)
@@ -314,6 +320,7 @@ def test_only_the_two_parties_read_and_dismiss(order: Order) -> None:
         assert dismiss(order, offer["offer"], by=client).status_code == 404
 
 
+@pytest.mark.slow
 def test_it_neither_blocks_nor_charges(order: Order) -> None:
     cue = order.cues[0]
     take = order.take(cue)

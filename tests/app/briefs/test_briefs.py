@@ -83,6 +83,7 @@ def test_a_question_that_follows_from_another_is_asked_only_then(world: World) -
     assert "voice_people" in after["open_required"]
 
 
+@pytest.mark.slow
 def test_two_people_collide_only_over_the_same_answer(world: World) -> None:
     save(world, 0, genre="A platformer", feel="Warm")
     assert save(world, 1, world.approver, feel="Cold").status_code == 200
@@ -154,6 +155,7 @@ def publish(world: World, revision: int, note: str = "") -> Response:
     return world.producer.post(path(world, "/versions"), json={"revision": revision, "note": note})
 
 
+@pytest.mark.slow
 def test_a_version_keeps_the_answers_and_is_compared(world: World) -> None:
     assert publish(world, 0).json()["code"] == "nothing-to-publish"
     save(world, 0, genre="A platformer", silence="never")

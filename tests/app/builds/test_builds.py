@@ -51,6 +51,7 @@ def post(world: World, client: TestClient, sent: dict[str, Any], label: str = "1
     return client.post(f"/v1/projects/{world.project_id}/builds", json=body)
 
 
+@pytest.mark.slow
 def test_a_report_is_kept_as_it_came_and_counted_by_us(world: World) -> None:
     sent = report(
         entry("conforming", finding("warning")),
@@ -117,6 +118,7 @@ def test_builds_are_paged_newest_first(world: World) -> None:
     assert ([one["label"] for one in rest["items"]], rest["next"]) == (["1", "0"], None)
 
 
+@pytest.mark.slow
 def test_scopes_and_sight(world: World, server: Any) -> None:
     reader = token(world, "list:read", "spec:read")
     assert post(world, reader, report()).status_code == 403

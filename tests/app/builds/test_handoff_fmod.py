@@ -73,6 +73,7 @@ def test_an_event_that_plays_something_else_is_left_and_named(tmp_path: Path) ->
     assert "Left as they are, because they play other files: event:/Ambience/Ship/Hum" in found["runs"][1]["shown"]
 
 
+@pytest.mark.slow
 def test_a_lost_file_stops_its_event_only(tmp_path: Path) -> None:
     folder = unpack(tmp_path, CUES)
     (folder / LASER.files[0].path).unlink()

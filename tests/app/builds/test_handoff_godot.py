@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import pytest
 from hypothesis import given, settings
 
 from app.builds.handoff.cues import HandedCue
@@ -91,6 +92,7 @@ def test_a_randomizer_keeps_what_the_list_says() -> None:
     assert "random_volume_offset_db" not in made
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_stay_in_their_strings(cues: list[HandedCue]) -> None:

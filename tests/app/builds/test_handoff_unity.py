@@ -108,6 +108,7 @@ def test_a_prefab_stands_in_the_folder_of_its_event() -> None:
     ]
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_make_no_paths(cues: list[HandedCue]) -> None:

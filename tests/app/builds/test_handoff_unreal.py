@@ -219,6 +219,7 @@ def test_a_lost_file_leaves_its_cue_out(tmp_path: Path, monkeypatch: pytest.Monk
     assert "laser_fire_01.wav was not imported" in editor.warnings[0]
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_are_only_names(tmp_path_factory: pytest.TempPathFactory, cues: list[HandedCue]) -> None:

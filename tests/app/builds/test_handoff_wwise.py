@@ -203,6 +203,7 @@ def test_two_cues_with_one_event_have_two() -> None:
     assert list(imported(both).events) == ["Play_Confirm", "play_confirm_SW_009"]
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_stay_in_their_cells(cues: list[HandedCue]) -> None:

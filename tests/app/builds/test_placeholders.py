@@ -135,6 +135,7 @@ def test_an_accepted_placeholder_does_not_ship_unnoticed(world: World) -> None:
     assert (sealed.status_code, sealed.json()["code"]) == (409, "placeholder-accepted")
 
 
+@pytest.mark.slow
 def test_nothing_is_left_of_a_cut_cue(world: World) -> None:
     (siren,) = add_cues(world, {"name": "Siren"})
     cut = world.approver.post(f"/v1/cues/{siren['id']}/cut", json={"reason": "no longer needed"})

@@ -110,6 +110,7 @@ def test_it_is_found_after_what_games_and_designers_do(world: World, tmp_path: P
     assert [one["file"] for one in found] == ["the-one.wav"]
 
 
+@pytest.mark.slow
 def test_a_file_at_another_rate_is_found(world: World, tmp_path: Path) -> None:
     sound = burst(5, seconds=1.0)
     folder = tmp_path / "library"
@@ -143,6 +144,7 @@ def test_takes_of_before_are_compared_in_every_project_of_the_studio(
     assert [equals(world.approver, take)[0]["file"] for take in (first, second)] == ["gate.wav"] * 2
 
 
+@pytest.mark.slow
 def test_a_designer_registers_a_library_and_sees_no_other(world: World, tmp_path: Path) -> None:
     content = sheet(tmp_path, {"gate.wav": burst(8)})
     own = made(post(world, content, by=world.designer, name="Mine"))
@@ -226,6 +228,7 @@ def test_what_is_no_sheet_is_refused_in_words(world: World, tmp_path: Path, spoi
     assert listed(world) == []
 
 
+@pytest.mark.slow
 def test_a_fingerprint_of_any_bytes_is_compared_without_harm(world: World, tmp_path: Path) -> None:
     text = sheet(tmp_path, {"a.wav": burst(25)})
     packed = base64.b64decode(json.loads(text)["files"][0]["fingerprint"])

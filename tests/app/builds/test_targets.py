@@ -49,6 +49,7 @@ def test_what_is_there_is_counted_and_the_rest_forecast(world: World) -> None:
     assert game["forecast"]["total"]["pcm_bytes"] == 2 * 2 * 11_025 + 10 * SECOND_16_BIT_MONO
 
 
+@pytest.mark.slow
 def test_what_is_streamed_takes_its_buffer_alone(world: World) -> None:
     add_cues(world, {"name": "Hum", "duration_s": 10.0})
     budget(world, "streamed = true\nstream_buffer_bytes = 4096\nbudget_bytes = 4000")

@@ -142,6 +142,7 @@ def test_a_warning_that_nobody_accepted_counts(world: World, tmp_path: Path, che
     assert accepted == "it was approved with this warning"
 
 
+@pytest.mark.slow
 def test_placeholders_of_a_pack_and_of_the_command_stand_in_one_place(
     world: World, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

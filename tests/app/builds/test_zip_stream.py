@@ -128,6 +128,7 @@ def test_a_file_that_changes_while_it_is_sent_breaks_the_stream() -> None:
         list(zip_bytes([changing]))
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_the_files() -> None:
     size = 64 << 20
     digest = hashlib.sha256(b"\0" * size).hexdigest()

@@ -70,6 +70,7 @@ def test_files_are_sent_once_and_a_person_adopts_them(client: Client, sounds: Pa
     client.world.server.wait_for_jobs()
 
 
+@pytest.mark.slow
 def test_a_zip_is_sent_as_its_folder_is(client: Client, sounds: Path, tmp_path: Path) -> None:
     (sounds / "music.ogg").write_bytes(coded_bytes("ogg", rate=22_050))
     with zipfile.ZipFile(tmp_path / "Sounds.zip", "w") as archive:
@@ -146,6 +147,7 @@ def test_a_damaged_zip_and_one_that_unpacks_to_too_much_are_refused(client: Clie
         _unpack(opened, [entry], tmp_path, 10)
 
 
+@pytest.mark.slow
 def test_a_busy_server_is_asked_again(client: Client, sounds: Path) -> None:
     client.line.busy = 2
     assert client.adopt(sounds) == 0, client.err

@@ -92,6 +92,7 @@ def test_the_token_is_kept_for_its_owner_and_never_printed(world: World, port: i
     assert run_desk("remove", "one")[0] == 2
 
 
+@pytest.mark.slow
 def test_a_token_by_standard_input(world: World, port: int, tmp_path: Path):
     environment = {"PATH": os.environ["PATH"], "XDG_CONFIG_HOME": str(tmp_path / "config")}
     command = [sys.executable, "-m", "app", "desk", "add", f"http://127.0.0.1:{port}"]
@@ -126,6 +127,7 @@ def test_an_unknown_token_is_refused_and_nothing_is_kept(port: int, run_desk: Ru
     assert not kept(tmp_path).exists()
 
 
+@pytest.mark.slow
 def test_a_revoked_token_is_named_and_the_rest_is_shown(world: World, port: int, run_desk: RunDesk):
     Stage(world).cue("laser")
     revoked_id, revoked = make_token(world)

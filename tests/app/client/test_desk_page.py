@@ -91,6 +91,7 @@ def test_nothing_owed_is_said(remarks: list[str], said: str):
     assert said in Page(html_of(HEADS, [], remarks, AT)).text
 
 
+@pytest.mark.slow
 def test_the_page_is_written_and_opened_without_the_token(
     world: World,
     run_desk: RunDesk,

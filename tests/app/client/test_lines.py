@@ -21,6 +21,7 @@ def only_the_last_file(said: dict[str, Any]) -> None:
     del said["files"][:2]
 
 
+@pytest.mark.slow
 def test_a_cut_download_goes_on_where_it_stopped(client: Client, game: Path) -> None:
     client.line.change_listing = only_the_last_file
     client.line.cut_after = [5_000, 3_000]
@@ -29,6 +30,7 @@ def test_a_cut_download_goes_on_where_it_stopped(client: Client, game: Path) -> 
     assert files_in(game) == {PATHS[2]: packed(client.world)[PATHS[2]]}
 
 
+@pytest.mark.slow
 def test_what_arrived_before_the_line_was_lost_is_kept_for_the_next_pull(client: Client, game: Path) -> None:
     client.line.change_listing = only_the_last_file
     client.line.cut_after = [5_000, 0, 0, 0, 0]
@@ -43,6 +45,7 @@ def test_what_arrived_before_the_line_was_lost_is_kept_for_the_next_pull(client:
     assert files_in(game) == {PATHS[2]: packed(client.world)[PATHS[2]]}
 
 
+@pytest.mark.slow
 def test_a_rest_that_does_not_fit_is_downloaded_from_the_start(client: Client, game: Path) -> None:
     client.line.change_listing = only_the_last_file
     client.line.cut_after = [5_000, 0, 0, 0, 0]
@@ -55,6 +58,7 @@ def test_a_rest_that_does_not_fit_is_downloaded_from_the_start(client: Client, g
     assert files_in(game) == {PATHS[2]: packed(client.world)[PATHS[2]]}
 
 
+@pytest.mark.slow
 def test_altered_bytes_never_reach_their_place(client: Client, game: Path) -> None:
     client.pull(game)
     (game / PATHS[0]).unlink()
@@ -66,6 +70,7 @@ def test_altered_bytes_never_reach_their_place(client: Client, game: Path) -> No
     assert (game / "soundlist.lock").read_bytes() == lock
 
 
+@pytest.mark.slow
 def test_an_older_file_stays_while_the_new_one_cannot_be_had(client: Client, game: Path) -> None:
     client.pull(game)
     before = states_of(game)

@@ -24,6 +24,7 @@ def packed(world: World) -> dict[str, bytes]:
         return {name: archive.read(name) for name in archive.namelist() if name.endswith(".wav")}
 
 
+@pytest.mark.slow
 def test_an_empty_folder_gets_the_files_of_the_pack(client: Client, game: Path) -> None:
     assert client.pull(game) == 0, client.out + client.err
     assert files_in(game) == packed(client.world)
@@ -92,6 +93,7 @@ def test_only_a_changed_sound_is_written_and_a_cut_cue_is_reported_then_pruned(
         assert set(lock.entries) == {"ui_confirm.wav"}
 
 
+@pytest.mark.slow
 def test_what_was_changed_here_is_named_and_kept_unless_forced(client: Client, game: Path) -> None:
     client.pull(game)
     (game / PATHS[0]).write_bytes(b"louder")
@@ -103,6 +105,7 @@ def test_what_was_changed_here_is_named_and_kept_unless_forced(client: Client, g
     assert files_in(game) == packed(client.world)
 
 
+@pytest.mark.slow
 def test_a_file_that_was_there_before_is_kept_unless_forced(client: Client, game: Path) -> None:
     (game / PATHS[2]).write_bytes(b"from the prototype")
     assert client.pull(game) == 1
@@ -122,6 +125,7 @@ def test_a_read_only_file_waits_for_its_source_control(client: Client, game: Pat
     assert f"kept  {PATHS[0]}: it is read-only" in client.out
 
 
+@pytest.mark.slow
 def test_other_bytes_around_the_same_sound_are_not_written(client: Client, game: Path) -> None:
     client.pull(game)
     before = states_of(game)
@@ -130,6 +134,7 @@ def test_other_bytes_around_the_same_sound_are_not_written(client: Client, game:
     assert states_of(game) == before
 
 
+@pytest.mark.slow
 def test_a_file_whose_bytes_are_here_under_another_name_is_copied(client: Client, game: Path) -> None:
     client.pull(game)
 
@@ -142,6 +147,7 @@ def test_a_file_whose_bytes_are_here_under_another_name_is_copied(client: Client
     assert files_in(game) == {("weapon/laser.wav" if n == PATHS[0] else n): b for n, b in packed(client.world).items()}
 
 
+@pytest.mark.slow
 def test_a_name_of_which_only_the_case_changed_is_not_removed(client: Client, game: Path) -> None:
     client.pull(game)
     renamed = PATHS[0].capitalize()
@@ -164,6 +170,7 @@ def test_a_pointer_of_git_lfs_counts_as_the_file_it_points_to(client: Client, ga
     assert (game / PATHS[0]).read_text() == pointer
 
 
+@pytest.mark.slow
 def test_the_release_gate_names_what_is_not_final(client: Client, game: Path) -> None:
     assert client.pull(game, "--no-placeholders") == 1
     assert "not final  warp_in.wav  SW-003: no sound is accepted for it yet" in client.out
@@ -263,6 +270,7 @@ def test_two_pulls_of_different_branches_merge_in_git(
         }
 
 
+@pytest.mark.slow
 def test_it_starts_without_what_a_server_needs() -> None:
     code = "import sys, app.client.commands; print(*sorted(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -270,6 +278,7 @@ def test_it_starts_without_what_a_server_needs() -> None:
     assert {name for name in loaded if not name.startswith("_")} == {"app"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["pull", "why"])
 def test_the_program_takes_the_options_of_the_client(command: str, game: Path) -> None:
     environment = {name: value for name, value in os.environ.items() if name != "SOUNDLIST_TOKEN"}

@@ -92,6 +92,7 @@ def other_sound(said: dict[str, Any]) -> None:
     said["files"][1] |= {key: said["files"][0][key] for key in ("sha256", "bytes", "sound", "url")}
 
 
+@pytest.mark.slow
 def test_new_files_are_added_after_they_are_written_with_a_changelist(
     client: Client, game: Path, programs: Path
 ) -> None:
@@ -108,6 +109,7 @@ def test_new_files_are_added_after_they_are_written_with_a_changelist(
     assert "changelist 4711" in client.out
 
 
+@pytest.mark.slow
 def test_changed_files_are_opened_first_and_removed_ones_deleted(client: Client, game: Path, programs: Path) -> None:
     install(programs, "p4", PERFORCE)
     client.pull(game, "--p4")
@@ -130,6 +132,7 @@ def test_changed_files_are_opened_first_and_removed_ones_deleted(client: Client,
     assert files_in(game)[PATHS[1]] == files_in(game)[PATHS[2]]
 
 
+@pytest.mark.slow
 def test_a_file_that_perforce_does_not_have_is_added(client: Client, game: Path, programs: Path) -> None:
     install(programs, "p4", PERFORCE)
     (game / PATHS[2]).write_bytes(b"from the prototype")
@@ -140,6 +143,7 @@ def test_a_file_that_perforce_does_not_have_is_added(client: Client, game: Path,
     assert add == ["-x", "-", "add", "-f"]
 
 
+@pytest.mark.slow
 def test_nothing_is_opened_where_nothing_changes(client: Client, game: Path, programs: Path) -> None:
     install(programs, "p4", PERFORCE)
     client.pull(game, "--p4")
@@ -149,6 +153,7 @@ def test_nothing_is_opened_where_nothing_changes(client: Client, game: Path, pro
     assert recorded(programs) == []
 
 
+@pytest.mark.slow
 def test_a_lock_file_that_is_not_checked_out_stops_the_pull(client: Client, game: Path) -> None:
     client.pull(game)
     (game / "soundlist.lock").chmod(0o444)
@@ -173,6 +178,7 @@ def test_a_missing_program_stops_the_pull_before_anything_is_written(
     assert states_of(game) == before
 
 
+@pytest.mark.slow
 def test_what_perforce_refuses_stops_the_pull_before_anything_is_written(
     client: Client, game: Path, programs: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -186,6 +192,7 @@ def test_what_perforce_refuses_stops_the_pull_before_anything_is_written(
     assert states_of(game) == before
 
 
+@pytest.mark.slow
 def test_changed_files_are_locked_in_git_lfs(
     client: Client, game: Path, programs: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

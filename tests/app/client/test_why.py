@@ -17,6 +17,7 @@ def rows(text: str) -> dict[str, str]:
     return {line[2:26].strip(): line[26:] for line in text.splitlines() if line.startswith("  ")}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ui_confirm", "ui_confirm.wav", "SW-002"])
 def test_a_name_leads_to_cue_approver_contract_and_spec(client: Client, game: Path, name: str) -> None:
     client.pull(game)
@@ -30,6 +31,7 @@ def test_a_name_leads_to_cue_approver_contract_and_spec(client: Client, game: Pa
     assert "known online only" not in said
 
 
+@pytest.mark.slow
 def test_a_path_below_the_lock_file_is_enough(client: Client, game: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     client.line.change_listing = lambda said: said["files"][0].update(path="Audio/weapon/laser.wav")
     client.pull(game)
@@ -41,6 +43,7 @@ def test_a_path_below_the_lock_file_is_enough(client: Client, game: Path, monkey
     assert rows(client.out)["in this folder"] == "changed since it was pulled"
 
 
+@pytest.mark.slow
 def test_offline_the_lock_file_is_asked_alone(client: Client, game: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     client.pull(game)
     asked = len(client.line.asked)
@@ -59,6 +62,7 @@ def test_offline_the_lock_file_is_asked_alone(client: Client, game: Path, monkey
     assert "SOUNDLIST_TOKEN is not set" in client.err
 
 
+@pytest.mark.slow
 def test_programs_read_it_as_json(client: Client, game: Path) -> None:
     client.pull(game)
     assert client.why("SW-001", "--folder", str(game), "--format", "json") == 0
@@ -73,6 +77,7 @@ def test_programs_read_it_as_json(client: Client, game: Path) -> None:
     assert said["files"][0]["in_folder"] is True
 
 
+@pytest.mark.slow
 def test_without_a_lock_file_the_server_is_asked_by_name(client: Client, game: Path) -> None:
     assert client.why("laser_fire_02", "--folder", str(game)) == 0
     assert rows(client.out)["cue"] == "SW-001 Laser fire"

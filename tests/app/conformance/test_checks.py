@@ -66,6 +66,7 @@ def tried(monkeypatch: pytest.MonkeyPatch) -> list[Callable[..., Any]]:
     return calls
 
 
+@pytest.mark.slow
 def test_a_conforming_take(world: World) -> None:
     [cue] = add_cues(world, {"name": "Laser fire", "duration_s": 0.1})
     take = deliver(world, "laser_fire.wav", tone())
@@ -77,6 +78,7 @@ def test_a_conforming_take(world: World) -> None:
     assert cue["id"] == take["cue"]["id"]
 
 
+@pytest.mark.slow
 def test_a_returned_take_says_what_where_and_how_to_fix_it(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
     late_start = join(silence(seconds=0.05), sine(hz=440, dbfs=0.0, seconds=0.2))
@@ -90,6 +92,7 @@ def test_a_returned_take_says_what_where_and_how_to_fix_it(world: World) -> None
     assert any(finding["check"] == "head-silence" for finding in found["findings"])
 
 
+@pytest.mark.slow
 def test_before_the_check_there_is_nothing_to_show(world: World) -> None:
     take = deliver(world, "laser.wav", tone())
     world.server.wait_for_jobs()
@@ -102,6 +105,7 @@ def test_before_the_check_there_is_nothing_to_show(world: World) -> None:
     assert (answer.status_code, answer.json()["code"]) == (404, "check-not-found")
 
 
+@pytest.mark.slow
 def test_a_file_dropped_on_a_cue_is_judged_under_the_cues_name(world: World) -> None:
     [cue] = add_cues(world, {"name": "Laser fire"})
     stray = checked(world, deliver(world, "My Laser (final).wav", tone())["id"])
@@ -156,6 +160,7 @@ def altered(file: Path) -> None:
     file.write_bytes(file.read_bytes()[::-1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spoil", [Path.unlink, pytest.param(altered, marks=pytest.mark.on_s3)])
 def test_a_master_that_the_store_lost_is_our_fault(world: World, spoil: Callable[[Path], None]) -> None:
     take = deliver(world, "laser.wav", tone(hz=310))
@@ -172,6 +177,7 @@ def test_a_master_that_the_store_lost_is_our_fault(world: World, spoil: Callable
     assert (found["state"], found["verdict"]) == ("unjudged", "unjudged")
 
 
+@pytest.mark.slow
 def test_a_job_that_comes_twice_judges_once(world: World) -> None:
     take = deliver(world, "laser.wav", tone())
     world.server.wait_for_jobs()
@@ -205,6 +211,7 @@ def test_a_verdict_that_comes_too_late_is_dropped(world: World, monkeypatch: pyt
     assert world.designer.get(f"/v1/takes/{take['id']}").json()["state"] == "received"
 
 
+@pytest.mark.slow
 def test_what_would_say_the_same_is_not_computed_again(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     take = deliver(world, "laser.wav", tone(hz=330))
     before = checked(world, take["id"])
@@ -239,6 +246,7 @@ def test_a_new_spec_rechecks_undecided_takes(world: World) -> None:
     assert (refused.status_code, refused.json()["code"]) == (409, "wrong-state")
 
 
+@pytest.mark.slow
 def test_a_new_spec_that_asks_the_same_of_a_take_leaves_it_alone(world: World) -> None:
     take = deliver(world, "laser.wav", tone(hz=340))
     world.server.wait_for_jobs()
@@ -262,6 +270,7 @@ def test_a_changed_cue_rechecks_its_takes(world: World) -> None:
     assert len(runs(world, other["id"])) == 1
 
 
+@pytest.mark.slow
 def test_a_recheck_overtakes_the_check_that_still_waits(world: World) -> None:
     take = deliver(world, "laser.wav", tone(hz=352))
     recheck_takes(world.server.runtime, {"project_id": str(world.project_id)})
@@ -272,6 +281,7 @@ def test_a_recheck_overtakes_the_check_that_still_waits(world: World) -> None:
     assert current == 1
 
 
+@pytest.mark.slow
 def test_who_sees_a_check(world: World) -> None:
     take = deliver(world, "laser.wav", tone())
     world.server.wait_for_jobs()
@@ -298,6 +308,7 @@ class TestWaiver:
         assert checked(world, take["id"])["state"] == "returned"
         return take
 
+    @pytest.mark.slow
     def test_the_approver_lets_a_returned_take_through(self, world: World) -> None:
         take = self.loud(world)
         waived = self.waive(world, take)
@@ -319,6 +330,7 @@ class TestWaiver:
             assert run.pcm_sha256 == found_pcm(world, take)
         assert self.waive(world, take).json()["code"] == "nothing-to-waive"
 
+    @pytest.mark.slow
     def test_only_the_approver_may(self, world: World) -> None:
         take = self.loud(world)
         statuses = {
@@ -330,11 +342,13 @@ class TestWaiver:
         }  # fmt: skip
         assert world.designer.get(f"/v1/takes/{take['id']}").json()["state"] == "returned"
 
+    @pytest.mark.slow
     def test_it_wants_a_reason(self, world: World) -> None:
         take = self.loud(world)
         answer = world.approver.post(f"/v1/takes/{take['id']}/waiver", json={"reason": "   "})
         assert answer.status_code == 422
 
+    @pytest.mark.slow
     def test_what_cannot_be_read_cannot_be_let_through(self, world: World) -> None:
         take = deliver(world, "laser.wav", b"no sound")
         world.server.wait_for_jobs()

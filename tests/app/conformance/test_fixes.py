@@ -57,6 +57,7 @@ def test_what_came_back_finds_its_fix_made(world: World, take: dict[str, Any]) -
     assert max(gain["before"]["max"]) > max(gain["after"]["max"])
 
 
+@pytest.mark.slow
 def test_both_versions_can_be_heard_and_seen_by_both_sides_and_no_one_else(world: World, take: dict[str, Any]) -> None:
     sounds = world.designer.get(f"/v1/takes/{take['id']}/sounds").json()
     assert sounds["fix"]["duration_s"] == pytest.approx(0.205)
@@ -68,6 +69,7 @@ def test_both_versions_can_be_heard_and_seen_by_both_sides_and_no_one_else(world
     assert fix_of(world, take, by=world.approver)["state"] == "made"  # the approver sees that a fix is offered
 
 
+@pytest.mark.slow
 def test_findings_say_what_a_fix_does_about_each(world: World, take: dict[str, Any]) -> None:
     reported = {one["code"]: one for one in checked(world, take["id"])["findings"]}
     assert reported["head-silence:over"]["auto_fix"] == "trims 45.0 ms from the start"
@@ -111,6 +113,7 @@ def test_who_agreed_and_to_what_stays_on_record(world: World, take: dict[str, An
     assert "fix of version 1" in history[0]["text"]
 
 
+@pytest.mark.slow
 def test_consent_given_twice_is_given_once(world: World, take: dict[str, Any]) -> None:
     first = world.designer.post(f"/v1/takes/{take['id']}/fix/use")
     again = world.designer.post(f"/v1/takes/{take['id']}/fix/use")
@@ -119,6 +122,7 @@ def test_consent_given_twice_is_given_once(world: World, take: dict[str, Any]) -
     assert again.json()["already_here"] is True
 
 
+@pytest.mark.slow
 def test_no_one_else_can_use_it(world: World, take: dict[str, Any]) -> None:
     for client, status in (
         (world.approver, 403),
@@ -132,6 +136,7 @@ def test_no_one_else_can_use_it(world: World, take: dict[str, Any]) -> None:
             assert client.post(f"/v1/takes/{take['id']}/{path}").status_code == status
 
 
+@pytest.mark.slow
 def test_a_fix_that_is_not_enough_is_not_made(world: World) -> None:
     add_cues(world, {"name": "Laser fire"})
     take = returned(world, loud(rate=32_000), "laser_fire.wav")
@@ -162,6 +167,7 @@ def test_a_warning_is_fixed_when_asked(world: World) -> None:
     assert checked(world, new["id"])["findings"] == []
 
 
+@pytest.mark.slow
 def test_a_take_that_is_decided_upon_is_not_fixed(world: World) -> None:
     add_cues(world, {"name": "Door"})
     late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
@@ -184,6 +190,7 @@ def test_an_unmatched_file_waits_for_its_cue(world: World) -> None:
     assert fix_of(world, take)["state"] == "made"
 
 
+@pytest.mark.slow
 def test_an_ending_that_is_put_right_names_the_new_version(world: World) -> None:
     add_cues(world, {"name": "Door"})
     take = returned(world, wav_bytes(sine(hz=440, seconds=0.2)), "door.WAV")
@@ -192,6 +199,7 @@ def test_an_ending_that_is_put_right_names_the_new_version(world: World) -> None
     assert (new["file_name"], checked(world, new["id"])["verdict"]) == ("door.wav", "conforming")
 
 
+@pytest.mark.slow
 def test_a_variation_and_its_alternate_stay_what_they_are(world: World) -> None:
     add_cues(world, {"name": "Step", "variations": 3})
     take = returned(world, loud(), "step_02_altB.wav")
@@ -199,6 +207,7 @@ def test_a_variation_and_its_alternate_stay_what_they_are(world: World) -> None:
     assert (new["variation"], new["alternate"], new["number"]) == (2, 2, 2)
 
 
+@pytest.mark.slow
 def test_a_closed_delivery_does_not_make_a_fix_late(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
     delivery_id = open_delivery(world)
@@ -220,6 +229,7 @@ def test_a_new_spec_makes_a_new_fix(world: World, take: dict[str, Any]) -> None:
     assert "level lowered by 3.00 dB" in fix_of(world, take)["says"]
 
 
+@pytest.mark.slow
 def test_a_fix_whose_process_dies_three_times_is_our_fault(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     def dead(*_: Any, **__: Any) -> Any:
         raise audio_checks.SandboxCrashed("the child was ended by SIGSEGV", signal=11)
@@ -237,6 +247,7 @@ def test_a_fix_whose_process_dies_three_times_is_our_fault(world: World, monkeyp
     assert fix_of(world, take)["state"] == "made"
 
 
+@pytest.mark.slow
 def test_a_child_that_dies_is_tried_three_times(world: World, take: dict[str, Any], monkeypatch: Any) -> None:
     tries = []
 
@@ -261,6 +272,7 @@ def test_a_child_that_dies_is_tried_three_times(world: World, take: dict[str, An
     assert fix_of(world, take)["state"] == "refused"
 
 
+@pytest.mark.slow
 def test_the_same_job_twice_writes_once(world: World, take: dict[str, Any]) -> None:
     def fixes(session: Any) -> list[Any]:
         return [(one.id, one.sha256, one.made_at) for one in session.scalars(select(Fix))]
@@ -271,6 +283,7 @@ def test_the_same_job_twice_writes_once(world: World, take: dict[str, Any]) -> N
     assert world.server.in_database(fixes) == before
 
 
+@pytest.mark.slow
 def test_a_take_that_moved_on_is_not_fixed(world: World, take: dict[str, Any]) -> None:
     def approve(session: Any) -> None:
         session.get(Take, UUID(take["id"])).state = TakeState.CHANGE_REQUESTED
@@ -289,6 +302,7 @@ def test_a_fix_made_twice_of_the_same_sound_is_one_version(world: World, take: d
     assert (used.status_code, used.json()["id"]) == (200, fixed["id"])
 
 
+@pytest.mark.slow
 def test_a_cut_that_would_click_is_faded(world: World) -> None:
     add_cues(world, {"name": "Rain"})
     # At 0.295 s, where it is cut, the hum is at its crest.
@@ -319,6 +333,7 @@ def test_what_a_fix_would_answer_is_listed_for_its_designer_and_the_team(world: 
     assert world.stranger.get(path).status_code == 404
 
 
+@pytest.mark.slow
 def test_the_review_room_says_what_a_fix_would_do(world: World) -> None:
     [cue] = add_cues(world, {"name": "Door"})
     late = wav_bytes(join(silence(seconds=0.05), sine(hz=440, dbfs=-6.0, seconds=0.2, phase=0.15)))
@@ -328,6 +343,7 @@ def test_the_review_room_says_what_a_fix_would_do(world: World) -> None:
     assert shown["fix_of_id"] is None
 
 
+@pytest.mark.slow
 def test_an_offset_is_taken_out_and_its_start_shown(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
     fix = fix_of(world, returned(world, wav_bytes(sine(hz=440, dbfs=-50.0, seconds=0.5) + 0.05)))
@@ -361,6 +377,7 @@ def test_all_that_came_back_with_an_offset_are_fixed_in_one_go(world: World) -> 
     assert [one["rounds_so_far"] for one in queued] == [0] * 3
 
 
+@pytest.mark.slow
 def test_the_reason_why_an_uneven_offset_stays_is_given(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
     uneven = join(sine(hz=440, dbfs=-20.0, seconds=1.0) + 0.06, sine(hz=440, dbfs=-20.0, seconds=1.0))

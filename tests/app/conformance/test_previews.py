@@ -35,6 +35,7 @@ def test_the_sounds_that_the_page_is_tried_on_are_what_the_server_says() -> None
     assert VECTORS.read_text() == vectors(), "run: make openapi"
 
 
+@pytest.mark.slow
 def test_each_file_has_its_cue_and_the_view_of_its_category(world: World) -> None:
     save_spec(
         world,
@@ -141,6 +142,7 @@ def test_names_of_a_set_without_a_number_get_its_free_variations(world: World) -
     assert (dropped["variation"], named["list_name"]) == (1, "steps_03.wav")
 
 
+@pytest.mark.slow
 def test_a_prefix_that_files_share_is_not_of_their_names(world: World) -> None:
     cues = ["Laser fire", "Shield hit", "Door open", "Airlock", "Victory sting"]
     add_cues(world, *({"name": name} for name in cues))

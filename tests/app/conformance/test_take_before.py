@@ -33,6 +33,7 @@ def master(samples: Samples) -> bytes:
     return wav_bytes(samples)
 
 
+@pytest.mark.slow
 def test_a_first_take_has_none_before_it(judged_before) -> None:
     assert judged_before(master(DRY))[1] is None
 
@@ -59,6 +60,7 @@ def test_an_alternate_is_another_idea_and_no_earlier_take(world: World, judged_b
     assert "before" not in checked(world, other["id"])["judgements"]["reverb"]
 
 
+@pytest.mark.slow
 def test_what_could_not_be_read_is_passed_over(judged_before) -> None:
     assert judged_before(b"no sound", master(DRY))[1] is None
 

@@ -86,6 +86,7 @@ def test_a_child_for_which_no_take_comes_ends(serve: Serve, monkeypatch: pytest.
     assert serve(delivery_id) != pid
 
 
+@pytest.mark.slow
 def test_a_child_is_replaced_after_a_number_of_takes(serve: Serve, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workspaces, "MAX_TAKES", 2)
     delivery_id = uuid4()
@@ -116,6 +117,7 @@ def test_a_child_that_crashed_is_followed_by_a_new_one(workspace: Callable[[], T
     assert serve(delivery_id) != pid
 
 
+@pytest.mark.slow
 def test_a_child_does_not_wait_behind_a_large_master(
     tmp_path: Path, children: SandboxPool, serve: Serve, monkeypatch: pytest.MonkeyPatch
 ) -> None:

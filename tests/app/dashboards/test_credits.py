@@ -48,6 +48,7 @@ def test_without_an_approved_sound_a_designer_is_not_listed(world: World) -> Non
     assert all(role != "Sound design" for role, _ in read(world, world.producer))
 
 
+@pytest.mark.slow
 def test_each_person_is_named_as_they_say(worked: World) -> None:
     mine = body_of(worked.designer.put(f"{credits_of(worked)}/me", json={"name": "Quay Sound"}))
     assert (mine["my_name"], mine["my_account_name"]) == ("Quay Sound", "Sound designer")
@@ -60,6 +61,7 @@ def test_each_person_is_named_as_they_say(worked: World) -> None:
     assert "Sound design by" not in worked.producer.get(f"{credits_of(worked)}.txt").text
 
 
+@pytest.mark.slow
 def test_a_producer_adds_performers_by_hand(worked: World) -> None:
     body = {"role": "Voice", "name": "=A. Performer"}
     added = worked.producer.post(credits_of(worked), json=body)
@@ -78,6 +80,7 @@ def test_a_producer_adds_performers_by_hand(worked: World) -> None:
     assert ("Voice", "=A. Performer") not in read(worked, worked.producer)
 
 
+@pytest.mark.slow
 def test_the_text_has_the_lines_of_contracts_to_the_letter(worked: World) -> None:
     project = body_of(worked.producer.get(f"/v1/projects/{worked.project_id}"))["name"]
     text = worked.producer.get(f"{credits_of(worked)}.txt").text

@@ -105,6 +105,7 @@ def test_no_one_else_sees_them(world: World, agreed: Agreed) -> None:
     assert [one["studio_id"] for one in world.other_designer.get("/v1/me/work").json()] != [str(world.studio_id)]
 
 
+@pytest.mark.slow
 def test_without_work_there_are_no_figures(world: World) -> None:
     body = {"name": "New", "email": "new@example.test"}
     entry = world.producer.post(f"/v1/studios/{world.studio_id}/roster", json=body).json()["id"]

@@ -23,6 +23,7 @@ def pages(world: World, path: str) -> Iterator[list[Any]]:
         query = {"cursor": cursor}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("state", "path", "key", "first"),
     [

@@ -17,6 +17,7 @@ def due(world: World, *cues: dict[str, Any]) -> list[UUID]:
     return [UUID(cue["id"]) for cue in add_cues(world, *cues)]
 
 
+@pytest.mark.slow
 def test_cues_of_a_day_are_one_event_until_they_are_approved_or_cut(world: World) -> None:
     stage = Agreed(world)
     ping = stage.cue("radar_ping", due_on=date.fromisoformat(day(7)))
@@ -39,6 +40,7 @@ def test_many_cues_of_a_day_are_counted(world: World) -> None:
     assert names.endswith("step_19 and 3 more")
 
 
+@pytest.mark.slow
 def test_a_designer_has_the_cues_of_their_contract(world: World) -> None:
     stage = Agreed(world)
     mine = stage.cue("mine", due_on=date.fromisoformat(day(5)))
@@ -51,6 +53,7 @@ def test_a_designer_has_the_cues_of_their_contract(world: World) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_invoices_until_they_are_paid_and_the_days_that_contracts_name(world: World) -> None:
     stage = Agreed(world, terms={"option_until_on": day(40)})
     cue = stage.cue("radar_ping")

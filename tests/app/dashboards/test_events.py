@@ -43,6 +43,7 @@ def test_changes_are_looked_for_several_times_a_second():
     assert change_feed.READ_EVERY_S <= 0.25  # what passes from an act to another page, benchmarks.live measures
 
 
+@pytest.mark.slow
 def test_two_people_on_two_processes_hear_of_a_change(server: RunningServer, web: str, world: World):
     with (
         listening(create_app(server.runtime), lifespan="off", http=BoundedHttpProtocol) as port,
@@ -57,6 +58,7 @@ def test_two_people_on_two_processes_hear_of_a_change(server: RunningServer, web
         assert named == {"studio_id", "project_id", "rooms"}, "nothing of what changed is sent"
 
 
+@pytest.mark.slow
 def test_nobody_hears_of_projects_that_they_do_not_see(web: str, world: World):
     with (
         listening_for_changes(web, world.stranger.cookies) as stranger,
@@ -147,6 +149,7 @@ def test_what_was_missed_is_sent_again_and_what_is_too_old_is_said_to_be(web: st
             assert designer.events[0].data == {"resumed": False}
 
 
+@pytest.mark.slow
 def test_a_person_has_so_many_streams_and_gets_them_back(monkeypatch: pytest.MonkeyPatch, web: str, world: World):
     monkeypatch.setattr(change_feed, "MAX_STREAMS_OF_ONE_PERSON", 1)
     cookies = dict(world.designer.cookies)
@@ -177,6 +180,7 @@ def test_open_pages_hold_no_thread_and_no_connection(server: RunningServer, web:
         add_cue(world)
 
 
+@pytest.mark.slow
 def test_a_transaction_that_is_undone_says_nothing(server: RunningServer, web: str, world: World):
     with listening_for_changes(web, world.producer.cookies) as producer:
         add_cue(world, "Before")

@@ -49,6 +49,7 @@ def label(stage: Stage, words: str, by: TestClient, **facts: Any) -> str:
     return str(take_id)
 
 
+@pytest.mark.slow
 def test_a_reason_finds_its_version_with_who_said_it(stage: Stage, search: Search) -> None:
     take_id = change(stage, "laser", "Too long", "Off style")
     stage.approve(stage.take(stage.cue("door")), reasons=["Best timing"])
@@ -80,6 +81,7 @@ def test_a_verdict_is_one_hit_however_many_of_its_reasons_match(stage: Stage, se
     assert [hit["text"] for hit in search("too")] == ["Too loud, Too long"]
 
 
+@pytest.mark.slow
 def test_a_draft_and_a_verdict_that_was_taken_back_are_not_found(stage: Stage, search: Search) -> None:
     stage.draft(stage.take(stage.cue()), "Too long.", reasons=["Too long"])
     take_id = stage.take(stage.cue("door"))
@@ -95,6 +97,7 @@ def test_either_apostrophe_finds_the_reason(stage: Stage, search: Search, typed:
     assert len(search(typed)) == 1
 
 
+@pytest.mark.slow
 def test_a_designer_finds_what_was_said_of_their_own_versions(stage: Stage, search: Search) -> None:
     world = stage.world
     own, others = change(stage, "laser", "Too long"), change(stage, "door", "Too long", designer_id=world.producer_id)
@@ -106,6 +109,7 @@ def test_a_designer_finds_what_was_said_of_their_own_versions(stage: Stage, sear
     assert [hit["take_id"] for hit in search("layered", by=world.designer)] == [own_label]
 
 
+@pytest.mark.slow
 def test_a_stranger_finds_nothing(stage: Stage) -> None:
     world = stage.world
     change(stage, "laser", "Too long")
@@ -116,6 +120,7 @@ def test_a_stranger_finds_nothing(stage: Stage) -> None:
             assert body_of(person.get("/v1/find", params={"q": typed}))["hits"] == []
 
 
+@pytest.mark.slow
 def test_a_designer_finds_nothing_before_the_nda_is_accepted(stage: Stage) -> None:
     world = stage.world
     change(stage, "laser", "Too long")
@@ -157,6 +162,7 @@ def test_no_kind_fills_the_results_and_more_hits_cost_no_more_statements(stage: 
     assert len(found) == 2 * OF_A_KIND, "reasons of changes and of picks count together"
 
 
+@pytest.mark.slow
 def test_hits_of_one_kind_do_not_push_out_those_of_another(stage: Stage) -> None:
     for _ in range(25):
         stage.take(stage.cue("long"), file_name="long.wav")

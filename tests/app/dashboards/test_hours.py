@@ -81,6 +81,7 @@ def hours(world: World, by: str = "producer") -> Any:
     return getattr(world, by).get(f"/v1/projects/{world.project_id}/hours")
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_producer_sees_hours_against_the_roster(world: World, agreed: Agreed) -> None:
     first, second = agreed.cue("laser", category="weapon"), agreed.cue("door", category="foley")

@@ -67,6 +67,7 @@ def test_a_new_project_asks_for_cues_then_a_designer_then_an_approver(world: Wor
     assert kinds() == ["name_approver"]  # until the invited one joins
 
 
+@pytest.mark.slow
 def test_a_follow_up_on_the_brief_is_answered_by_the_team(world: World) -> None:
     add_cues(world, {"name": "airlock"})
     asked = {"question": "naming", "text": "Which separator?"}
@@ -138,6 +139,7 @@ def test_an_nda_is_somebodys_next_step_until_it_is_signed(world: World, contract
     assert steps(world, "designer") == [("make", 1)]
 
 
+@pytest.mark.slow
 def test_a_change_that_the_designer_wants_is_the_producers(world: World, contracts: Contracts) -> None:
     sent = contracts.send(contracts.begin())
     body = {"text": "Two rounds are too few."}
@@ -233,6 +235,7 @@ def test_what_changed_under_a_contract_is_a_step_of_both_until_it_is_settled(wor
     assert "propose_changes" not in dict(steps(world, "designer")), "the other party said why it needs none"
 
 
+@pytest.mark.slow
 def test_a_statement_waits_for_each_party_until_it_has_agreed(world: World) -> None:
     order = Order(world)
     path = f"/v1/contracts/{order.contract_id}/ending"

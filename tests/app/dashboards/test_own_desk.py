@@ -133,6 +133,7 @@ def test_a_token_ends_after_a_year_and_is_kept_as_a_hash(world: World):
     assert ask_with(world, secret) == 401
 
 
+@pytest.mark.slow
 def test_a_person_has_twenty_tokens_at_most(world: World):
     for _ in range(20):
         make_token(world)

@@ -127,6 +127,7 @@ def judge_three(stage: Stage) -> None:
         stage.send()
 
 
+@pytest.mark.slow
 def test_both_sides_see_how_it_goes(world: World, stage: Stage) -> None:
     nothing = pace(world, world.producer)
     assert (nothing["first_pass"], nothing["rounds_per_cue"], nothing["finish_on"]) == (None, None, None)

@@ -167,6 +167,7 @@ def test_the_figures_of_two_contracts_by_hand(agreed: Agreed) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_budgets_are_set_by_producers_and_seen_by_no_designer(agreed: Agreed) -> None:
     world = agreed.world
     agreed.agree(milestone("Alpha", agreed.cue("bell"), amount_minor=10_000))

@@ -81,6 +81,7 @@ def test_each_sound_becomes_a_take(world: World) -> None:
     assert {take["state"] for take in archive["takes"]} == {"returned"}  # they are not sounds, and were judged
 
 
+@pytest.mark.slow
 def test_entries_left_out_are_listed(world: World) -> None:
     link = zipfile.ZipInfo("link.wav")
     link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
@@ -112,6 +113,7 @@ def test_methods_that_cannot_be_bounded_are_not_unpacked(world: World, method: i
     assert "method" in str(entries_of(archive)["laser.wav"])
 
 
+@pytest.mark.slow
 def test_a_damaged_file_does_not_spoil_the_others(world: World) -> None:
     content = packed({"bad.wav": b"damaged here", "good.wav": b"whole"}, zipfile.ZIP_STORED)
     archive = send(world, content.replace(b"damaged here", b"damaged HERE"))
@@ -120,6 +122,7 @@ def test_a_damaged_file_does_not_spoil_the_others(world: World) -> None:
     assert reported["good.wav"] is None
 
 
+@pytest.mark.slow
 def test_a_locked_file_is_named(world: World) -> None:
     content = bytearray(packed({"laser.wav": b"sound"}, zipfile.ZIP_STORED))
     for mark, at in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
@@ -135,6 +138,7 @@ def test_names_in_utf8_that_do_not_say_so_are_read(world: World) -> None:
     assert list(entries_of(send(world, bytes(plain)))) == ["schild_h\u00fclle.wav"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("content", "word"),
     [
@@ -211,6 +215,7 @@ class Killed(BaseException):
     """Simulates SIGKILL."""
 
 
+@pytest.mark.slow
 def test_a_second_run_goes_on_where_the_first_was_killed(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     delivery_id = open_delivery(world)
     files: Files = {f"{place}.wav": f"sound {place}".encode() for place in range(5)}

@@ -55,6 +55,7 @@ def post_take(world: World, delivery_id: str, name: str, content: bytes) -> Any:
     return world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json={"upload_id": upload_id, "file_name": name})
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_what_was_added_to_the_stem_is_the_judgement(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -136,6 +137,7 @@ def test_a_comparison_that_breaks_leaves_the_take_judged_and_is_tried_again(
     assert heard(checked(world, take["id"])) == []
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 @pytest.mark.parametrize("order", [("warp_in__dry.wav", "warp_in.wav"), ("warp_in.wav", "warp_in__dry.wav")])
 def test_a_delivery_brings_it_by_its_name_before_or_after_the_take(world: World, order: tuple[str, str]) -> None:
@@ -163,6 +165,7 @@ def test_a_name_that_the_list_has_whole_is_a_take(world: World) -> None:
     assert (made.status_code, made.json()["cue"]["name"]) == (201, "Dry shot")
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_a_zip_brings_it_too(world: World) -> None:
     whole = io.BytesIO()
@@ -180,6 +183,7 @@ def test_a_zip_brings_it_too(world: World) -> None:
     assert heard(checked(world, take["id"])) == []
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_it_is_given_back_byte_for_byte_to_those_who_hear_the_take(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -193,6 +197,7 @@ def test_it_is_given_back_byte_for_byte_to_those_who_hear_the_take(world: World)
     assert world.designer.get(path).content == WET  # the newest, and no copy of the one before
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("cue")
 def test_who_may_not(world: World) -> None:
     take = deliver(world, "warp_in.wav", WET)
@@ -276,6 +281,7 @@ def test_its_bytes_are_counted_once_it_is_withdrawn_too(world: World) -> None:
     assert kept["masters"] == (1, len(WET))
 
 
+@pytest.mark.slow
 def test_beside_a_master_that_cannot_be_read_nothing_is_compared(world: World) -> None:
     take = deliver(world, "warp_in.wav", b"RIFF no sound")
     give(world, take, DRY)

@@ -41,6 +41,7 @@ def test_one_request_makes_the_take_of_its_cue(world: World) -> None:
     assert world.server.runtime.store.read(world.studio_id, SHA256) == CONTENT
 
 
+@pytest.mark.slow
 def test_the_same_bytes_again_are_the_same_take(world: World) -> None:
     add_cues(world, {"name": "Laser fire"})
     delivery_id = open_delivery(world)
@@ -62,6 +63,7 @@ def test_a_cue_may_be_given(world: World) -> None:
     assert (answer.status_code, answer.json()["cue"]["id"]) == (201, laser["id"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("more", "status", "code"),
     [
@@ -87,6 +89,7 @@ def test_a_delivery_of_another_person_is_not_found(world: World) -> None:
     assert send(world.stranger, open_delivery(world)).status_code == 404
 
 
+@pytest.mark.slow
 def test_a_renamed_file_keeps_the_name_that_it_had(world: World) -> None:
     delivery_id = open_delivery(world)
     small = send(world.designer, delivery_id, received_name="old/bounce 7.wav").json()

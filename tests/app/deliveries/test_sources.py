@@ -92,6 +92,7 @@ def test_a_note_alone_names_no_source(stage: Stage) -> None:
     assert refused(state(stage.world, take, {"note": "see the session"})) == (422, "no-source-named")
 
 
+@pytest.mark.slow
 def test_once_approved_and_complete_they_stand(stage: Stage) -> None:
     world, cue = stage.world, stage.cue()
     take = stage.take(cue)
@@ -107,6 +108,7 @@ def test_once_approved_and_complete_they_stand(stage: Stage) -> None:
     assert body_of(state(world, take, LAYERED))["is_fixed"] is False, "a reversal opens them again"
 
 
+@pytest.mark.slow
 def test_what_is_open_can_be_completed_after_the_approval(stage: Stage) -> None:
     take = stage.take(stage.cue())
     body_of(state(stage.world, take, LICENCE_OPEN))
@@ -132,6 +134,7 @@ def recorded(agreed: Agreed) -> list[tuple[str, str]]:
     return found
 
 
+@pytest.mark.slow
 def test_a_contract_can_want_them_before_acceptance(world: World) -> None:
     agreed, cue, take = agreed_by(world, "before_acceptance")
     answer = agreed.verdict(take, "approve")
@@ -150,6 +153,7 @@ def test_a_contract_can_want_them_before_acceptance(world: World) -> None:
     assert words.startswith("own recordings; library Metal Impacts 2")
 
 
+@pytest.mark.slow
 def test_a_contract_can_want_them_before_the_invoice(world: World) -> None:
     agreed, _, take = agreed_by(world, "before_invoice")
     agreed.approve(take)
@@ -162,6 +166,7 @@ def test_a_contract_can_want_them_before_the_invoice(world: World) -> None:
     agreed.invoice()
 
 
+@pytest.mark.slow
 def test_a_contract_that_only_asks_lets_approve_and_invoice(world: World) -> None:
     agreed, _, take = agreed_by(world, "asked")
     agreed.approve(take)
@@ -193,6 +198,7 @@ def test_a_library_without_licence_says_so_in_words() -> None:
     assert words_of(Sources(**LICENCE_OPEN)) == "library Metal Impacts 2 (no licence named)"
 
 
+@pytest.mark.slow
 def test_a_copy_of_a_master_carries_them(world: World, tmp_path: Path) -> None:
     [cue] = add_cues(world, {"name": "Shield hit", "description": "a bowl, struck"})
     take = deliver(world, "shield_hit.wav", wav_bytes(sine(hz=997, dbfs=-3.0, seconds=0.5)), cue_id=cue["id"])

@@ -144,6 +144,7 @@ def test_what_is_kept_is_what_there_is(world: World, seed: int):
     assert course.done >= {"deliver", "judge", "match", "edit"}
 
 
+@pytest.mark.slow
 def test_a_take_that_changes_otherwise_would_be_noticed(world: World):
     add_cues(world, {"name": "laser"})
     deliver(world, "laser.wav", GOOD[0])

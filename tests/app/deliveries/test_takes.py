@@ -94,6 +94,7 @@ def test_a_file_dropped_on_a_cue_is_for_it(world: World) -> None:
         assert slot(take)[:2] == expected, name
 
 
+@pytest.mark.slow
 def test_a_variation_that_the_cue_lacks_is_refused(world: World) -> None:
     [cue] = add_cues(world, {"name": "Deck walk", "variations": 3})
     delivery_id = open_delivery(world)
@@ -106,6 +107,7 @@ def test_a_variation_that_the_cue_lacks_is_refused(world: World) -> None:
     assert world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body).status_code == 201
 
 
+@pytest.mark.slow
 def test_a_cue_of_another_project_is_not_there(world: World) -> None:
     [foreign] = add_cues(World(world.server), {"name": "Laser fire"})
     delivery_id = open_delivery(world)
@@ -116,6 +118,7 @@ def test_a_cue_of_another_project_is_not_there(world: World) -> None:
     assert matched.status_code == 404
 
 
+@pytest.mark.slow
 def test_an_upload_is_one_take_however_often_it_is_posted(world: World) -> None:
     add_cues(world, {"name": "Laser fire"})
     delivery_id = open_delivery(world)
@@ -161,6 +164,7 @@ def test_takes_that_arrive_together_get_numbers_of_their_own(world: World) -> No
     assert sorted(answer.json()["number"] for answer in made) == list(range(1, 13))
 
 
+@pytest.mark.slow
 def test_what_matches_nothing_waits_with_three_guesses(world: World) -> None:
     names = ["Victory sting", "Mine arm", "Radar ping", "Void whale", "Dock clamp"]
     add_cues(world, *({"name": name} for name in names))
@@ -208,6 +212,7 @@ def test_what_finishes_after_its_delivery_closed_is_late_and_comes_in(world: Wor
     assert (made.status_code, made.json()["late"]) == (201, True)
 
 
+@pytest.mark.slow
 def test_an_upload_of_another_delivery_is_not_there(world: World) -> None:
     upload_id = upload(world, open_delivery(world), "laser.wav", SOUND)
     body = {"upload_id": upload_id, "file_name": "laser.wav"}
@@ -215,6 +220,7 @@ def test_an_upload_of_another_delivery_is_not_there(world: World) -> None:
     assert (refused.status_code, refused.json()["code"]) == (404, "upload-not-found")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "shown"),
     [
@@ -238,6 +244,7 @@ def test_any_name_is_kept_and_none_is_a_path(world: World, name: str, shown: str
     assert not any(mark in master.headers["content-disposition"] for mark in "/\\\n\r")
 
 
+@pytest.mark.slow
 def test_a_name_that_is_no_text_is_refused_with_a_reason(world: World) -> None:
     delivery_id = open_delivery(world)
     upload_id = upload(world, delivery_id, "a.wav", SOUND)
@@ -271,6 +278,7 @@ def test_no_sound_named_wav_is_stored_and_judged(world: World, content: bytes, c
     assert world.designer.get(f"/v1/takes/{take['id']}/master").content == content
 
 
+@pytest.mark.slow
 @pytest.mark.on_folder  # a file with holes is made in place; sent to a bucket it would be 2 GB of zeros
 @pytest.mark.parametrize("declared", [(2 << 30) + 100, (2 << 30) - 44], ids=["says more", "as said, and silent"])
 def test_a_file_of_two_gigabytes_is_judged(world: World, declared: int) -> None:
@@ -366,6 +374,7 @@ def test_who_may_do_what(world: World) -> None:
         assert opened.status_code == status
 
 
+@pytest.mark.slow
 def test_a_delivery_shows_what_came_in_it(world: World) -> None:
     delivery_id = open_delivery(world)
     takes = [deliver(world, f"{seed}.wav", another(seed), delivery_id=delivery_id) for seed in range(3)]
@@ -376,6 +385,7 @@ def test_a_delivery_shows_what_came_in_it(world: World) -> None:
     assert (shown["takes_count"], shown["note"], shown["archives"]) == (3, "the first three", [])
 
 
+@pytest.mark.slow
 def test_lists_come_in_pages(world: World) -> None:
     numbers = [int(world.designer.get(f"/v1/deliveries/{open_delivery(world)}").json()["number"]) for _ in range(5)]
     assert numbers == [1, 2, 3, 4, 5]

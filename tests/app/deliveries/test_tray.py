@@ -65,6 +65,7 @@ def test_a_messy_name_finds_its_cue_where_it_is_sure(world: World, name: str, cu
     assert slot(deliver(world, name, another(1)))[:2] == (cue, variation)
 
 
+@pytest.mark.slow
 def test_a_file_in_doubt_waits_with_guesses(world: World) -> None:
     add_cues(world, *LIST)
     take = see(world, deliver(world, "perc bell 2.wav", another(1))["id"])
@@ -115,6 +116,7 @@ def test_a_prefix_that_a_delivery_shares_is_read(world: World) -> None:
     assert len(tray_action(world, "accept-sure", {})["take_ids"]) == 5
 
 
+@pytest.mark.slow
 def test_only_the_named_are_accepted(world: World) -> None:
     first, second = (
         deliver(world, name, another(seed))["id"] for seed, name in enumerate(["PERC BELL.wav", "UI click.wav"])
@@ -140,6 +142,7 @@ def test_a_folder_of_300_goes_away_in_one_act_and_comes_back(world: World) -> No
     assert (slot(see(world, matched))[:3], desk_unmatched(world)) == (("UI click", 1, 1), 11)
 
 
+@pytest.mark.slow
 def test_discarded_files_can_be_restored_and_sent_again(world: World) -> None:
     take = deliver(world, "stray.wav", another(1))
     tray_action(world, "discard", {"take_ids": [take["id"]]})
@@ -169,6 +172,7 @@ def test_many_are_moved_at_once_and_undone(world: World) -> None:
     assert see(world, second["id"])["cue"] is None
 
 
+@pytest.mark.slow
 def test_for_a_cut_cue_a_file_keeps_its_name(world: World) -> None:
     bell = add_cues(world, *LIST)[0]
     take = deliver(world, "stray.wav", another(1))
@@ -197,6 +201,7 @@ def test_nothing_is_moved_or_discarded_once_a_verdict_stands(world: World) -> No
     assert slot(see(world, free["id"]))[0] == "UI click"
 
 
+@pytest.mark.slow
 def test_what_was_touched_since_stays_when_an_act_is_undone(world: World) -> None:
     take = deliver(world, "PERC BELL.wav", another(1))["id"]
     click = add_cues(world, *LIST)[3]
@@ -207,6 +212,7 @@ def test_what_was_touched_since_stays_when_an_act_is_undone(world: World) -> Non
     assert see(world, take)["cue"]["id"] == click["id"]
 
 
+@pytest.mark.slow
 def test_the_same_bytes_are_already_here_under_any_name(world: World) -> None:
     add_cues(world, *LIST)
     first = deliver(world, "stray.wav", another(1))
@@ -218,6 +224,7 @@ def test_the_same_bytes_are_already_here_under_any_name(world: World) -> None:
     assert len(takes(world)) == 1
 
 
+@pytest.mark.slow
 def test_another_designer_can_touch_nothing_of_it(world: World) -> None:
     engage(world)
     bell = add_cues(world, *LIST)[0]

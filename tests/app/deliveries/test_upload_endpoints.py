@@ -40,6 +40,7 @@ def staged(server: RunningServer, studio_id: UUID) -> list[str]:
     return [path.name for path in server.runtime.store.staging_root.glob(f"{studio_id}/.uploads/*")]
 
 
+@pytest.mark.slow
 def test_a_file_comes_in_pieces(world: World) -> None:
     location = begin(world.designer, open_delivery(world)).headers["location"]
     for start in range(0, len(CONTENT), 100_000):

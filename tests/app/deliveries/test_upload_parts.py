@@ -141,6 +141,7 @@ def test_given_up_is_gone(world: World, s3: S3Server):
     assert world.designer.post(f"{location}/parts", json={}).status_code == 404
 
 
+@pytest.mark.slow
 def test_a_master_is_fetched_by_a_link_that_expires(world: World, s3: S3Server, tmp_path: Path):
     delivery_id = open_delivery(world)
     params = {"delivery_id": delivery_id, "file_name": "Bö laser.wav"}
@@ -213,6 +214,7 @@ def test_a_put_that_the_store_does_not_take_leaves_nothing_behind(on_a_bad_line:
     assert world.designer.put("/v1/uploads", params=params, content=b"another sound").status_code == 201
 
 
+@pytest.mark.slow
 def test_a_master_that_cannot_be_read_now_is_reported_before_a_byte_is_sent(
     on_a_bad_line: tuple[RunningServer, FaultyLine],
 ):

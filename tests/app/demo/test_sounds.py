@@ -166,6 +166,7 @@ def test_only_the_arrival_comes_with_reverb(files, tmp_path):
     assert found["warp_in", None] == pytest.approx(1.8, rel=0.2)
 
 
+@pytest.mark.slow
 def test_beside_its_stem_the_hall_is_what_was_added(files, tmp_path):
     (tmp_path / "warp_in.wav").write_bytes(files["warp_in"])
     found = compare_reverb_with_dry(tmp_path / "warp_in.wav", warp_in_stem().write(tmp_path))

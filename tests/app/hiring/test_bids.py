@@ -62,6 +62,7 @@ def posting(world: World) -> dict[str, Any]:
     return opened(world, budget_minor=90_000, rate_floor_minor=4_000, **DATES)
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_the_studio_sees_a_bid_once_it_is_sent_and_as_it_was_sent(world: World, posting: dict[str, Any]) -> None:
     join(world, posting, world.other_designer)
@@ -85,6 +86,7 @@ def test_the_studio_sees_a_bid_once_it_is_sent_and_as_it_was_sent(world: World, 
     assert world.other_designer.post(f"{path}/withdraw").json()["code"] == "bid-not-sent"
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_designer_sees_their_own_bid_only(world: World, posting: dict[str, Any]) -> None:
     send(world, posting, world.other_designer, WHOLE)
@@ -98,6 +100,7 @@ def test_a_designer_sees_their_own_bid_only(world: World, posting: dict[str, Any
     assert world.producer.put(f"/v1/postings/{posting['id']}/bid", json={"lines": [], "revision": 0}).status_code == 403
 
 
+@pytest.mark.slow
 def test_what_does_not_fit_is_refused_with_its_place(world: World, posting: dict[str, Any]) -> None:
     join(world, posting, world.other_designer)
     wrong = [WHOLE[0], WHOLE[0], line("weapons", 1, 1)]
@@ -145,6 +148,7 @@ def test_the_shortlist_comes_first_then_who_sent_first_whatever_the_price(
     assert [one["id"] for one in after["bids"]] == [second["id"], first["id"]]
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_the_others_scores_are_shown_after_ones_own(world: World, posting: dict[str, Any]) -> None:
     send(world, posting, world.other_designer, WHOLE)
@@ -167,6 +171,7 @@ def test_the_others_scores_are_shown_after_ones_own(world: World, posting: dict[
     assert world.reviewer.put(path, json={"scores": whole}).status_code == 403
 
 
+@pytest.mark.slow
 def test_questions_are_answered_for_all_or_for_one(world: World, posting: dict[str, Any]) -> None:
     for by in (world.designer, world.other_designer):
         join(world, posting, by)
@@ -186,6 +191,7 @@ def test_questions_are_answered_for_all_or_for_one(world: World, posting: dict[s
     assert len(mails_to(world, f"{world.other_designer_id}@example.test")) == 1
 
 
+@pytest.mark.slow
 def test_what_one_offered_elsewhere_in_these_days_is_shown(world: World, posting: dict[str, Any]) -> None:
     elsewhere = World(world.server)
     add_cues(elsewhere)
@@ -283,6 +289,7 @@ def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dic
     assert "Effects for Alpha: your bid was chosen" in subjects
 
 
+@pytest.mark.slow
 def test_mails_about_bids_carry_no_figures(world: World, posting: dict[str, Any]) -> None:
     send(world, posting, world.other_designer, WHOLE)
     world.server.wait_for_jobs()

@@ -15,6 +15,7 @@ def _this_server(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     use_server_of(world, commands, monkeypatch)
 
 
+@pytest.mark.slow
 def test_postings_with_their_bids(world: World) -> None:
     empty = CliRunner().invoke(cli, ["postings", str(world.project_id)])
     assert (empty.exit_code, empty.output) == (0, "# Postings: Shield Wing\n\nThere is no posting yet.\n")

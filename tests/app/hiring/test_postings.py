@@ -99,6 +99,7 @@ def test_what_is_asked_for_is_counted_from_the_list(world: World) -> None:
     assert everything["headings"][0] == "Quality of work"
 
 
+@pytest.mark.slow
 def test_a_posting_opens_closes_and_opens_again(world: World) -> None:
     empty = create(world).json()
     refused = world.producer.post(f"/v1/postings/{empty['id']}/open")
@@ -119,6 +120,7 @@ def test_a_posting_opens_closes_and_opens_again(world: World) -> None:
     assert (again["state"], again["closed_at"]) == ("open", None)
 
 
+@pytest.mark.slow
 def test_its_last_day_closes_it_and_a_day_that_is_over_cannot_open_it(world: World) -> None:
     add_cues(world)
     today = clock.now().date()
@@ -144,6 +146,7 @@ def test_what_bids_are_made_on_is_fixed_once_open_and_the_rest_changes(world: Wo
     assert (moved.status_code, {one["where"] for one in moved.json()["errors"]}) == (422, {"scope", "categories"})
 
 
+@pytest.mark.slow
 def test_invited_people_are_mailed_once_it_is_open(world: World) -> None:
     add_cues(world)
     posting = create(world).json()
@@ -175,6 +178,7 @@ def mails_to(world: World, address: str) -> list[Mail]:
     return list(world.server.in_database(lambda session: session.scalars(found).all()))
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_link_shows_it_to_everyone_until_it_is_revoked(world: World) -> None:
     add_cues(world)
@@ -198,6 +202,7 @@ def test_a_link_shows_it_to_everyone_until_it_is_revoked(world: World) -> None:
     assert world.other_designer.get(f"/v1/postings/{posting['id']}").status_code == 200
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_who_came_by_the_link_asks_for_their_own_and_makes_an_account_by_it(world: World) -> None:
     add_cues(world)

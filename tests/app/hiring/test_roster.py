@@ -70,6 +70,7 @@ def test_a_designer_is_kept_found_changed_and_removed(world: World) -> None:
     assert names(roster(world)) == ["Designer B"]
 
 
+@pytest.mark.slow
 def test_an_address_is_on_file_once(world: World) -> None:
     assert add(world).status_code == 201
     again = add(world, email="A@Example.test")
@@ -268,6 +269,7 @@ def test_an_account_is_linked_by_its_proven_address_where_it_works_for_the_studi
     assert stranger["designer"] is None, "an account that never worked here is not revealed"
 
 
+@pytest.mark.slow
 def test_people_on_file_are_asked_for_a_bid(world: World) -> None:
     add_cues(world)
     today = clock.now().date()
@@ -340,6 +342,7 @@ def test_reels_have_a_limit_of_their_own(world: World) -> None:
     assert (refused.status_code, refused.json()["code"]) == (507, "storage-quota-reached")
 
 
+@pytest.mark.slow
 def test_a_comparison_shows_what_is_taken_of_a_bidders_days_to_those_who_see_the_roster(world: World) -> None:
     add_cues(world)
     posting = opened(world, work_from_on="2027-01-04", work_to_on="2027-03-31")

@@ -77,6 +77,7 @@ def test_a_moved_occurrence_replaces_its_own() -> None:
     assert [first for first, _, _ in parse_calendar(both, TODAY)] == ["2026-12-01", "2026-12-10"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("data", "says"),
     [

@@ -76,6 +76,7 @@ def test_a_sample_is_checked_and_heard_by_both_once_the_bid_is_sent(world: World
     )
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_sample_is_removed_by_its_designer_alone(world: World, posting: dict[str, Any]) -> None:
     send(world, posting, world.other_designer, WHOLE)

@@ -45,6 +45,7 @@ def fresh(tmp_path: Path) -> Iterator[RunningServer]:
     runtime.close()
 
 
+@pytest.mark.slow
 def test_requests_are_answered_while_many_wait_for_the_document(fresh: RunningServer, monkeypatch: pytest.MonkeyPatch):
     begun, finish, builds = threading.Event(), threading.Event(), []
 

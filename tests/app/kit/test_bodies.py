@@ -128,6 +128,7 @@ def test_a_place_that_verified_too_many_pdfs_is_refused_before_another_is_read(
     assert (status, problem["code"]) == (429, "too-many-attempts")
 
 
+@pytest.mark.slow
 def test_a_refused_body_costs_no_more_than_the_limit(port: int):
     much = b" " * 200 * MIB
     tracemalloc.start()

@@ -113,6 +113,7 @@ def test_a_room_within_a_room_is_refused_at_once():
         Router().include_router(Router())
 
 
+@pytest.mark.slow
 def test_nothing_else_touches_them():
     touching = [
         str(path.relative_to(ROOT)) for path in (ROOT / "app").rglob("*.py") if PRIVATE.search(path.read_text())

@@ -66,6 +66,7 @@ print(json.dumps([free, mib() - before]))
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other allocators return memory by themselves")
 def test_free_memory_of_many_threads_returns():
     def left_mib(how: str) -> float:

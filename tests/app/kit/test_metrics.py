@@ -60,6 +60,7 @@ def test_without_a_token_there_are_no_metrics(server: RunningServer):
     assert (answer.status_code, answer.json()["code"]) == (404, "no-metrics-here")
 
 
+@pytest.mark.slow
 def test_requests_count_by_route_and_status_and_never_by_what_is_in_the_address(scrape, world: World):
     before = scrape()
     secret = f"secret-{uuid4()}"
@@ -123,6 +124,7 @@ def test_jobs_count_by_outcome_and_the_parked_stay_in_sight(server: RunningServe
     assert (count.name, count.state, count.jobs) == ("counting.count_me", "parked", 1)
 
 
+@pytest.mark.slow
 def test_a_worker_that_lives_is_reported(scrape, server: RunningServer):
     (heartbeat,) = server.runtime.queue.heartbeats(within=queue.timedelta(seconds=20))
     assert figure(scrape(), "soundlist_worker_silent_seconds", worker=heartbeat.worker_id) < 20
@@ -148,6 +150,7 @@ def own_port() -> Iterator[metrics.MetricsServer]:
     listener.stop()
 
 
+@pytest.mark.slow
 def test_a_worker_serves_its_figures_on_a_port_of_its_own(own_port: metrics.MetricsServer):
     address = f"http://127.0.0.1:{own_port.port}"
     assert httpx.get(f"{address}/metrics").status_code == 401

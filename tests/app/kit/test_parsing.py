@@ -35,6 +35,7 @@ def parsers() -> Iterator[Parsers]:
     made.close()
 
 
+@pytest.mark.slow
 def test_it_answers_as_the_function_does(parsers: Parsers):
     read = parsers.call(parse_text, "Name\nDoor\n", False, refusal=Unreadable)
     assert read == parse_text("Name\nDoor\n", False)

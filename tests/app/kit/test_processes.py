@@ -87,6 +87,7 @@ def run() -> Iterator[Callable[..., Run]]:
         each.process.communicate(timeout=WITHIN_S)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("number", "ends"), [(signal.SIGTERM, -signal.SIGTERM), (signal.SIGINT, 0)])
 def test_all_answer_on_one_port_and_stop_together(run: Callable[..., Run], number: int, ends: int):
     server = run(SEND_PID)
@@ -96,6 +97,7 @@ def test_all_answer_on_one_port_and_stop_together(run: Callable[..., Run], numbe
     assert server.who() is None
 
 
+@pytest.mark.slow
 def test_one_that_dies_is_replaced(run: Callable[..., Run]):
     server = run(SEND_PID)
     dead, alive = server.pair()
@@ -104,6 +106,7 @@ def test_one_that_dies_is_replaced(run: Callable[..., Run]):
     assert server.process.poll() is None
 
 
+@pytest.mark.slow
 def test_none_outlives_the_first(run: Callable[..., Run]):
     server = run(SEND_PID)
     server.pair()
@@ -111,6 +114,7 @@ def test_none_outlives_the_first(run: Callable[..., Run]):
     until(lambda: server.who() is None)
 
 
+@pytest.mark.slow
 def test_what_cannot_begin_is_not_begun_without_end(run: Callable[..., Run]):
     server = run(END_AT_ONCE, settled_s=60.0)
     assert server.process.wait(WITHIN_S) == 2  # the exit code of the process that could not begin

@@ -92,6 +92,7 @@ def test_a_delayed_job_waits(runtime: Runtime):
     assert time.monotonic() - begun >= 1.0
 
 
+@pytest.mark.slow
 def test_what_keeps_failing_is_parked_with_its_reason_and_runs_when_retried(runtime: Runtime):
     broken["is"] = True
     enqueue(runtime, "tests.fail_while_broken", "stubborn")
@@ -141,6 +142,7 @@ def test_a_few_files_do_not_wait_for_anothers_thousands(runtime: Runtime):
     until(lambda: len(calls) == 111)
 
 
+@pytest.mark.slow
 def test_one_upload_goes_before_its_own_studios_thousands_of_renders(runtime: Runtime):
     studio = new_id()
     enqueue_many(
@@ -154,6 +156,7 @@ def test_one_upload_goes_before_its_own_studios_thousands_of_renders(runtime: Ru
     assert calls.index("upload") <= 5
 
 
+@pytest.mark.slow
 def test_what_is_not_urgent_is_done_all_the_same(runtime: Runtime):
     crowd, few = new_id(), new_id()
     enqueue_many(
@@ -165,6 +168,7 @@ def test_what_is_not_urgent_is_done_all_the_same(runtime: Runtime):
     assert 5 <= calls.index("render") <= 20, "ten of one for one of the other"
 
 
+@pytest.mark.slow
 def test_what_a_silent_worker_holds_is_taken_over(runtime: Runtime, server: RunningServer):
     jobs = dbos_internals.workflows(is_sqlite=runtime.database.is_sqlite)
     with runtime.database.writing() as session:

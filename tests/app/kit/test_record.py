@@ -52,6 +52,7 @@ def test_rewriting_the_rest_shows_at_the_end():
     assert found(chain("a", "B", "c"), whole) == ["entry 3 is not the one that was written last"]
 
 
+@pytest.mark.slow
 @given(st.integers(2, 12), st.integers(0, 2**32), st.sampled_from(["alter", "delete", "swap", "payload", "time"]))
 def test_whatever_is_done_to_one_entry_shows(length: int, seed: int, deed: str):
     whole = chain(*(f"kind {place}" for place in range(length)))

@@ -2,6 +2,8 @@
 
 from datetime import UTC, datetime
 
+import pytest
+
 from app.kit.storage.signing import Key, Signer
 from tests.support.s3 import S3Server
 
@@ -24,6 +26,7 @@ def test_a_token_of_temporary_keys_is_signed_too():
     assert "&X-Amz-Security-Token=a%2Ftoken%2B&" in signed
 
 
+@pytest.mark.slow
 def test_a_link_serves_its_own_method_path_and_length_only(s3: S3Server):
     bucket, signer = s3.new_bucket(), s3.signer()
     path = f"/{bucket}/a (1) ü+.wav"

@@ -116,6 +116,7 @@ def test_a_range_is_read_by_itself(store: Store, start: int, end: int | None):
     assert b"".join(store.stream(STUDIO, SHA256, start, end)) == CONTENT[start:end]
 
 
+@pytest.mark.slow
 def test_what_is_missing_is_said_before_a_byte_is_given(store: Store):
     with pytest.raises(BlobMissing, match=SHA256):
         store.size_bytes(STUDIO, SHA256)
@@ -178,6 +179,7 @@ class TestBucket:
             store.put(STUDIO, [CONTENT])
         assert orphaned(store) == []
 
+    @pytest.mark.slow
     def test_what_is_under_a_hash_is_never_put_again(self, s3: S3Server, tmp_path: Path):
         bucket = s3.new_bucket()
         store = self.bucket(s3, tmp_path, bucket)
@@ -218,6 +220,7 @@ class TestBucket:
             open_store(Settings(**settings)).ensure_ready()
         assert "127.0.0.1" not in str(said.value)
 
+    @pytest.mark.slow
     def test_a_wrong_key_is_reported(self, s3: S3Server, tmp_path: Path):
         settings = s3.settings(data_dir=tmp_path, aws_secret_access_key="another")
         store = open_store(Settings(**settings))

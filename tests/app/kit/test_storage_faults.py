@@ -101,6 +101,7 @@ def test_a_read_that_fails_twice_is_done_the_third_time(store: BucketStore, line
     assert fault.hits == 2
 
 
+@pytest.mark.slow
 def test_an_answer_that_breaks_off_is_gone_on_with(store: BucketStore, line: FaultyLine):
     store.put(STUDIO, [LARGE])
     fault = line.fail("truncated", times=4, method=READING, after_bytes=1_200_000)

@@ -42,6 +42,7 @@ def test_a_hostile_document_is_refused_and_costs_this_process_nothing(source: st
     assert typeset("After it").startswith(b"%PDF-")
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("small_child")
 @pytest.mark.skipif(bool(confinement_gaps()), reason="this kernel cannot confine a child: it says so at start")
 def test_a_document_reads_no_file():

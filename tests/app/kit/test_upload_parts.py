@@ -107,6 +107,7 @@ def in_bucket(s3: S3Server, bucket: str) -> list[str]:
     return [path.name for path in (s3.folder / bucket / "sounds").rglob("*") if path.is_file()]
 
 
+@pytest.mark.slow
 def test_parts_become_the_file_that_was_sent(s3, bucket, store, incoming, send):
     upload = begun(incoming)
     standing = incoming.parts(upload, {})
@@ -125,6 +126,7 @@ def test_parts_become_the_file_that_was_sent(s3, bucket, store, incoming, send):
     assert incoming.finish_parts(found(incoming, upload)).sha256 == SHA256
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("length", [1, PART_BYTES, PART_BYTES + 1])
 def test_a_file_has_as_many_parts_as_it_needs(incoming, send, store, length):
     upload = begun(incoming, length)
@@ -134,12 +136,14 @@ def test_a_file_has_as_many_parts_as_it_needs(incoming, send, store, length):
     assert store.read(STUDIO, upload.sha256) == CONTENT[:length]
 
 
+@pytest.mark.slow
 def test_the_same_file_twice_is_stored_once(s3, bucket, incoming, send):
     for _ in range(2):
         assert incoming.finish_parts(send(begun(incoming))).sha256 == SHA256
     assert in_bucket(s3, bucket) == [SHA256]
 
 
+@pytest.mark.slow
 def test_what_is_missing_is_named(incoming, send):
     upload = begun(incoming)
     with pytest.raises(UploadUnfinished, match="no part of this file"):
@@ -166,6 +170,7 @@ def test_other_bytes_than_a_part_has_are_refused_by_its_link(s3, incoming):
     assert incoming.parts(found(incoming, upload), {}).here == []
 
 
+@pytest.mark.slow
 def test_a_part_that_broke_off_is_not_there(s3, incoming, send, store):
     upload = begun(incoming)
     (link,) = incoming.parts(upload, sha256s([1])).links
@@ -180,6 +185,7 @@ def test_a_part_that_broke_off_is_not_there(s3, incoming, send, store):
     assert incoming.finish_parts(send(upload)).sha256 == SHA256
 
 
+@pytest.mark.slow
 def test_a_part_that_came_twice_counts_as_it_came_last(incoming, send, store):
     upload = send(begun(incoming), content=CONTENT[::-1])
     assert incoming.finish_parts(send(upload)).sha256 == SHA256
@@ -196,6 +202,7 @@ def test_once_it_is_whole_no_link_changes_it(s3, incoming, send, store):
     assert store.read(STUDIO, SHA256) == CONTENT
 
 
+@pytest.mark.slow
 def test_other_bytes_than_announced_are_not_kept(s3, bucket, incoming, send):
     upload = send(begun(incoming, expected_sha256=SHA256), content=CONTENT[::-1])
     with pytest.raises(ChecksumMismatch, match="announced was"):
@@ -204,6 +211,7 @@ def test_other_bytes_than_announced_are_not_kept(s3, bucket, incoming, send):
     assert incoming.finish_parts(send(upload)).sha256 == SHA256
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "point", ["uploads.made_whole", "uploads.before_store", "uploads.after_store", "uploads.finished"]
 )
@@ -250,6 +258,7 @@ def test_a_second_who_finishes_waits_its_turn(incoming, send, store, monkeypatch
     assert refused
 
 
+@pytest.mark.slow
 def test_asked_for_twice_at_once_it_is_begun_once(incoming, send, store):
     upload = begun(incoming)
     incoming.parts(upload, {})
@@ -272,6 +281,7 @@ def test_one_file_comes_one_way(incoming, send):
         incoming.parts(through_us, sha256s([1]))
 
 
+@pytest.mark.slow
 def test_a_store_that_browsers_do_not_reach_takes_no_parts(s3, bucket, database, tmp_path):
     for store in (
         FolderStore(tmp_path / "blobs"),
@@ -282,6 +292,7 @@ def test_a_store_that_browsers_do_not_reach_takes_no_parts(s3, bucket, database,
             uploads.parts(begun(uploads), sha256s([1]))
 
 
+@pytest.mark.slow
 def test_what_was_begun_is_finished_where_parts_are_taken_no_more(s3, bucket, incoming, send, database, tmp_path):
     upload = send(begun(incoming))
     later = Uploads(database, BucketStore(s3.address(bucket, "sounds"), KEY, tmp_path / "incoming"))
@@ -297,6 +308,7 @@ def test_given_up_is_gone_from_the_bucket_too(s3, bucket, incoming, send, store)
     assert in_bucket(s3, bucket) == []
 
 
+@pytest.mark.slow
 def test_the_sweep_takes_what_expired_and_nothing_else(s3, bucket, incoming, send, store, database, monkeypatch):
     fresh = send(begun(incoming), [1])
     assert incoming.sweep() == 0

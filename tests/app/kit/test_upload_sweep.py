@@ -59,6 +59,7 @@ def test_a_finished_file_cannot_be_given_up(incoming: Uploads, store: FolderStor
     assert store.read(STUDIO, SHA256) == CONTENT
 
 
+@pytest.mark.slow
 def test_the_sweep_takes_what_expired_and_nothing_else(incoming: Uploads, store: FolderStore) -> None:
     week_s = uploads.KEPT_FOR.total_seconds()
     expired, fresh, busy = (send(incoming, begun(incoming), 0, CONTENT[:9]) for _ in range(3))

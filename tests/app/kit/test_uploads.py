@@ -144,6 +144,7 @@ def test_bytes_that_do_not_continue_are_refused(incoming: Uploads, offset: int) 
     assert incoming.offset(upload) == 1_000
 
 
+@pytest.mark.slow
 def test_a_broken_line_keeps_what_came(incoming: Uploads, store: FolderStore) -> None:
     upload = begun(incoming)
     with pytest.raises(ConnectionResetError):
@@ -170,6 +171,7 @@ def test_a_slow_sender_frees_the_upload(database: Database, store: FolderStore, 
     assert send(incoming, upload, here, CONTENT[here:]).sha256 == SHA256
 
 
+@pytest.mark.slow
 def test_a_sender_at_the_minimum_rate_is_waited_for(database: Database, store: FolderStore) -> None:
     incoming = Uploads(database, store, pace=Pace(bytes_per_s=100, window_s=50))
 
@@ -214,6 +216,7 @@ def test_a_second_writer_is_asked_to_wait(incoming: Uploads) -> None:
     asyncio.run(both())
 
 
+@pytest.mark.slow
 def test_files_that_end_together_are_finished_two_at_a_time(incoming: Uploads, monkeypatch: pytest.MonkeyPatch) -> None:
     counting, now, most = threading.Lock(), 0, 0
     finish = Uploads._finish

@@ -92,6 +92,7 @@ def test_the_last_acceptance_in_time_makes_one_line_due(world: World) -> None:
     assert line["amount_minor"] == BONUS_MINOR
 
 
+@pytest.mark.slow
 def test_a_date_that_passes_is_a_bonus_missed(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     agreed = agreed_with(world, "on_time")
     cue = agreed.cue("late")
@@ -128,6 +129,7 @@ def shipped(agreed: Agreed, by: Any, on: Any = TODAY) -> Any:
     return by.post(f"/v1/contracts/{agreed.contract_id}/shipped", json={"shipped_on": str(on)})
 
 
+@pytest.mark.slow
 def test_the_studio_says_once_that_the_game_shipped(world: World) -> None:
     agreed = agreed_with(world, "shipped")
     agreed.agree(milestone("Alpha", agreed.cue(), amount_minor=10_000))

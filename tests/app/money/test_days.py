@@ -43,6 +43,7 @@ def test_up_to_the_cap(agreed: Agreed) -> None:
     assert refused(world.producer.post(f"/v1/worked-days/{one_more}/agree")) == (409, "cap-exceeded")
 
 
+@pytest.mark.slow
 def test_a_day_is_taken_back_until_it_is_agreed_to(agreed: Agreed) -> None:
     world = agreed.world
     mistaken, meant = log(agreed, day(-1)).json()["id"], log(agreed, day(-2)).json()["id"]

@@ -8,6 +8,7 @@ from typing import Any
 from uuid import UUID
 
 import drafthorse
+import pytest
 from lxml import etree
 from pypdf import PdfReader
 from sqlalchemy.orm import Session
@@ -98,6 +99,7 @@ def ensure_sums(root: Any) -> None:
         assert (one["CategoryCode"] == "S") == ("ExemptionReason" not in one)
 
 
+@pytest.mark.slow
 def test_the_xml_says_what_the_invoice_says(world: World) -> None:
     agreed = taxed(world)
     fill_in(world)
@@ -119,6 +121,7 @@ def test_the_xml_says_what_the_invoice_says(world: World) -> None:
     assert texts(read_xml(world.producer, issued), "//ram:GrandTotalAmount") == texts(root, "//ram:GrandTotalAmount")
 
 
+@pytest.mark.slow
 def test_under_reverse_charge_the_category_says_so(world: World) -> None:
     agreed = taxed(world, reverse_charge=True)
     fill_in(world)
@@ -128,6 +131,7 @@ def test_under_reverse_charge_the_category_says_so(world: World) -> None:
     assert amounts(root, "//ram:TaxTotalAmount") == [Decimal(0)]
 
 
+@pytest.mark.slow
 def test_where_no_tax_is_charged_the_reason_is_the_sellers_own(world: World) -> None:
     agreed = taxed(world, tax_bp=0)
     fill_in(world)
@@ -136,6 +140,7 @@ def test_where_no_tax_is_charged_the_reason_is_the_sellers_own(world: World) -> 
     assert texts(root, "//ram:ExemptionReason") == ["VAT exempt small business"]
 
 
+@pytest.mark.slow
 def test_two_rates_are_two_taxes(world: World) -> None:
     agreed = Agreed(world, terms={"tax_bp": 1_900}, currency="EUR")
     first, second = agreed.cue("radar_ping"), agreed.cue("vo_oath")
@@ -152,6 +157,7 @@ def test_two_rates_are_two_taxes(world: World) -> None:
     assert amounts(root, header + "CalculatedAmount") == [Decimal("19.01"), Decimal("7.04")]
 
 
+@pytest.mark.slow
 def test_a_credit_note_names_the_invoice_that_it_corrects(world: World) -> None:
     agreed = Agreed(world, terms={"tax_bp": 1_900}, currency="EUR")
     cue = agreed.cue("radar_ping")
@@ -171,6 +177,7 @@ def test_a_credit_note_names_the_invoice_that_it_corrects(world: World) -> None:
     assert refused(lacking) == (409, "invoice-details-missing")  # an invoice is paid to an account, a credit is not
 
 
+@pytest.mark.slow
 def test_what_is_missing_is_named_with_who_fills_it_in(world: World) -> None:
     agreed = taxed(world, reverse_charge=True)
     fill_in(world, seller=SELLER | {"street": "", "no_tax_reason": ""}, buyer=BUYER | {"vat_id": ""})
@@ -184,6 +191,7 @@ def test_what_is_missing_is_named_with_who_fills_it_in(world: World) -> None:
         assert "under Invoice details; a producer of" in problem["fix"]
 
 
+@pytest.mark.slow
 def test_details_that_change_later_leave_a_complete_invoice_alone(world: World) -> None:
     agreed = taxed(world)
     fill_in(world, buyer={})
@@ -194,6 +202,7 @@ def test_details_that_change_later_leave_a_complete_invoice_alone(world: World) 
     assert texts(root, "//ram:CityName") == ["Berlin", "Dublin"]
 
 
+@pytest.mark.slow
 def test_interest_bears_no_tax(world: World) -> None:
     agreed = taxed(world, late_interest_monthly_bp=100)
     fill_in(world)
@@ -217,6 +226,7 @@ def test_amounts_with_three_digits_after_the_point_are_refused(world: World) -> 
     assert refused(answer) == (422, "no-electronic-invoice")
 
 
+@pytest.mark.slow
 def test_the_pdf_has_the_xml_inside(world: World) -> None:
     agreed = taxed(world)
     fill_in(world)
@@ -238,6 +248,7 @@ def test_the_pdf_has_the_xml_inside(world: World) -> None:
     assert "/OutputIntents" in reader.trailer["/Root"]
 
 
+@pytest.mark.slow
 def test_no_one_else_takes_it(world: World) -> None:
     agreed = taxed(world)
     fill_in(world)

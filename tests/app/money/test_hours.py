@@ -89,6 +89,7 @@ def faults(agreed: Agreed) -> list[str]:
     return said
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_approved_hours_are_due_and_what_they_were_is_on_the_invoice(agreed: Agreed) -> None:
     assert agreed.figures()["agreed_minor"] == 10_000 + 5 * 6_001
@@ -128,6 +129,7 @@ def test_refused_hours_are_corrected_and_sent_again(agreed: Agreed) -> None:
     assert kinds[-3:] == ["work_refused", "work_agreed", "due"]
 
 
+@pytest.mark.slow
 def test_days_are_refused_too_and_logged_again(world: World) -> None:
     agreed = Agreed(world, terms={"price_mode": "day_rate", "day_rate_minor": 40_000, "days_cap": 2})
     agreed.agree()  # without a milestone: a day needs none
@@ -144,6 +146,7 @@ def test_days_are_refused_too_and_logged_again(world: World) -> None:
     assert refused(moved) == (409, "day-logged")
 
 
+@pytest.mark.slow
 def test_the_caps_refuse_what_lies_beyond_and_name_the_way_out(agreed: Agreed) -> None:
     assert log(agreed, 200).status_code == 201
     over = log(agreed, 41)
@@ -156,6 +159,7 @@ def test_the_caps_refuse_what_lies_beyond_and_name_the_way_out(agreed: Agreed) -
     assert refused(log(agreed, 1, worked_on=day(0))) == (409, "cap-exceeded")
 
 
+@pytest.mark.slow
 def test_refused_hours_leave_room(agreed: Agreed) -> None:
     entry_id = ok(log(agreed, 240))["id"]
     ok(refuse(agreed, entry_id))
@@ -164,6 +168,7 @@ def test_refused_hours_leave_room(agreed: Agreed) -> None:
     assert refused(agreed.world.designer.put(f"/v1/worked-days/{entry_id}", json=body)) == (409, "cap-exceeded")
 
 
+@pytest.mark.slow
 def test_hours_say_what_they_were_for_and_are_logged_by_the_designer(agreed: Agreed) -> None:
     world = agreed.world
     assert refused(log(agreed, 60, note=" ")) == (422, "work-not-named")
@@ -245,6 +250,7 @@ def test_an_early_end_owes_hours_that_wait_and_months_that_began(world: World) -
     assert faults(agreed) == []
 
 
+@pytest.mark.slow
 def test_altered_hours_are_named(agreed: Agreed) -> None:
     entry = log(agreed, 60)
     approve(agreed, entry)
@@ -288,6 +294,7 @@ def test_many_short_entries_cost_what_all_their_minutes_cost() -> None:
     assert terms.left(1, {1: 60}) == 0
 
 
+@pytest.mark.slow
 def test_each_side_is_mailed_what_waits_for_them(agreed: Agreed) -> None:
     world = agreed.world
 

@@ -59,6 +59,7 @@ def test_a_number_in_a_file_name() -> None:
     assert file_part("…") == "number"
 
 
+@pytest.mark.slow
 def test_typed_once_and_remembered(world: World) -> None:
     agreed = Agreed(world)
     cues = [agreed.cue("radar_ping"), agreed.cue("airlock")]

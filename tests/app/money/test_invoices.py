@@ -28,6 +28,7 @@ def refund(agreed: Agreed, payment_id: str, amount_minor: int) -> Any:
     return agreed.world.producer.post(f"/v1/payments/{payment_id}/refunds", json=body)
 
 
+@pytest.mark.slow
 def test_everything_due_is_invoiced_once(agreed: Agreed) -> None:
     accept_alpha(agreed)
     draft = body_of(agreed.world.designer.get(f"/v1/contracts/{agreed.contract_id}/invoice-draft"))
@@ -42,6 +43,7 @@ def test_everything_due_is_invoiced_once(agreed: Agreed) -> None:
     assert refused(again) == (409, "nothing-to-invoice")
 
 
+@pytest.mark.slow
 def test_an_invoice_begins_with_the_purchase_order_that_was_agreed_on(world: World) -> None:
     agreed = Agreed(world, terms={"po_number": "PO-77"})
     accept_alpha(agreed)
@@ -71,6 +73,7 @@ def test_tax_of_each_rate_is_rounded_once(world: World) -> None:
     assert agreed.ledger()["open_tax_minor"] == 2_605
 
 
+@pytest.mark.slow
 def test_under_reverse_charge_no_tax_is_invoiced(world: World) -> None:
     agreed = Agreed(world, terms={"tax_bp": 1_900, "reverse_charge": True}, currency="EUR")
     accept_alpha(agreed, tax_bp=700)
@@ -78,6 +81,7 @@ def test_under_reverse_charge_no_tax_is_invoiced(world: World) -> None:
     assert (issued["reverse_charge"], issued["taxes"], issued["total_minor"]) == (True, [], 28_000)
 
 
+@pytest.mark.slow
 def test_a_part_is_paid_then_the_rest(agreed: Agreed) -> None:
     accept_alpha(agreed)
     issued = agreed.invoice()
@@ -92,6 +96,7 @@ def test_a_part_is_paid_then_the_rest(agreed: Agreed) -> None:
     assert agreed.figures()["due_minor"] == 0
 
 
+@pytest.mark.slow
 def test_a_refund_is_reversing_lines(agreed: Agreed) -> None:
     accept_alpha(agreed)
     issued = agreed.pay(agreed.invoice(), 28_000).json()
@@ -105,6 +110,7 @@ def test_a_refund_is_reversing_lines(agreed: Agreed) -> None:
     assert agreed.owed()[-1] == ("refunded", -5_000)
 
 
+@pytest.mark.slow
 def test_what_lies_ahead_was_not_paid_yet(agreed: Agreed) -> None:
     accept_alpha(agreed)
     issued = agreed.invoice()
@@ -146,6 +152,7 @@ def test_numbers_count_without_gaps_for_each_designer_of_a_studio(agreed: Agreed
     assert numbers == [1, 2, 3]
 
 
+@pytest.mark.slow
 def test_the_pdf_is_the_same_each_time(agreed: Agreed) -> None:
     accept_alpha(agreed)
     invoice = agreed.invoice()
@@ -159,6 +166,7 @@ def test_the_pdf_is_the_same_each_time(agreed: Agreed) -> None:
         assert amount in text
 
 
+@pytest.mark.slow
 def test_a_plan_is_fixed_once_agreed_and_says_all_its_faults_before(agreed: Agreed) -> None:
     cue = agreed.cue("radar_ping")
     wrong = agreed.plan(
@@ -174,6 +182,7 @@ def test_a_plan_is_fixed_once_agreed_and_says_all_its_faults_before(agreed: Agre
     assert refused(by_designer) == (403, "producer-needed")
 
 
+@pytest.mark.slow
 def test_estimates_are_for_the_two_parties(agreed: Agreed) -> None:
     cues = [agreed.cue(f"cue_{number}") for number in range(3)]
     planned = milestone("Alpha", amount_minor=30_000, due_on=day(10))
@@ -194,6 +203,7 @@ def test_estimates_are_for_the_two_parties(agreed: Agreed) -> None:
     assert refused(agreed.world.approver.get(address)) == (403, "producer-needed")
 
 
+@pytest.mark.slow
 def test_a_steady_habit_forecasts_the_open_milestone(agreed: Agreed) -> None:
     cues = [agreed.cue(f"cue_{number}") for number in range(4)]
     alpha = milestone("Alpha", amount_minor=30_000, due_on=day(10))

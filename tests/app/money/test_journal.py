@@ -6,6 +6,8 @@ from collections import Counter
 from decimal import Decimal
 from typing import Any
 
+import pytest
+
 from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
 from tests.app.reviews.making import refused
 from tests.support.server import World
@@ -38,6 +40,7 @@ def paid_in_part(world: World) -> Agreed:
     return agreed
 
 
+@pytest.mark.slow
 def test_a_studio_books_purchases(world: World) -> None:
     paid_in_part(world)
     rows = read(world.producer, world)
@@ -63,6 +66,7 @@ def test_a_designer_books_sales(world: World) -> None:
     }
 
 
+@pytest.mark.slow
 def test_a_credit_note_exchanges_debit_and_credit(world: World) -> None:
     agreed = Agreed(world, currency="JPY")
     cue = agreed.cue("radar_ping")
@@ -78,17 +82,20 @@ def test_a_credit_note_exchanges_debit_and_credit(world: World) -> None:
     assert taken_back["amount"] == "18000"
 
 
+@pytest.mark.slow
 def test_days_limit_it(world: World) -> None:
     paid_in_part(world)
     assert read(world.producer, world, from_on=day(1)) == []
     assert len(read(world.producer, world, from_on=day(0), until_on=day(0))) == 4
 
 
+@pytest.mark.slow
 def test_no_cell_is_a_formula(world: World) -> None:
     paid_in_part(world)
     assert read(world.producer, world)[-1]["document"] == "'=T-1"
 
 
+@pytest.mark.slow
 def test_a_reviewer_has_no_journal(world: World) -> None:
     paid_in_part(world)
     assert refused(world.reviewer.get(f"/v1/projects/{world.project_id}/journal.csv"))[0] == 403

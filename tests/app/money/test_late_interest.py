@@ -63,6 +63,7 @@ def charge(by: Any, invoice: dict[str, Any]) -> Any:
     return by.post(f"/v1/invoices/{invoice['id']}/late-interest")
 
 
+@pytest.mark.slow
 def test_it_is_shown_charged_once_and_invoiced_without_tax(world: World) -> None:
     agreed, invoice = late(world)
     assert (invoice["total_minor"], invoice["late_interest_minor"]) == (119_000, 1_190)
@@ -96,6 +97,7 @@ def test_interest_bears_no_interest(world: World) -> None:
     assert body_of(world.designer.get(f"/v1/invoices/{billed['id']}"))["late_interest_minor"] == 0
 
 
+@pytest.mark.slow
 def test_a_late_payment_ends_it(world: World) -> None:
     agreed, invoice = late(world)
     answer = world.producer.post(
@@ -108,6 +110,7 @@ def test_a_late_payment_ends_it(world: World) -> None:
     assert agreed.owed()[-1] == ("late_interest", 595)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "terms", [{"late_interest_monthly_bp": 0}, {"late_interest_monthly_bp": 0, "late_monthly_bp": 100}]
 )
@@ -117,6 +120,7 @@ def test_a_text_without_the_rate_bears_none(world: World, terms: dict[str, int])
     assert refused(charge(world.designer, invoice)) == (409, "no-interest-due")
 
 
+@pytest.mark.slow
 def test_only_the_designer_charges_it(world: World) -> None:
     _, invoice = late(world)
     assert refused(charge(world.producer, invoice)) == (403, "other-party-needed")

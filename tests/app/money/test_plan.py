@@ -39,6 +39,7 @@ def test_what_is_wrong_names_its_milestone(agreed: Agreed) -> None:
     assert "no amount" in checked["faults"][0]["message"]
 
 
+@pytest.mark.slow
 def test_a_cue_of_another_agreed_contract_is_named(agreed: Agreed, contracts: Contracts) -> None:
     cue = agreed.cue("radar_ping")
     again = milestone("Alpha", cue, amount_minor=30_000)

@@ -5,6 +5,7 @@ from datetime import date, timedelta
 from typing import Any
 from uuid import UUID, uuid4
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -69,6 +70,7 @@ DAYS = st.none() | st.dates(TODAY - timedelta(days=20), TODAY + timedelta(days=4
 CUES = st.lists(st.tuples(DAYS, st.integers(0, 500)), min_size=1, max_size=40)
 
 
+@pytest.mark.slow
 @given(
     cues=CUES,
     total_minor=st.integers(100, 10**9),
@@ -93,6 +95,7 @@ def test_what_is_proposed_draws_no_warning(
         assert all((one.amount_minor or 0) <= 0.3 * total_minor + len(parts) for one in parts)
 
 
+@pytest.mark.slow
 @given(cues=st.integers(3, 60), weeks=st.integers(6, 60), total_minor=st.integers(1_000, 10**8))
 def test_three_parts_and_more_are_two_weeks_apart(cues: int, weeks: int, total_minor: int) -> None:
     ends_on = TODAY + timedelta(weeks=weeks)

@@ -46,6 +46,7 @@ def test_acceptance_ends_it():
     assert schedule_slip_of(DUE, at(1.5), [[Turn(at(-1), Holder.STUDIO)]], at(30)) == ScheduleSlip(2, 0, 2)
 
 
+@pytest.mark.slow
 @given(
     st.lists(st.tuples(st.floats(-10, 10), st.sampled_from(Holder)), max_size=8),
     st.floats(0, 30),

@@ -31,6 +31,7 @@ def two_milestones(agreed: Agreed) -> list[UUID]:
     return cues
 
 
+@pytest.mark.slow
 def test_at_signing_the_deposit_is_due_and_prices_are_fixed(agreed: Agreed) -> None:
     two_milestones(agreed)
     assert agreed.owed() == [("deposit", 144_000)]
@@ -57,6 +58,7 @@ def test_an_odd_cent_goes_to_the_largest_remainder(agreed: Agreed) -> None:
     assert [cue["amount_minor"] for cue in plan["milestones"][0]["cues"]] == [34, 33, 33]
 
 
+@pytest.mark.slow
 def test_the_last_approval_of_a_set_makes_its_share_due(agreed: Agreed) -> None:
     steps = agreed.cue("steps", variations=2)
     agreed.agree(milestone("Alpha", steps, amount_minor=18_000))
@@ -69,6 +71,7 @@ def test_the_last_approval_of_a_set_makes_its_share_due(agreed: Agreed) -> None:
     assert (line["cue"]["name"], line["milestone"], line["by"]) == ("steps", "Alpha", "Audio director")
 
 
+@pytest.mark.slow
 def test_picking_another_take_owes_nothing_more(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     first, second = agreed.take(cue), agreed.take(cue, state=TakeState.CONFORMING)
@@ -88,6 +91,7 @@ def test_an_undone_verdict_takes_its_share_back_by_a_reversing_line(agreed: Agre
     assert agreed.figures()["due_minor"] == 162_000
 
 
+@pytest.mark.slow
 def test_a_reversed_approval_takes_its_share_back_and_counts_no_round(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     take = agreed.take(cue)
@@ -107,6 +111,7 @@ def taken_back_minor(agreed: Agreed, cue_id: UUID) -> int:
     return minor
 
 
+@pytest.mark.slow
 def test_accepting_a_whole_set_in_one_click(agreed: Agreed) -> None:
     steps = agreed.cue("steps", variations=2)
     agreed.agree(milestone("Alpha", steps, amount_minor=18_000))
@@ -116,6 +121,7 @@ def test_accepting_a_whole_set_in_one_click(agreed: Agreed) -> None:
     assert agreed.owed() == [("accepted", 18_000)]
 
 
+@pytest.mark.slow
 def test_with_release_on_completion_the_last_cue_releases_all(world: World) -> None:
     agreed = Agreed(world, release=ReleaseClause.ON_COMPLETION)
     cues = two_milestones(agreed)
@@ -130,6 +136,7 @@ def cut(agreed: Agreed, cue_id: UUID) -> Any:
     return agreed.world.producer.post(f"/v1/cues/{cue_id}/cut", json={"reason": "Mines left the game"})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("state", "owed_minor"),
     [
@@ -150,6 +157,7 @@ def test_a_cut_cue_is_owed_by_its_state(agreed: Agreed, state: TakeState | None,
     assert figures["open_minor"] == 99_000 - 31_500
 
 
+@pytest.mark.slow
 def test_takes_of_another_designer_are_no_work_under_this_contract(agreed: Agreed) -> None:
     mine = two_milestones(agreed)[2]
     agreed.take(mine, state=TakeState.CONFORMING, designer_id=agreed.world.other_designer_id)
@@ -157,6 +165,7 @@ def test_takes_of_another_designer_are_no_work_under_this_contract(agreed: Agree
     assert agreed.figures()["due_minor"] == 144_000, "only the deposit: its designer had not begun"
 
 
+@pytest.mark.slow
 def test_a_cut_cue_that_was_accepted_is_owed_whole(agreed: Agreed) -> None:
     mine = two_milestones(agreed)[2]
     agreed.approve(agreed.take(mine))
@@ -164,6 +173,7 @@ def test_a_cut_cue_that_was_accepted_is_owed_whole(agreed: Agreed) -> None:
     assert agreed.owed()[1:] == [("accepted", 31_500)]
 
 
+@pytest.mark.slow
 def test_a_cue_is_cut_once(agreed: Agreed) -> None:
     mine = two_milestones(agreed)[2]
     agreed.take(mine, state=TakeState.RETURNED)
@@ -214,6 +224,7 @@ def test_the_designer_may_let_a_round_go_and_not_agree_for_the_studio(agreed: Ag
     assert agreed.owed()[1:] == []
 
 
+@pytest.mark.slow
 def test_without_a_contract_nothing_is_owed(world: World) -> None:
     agreed = Agreed(world)
     cue = agreed.cue("radar_ping")
@@ -221,12 +232,14 @@ def test_without_a_contract_nothing_is_owed(world: World) -> None:
     assert agreed.owed() == []
 
 
+@pytest.mark.slow
 def test_another_designers_take_owes_this_designer_nothing(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     agreed.approve(agreed.take(cue, designer_id=agreed.world.other_designer_id))
     assert agreed.owed()[1:] == []
 
 
+@pytest.mark.slow
 def test_every_line_stands_in_the_record(agreed: Agreed) -> None:
     cue, *_ = two_milestones(agreed)
     agreed.approve(agreed.take(cue))

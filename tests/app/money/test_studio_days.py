@@ -3,6 +3,7 @@
 from datetime import date, timedelta
 from zoneinfo import ZoneInfo
 
+import pytest
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
@@ -45,6 +46,7 @@ def test_an_invoice_has_the_studios_day(world: World) -> None:
     assert paid.status_code == 201, paid.text
 
 
+@pytest.mark.slow
 def test_an_invoice_is_late_by_the_studios_day(world: World) -> None:
     set_zone(world, WEST)
     agreed = Agreed(world, terms={"payment_days": 0})

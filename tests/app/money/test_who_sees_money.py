@@ -65,6 +65,7 @@ def test_who_only_reviews_sees_the_project_and_none_of_its_money(invoiced: tuple
     assert body_of(world.approver.get(f"/v1/cues/{cue['cue']['id']}/money"))["milestone"] == "Alpha"
 
 
+@pytest.mark.slow
 def test_how_late_a_designer_is_the_two_parties_see_alone(invoiced: tuple[Agreed, dict[str, Any]]) -> None:
     world = invoiced[0].world
     for party in (world.producer, world.designer):
@@ -75,6 +76,7 @@ def test_how_late_a_designer_is_the_two_parties_see_alone(invoiced: tuple[Agreed
     assert seen["figures"]["due_minor"] == 18_000
 
 
+@pytest.mark.slow
 def test_a_calendar_is_empty_once_its_holder_no_longer_acts_for_the_team(
     invoiced: tuple[Agreed, dict[str, Any]],
 ) -> None:

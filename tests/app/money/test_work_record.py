@@ -49,6 +49,7 @@ def test_what_is_delivered(world: World, agreed: Agreed) -> None:
     assert str(outside) not in json.dumps(recorded(agreed, "delivered"))
 
 
+@pytest.mark.slow
 def test_what_is_judged(agreed: Agreed) -> None:
     cue = agreed.cue("radar_ping")
     agreed.agree(milestone("Alpha", cue, amount_minor=18_000))

@@ -101,6 +101,7 @@ def test_a_mail_stands_by_its_server_and_its_failure(
     assert mail_state(clock.now() if is_sent else None, failure, can_send=can_send) is state
 
 
+@pytest.mark.slow
 def test_once_a_server_is_set_what_waited_goes_out_once(world: World, mailbox: Mailbox, smtp_url: str):
     address = f"{uuid4()}@example.test"
     invite(world, address)
@@ -118,6 +119,7 @@ def test_once_a_server_is_set_what_waited_goes_out_once(world: World, mailbox: M
     assert outbox(world)[0]["sent_at"] is not None
 
 
+@pytest.mark.slow
 def test_a_server_that_refuses_loses_nothing(world: World, mailbox: Mailbox, smtp_url: str):
     address = f"{uuid4()}@example.test"
     invite(world, address)
@@ -287,6 +289,7 @@ def test_an_event_delivered_twice_is_in_the_mail_once(world: World):
     assert [mail["recipient"] for mail in outbox(world)].count("twice@example.test") == 1
 
 
+@pytest.mark.slow
 def test_a_question_reaches_those_who_answer_and_the_answer_who_asked(world: World):
     (cue,) = add_cues(world, {"name": "coolant_splash"})
     asked = world.designer.post(f"/v1/cues/{cue['id']}/questions", json={"text": "A drop, a tool, a person?"})

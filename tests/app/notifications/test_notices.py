@@ -57,6 +57,7 @@ def add(world: World, person_id: UUID, **facts: Any) -> None:
     world.server.in_database(lambda session: notices.add(session, **given | facts))
 
 
+@pytest.mark.slow
 def test_an_answer_is_a_notice_that_leads_to_its_cue(world: World):
     cue_id = answer_a_question(world, "a_tool")
     (notice,) = talk(world.designer)
@@ -66,6 +67,7 @@ def test_an_answer_is_a_notice_that_leads_to_its_cue(world: World):
     assert notice["read_at"] is None
 
 
+@pytest.mark.slow
 def test_who_turned_the_mail_off_has_the_notice_all_the_same(world: World):
     body = {"cadences": {"talk": "never"}, "time_zone": "UTC", "daily_at": "08:00"}
     world.designer.put("/v1/me/mail-preferences", json=body).raise_for_status()
@@ -75,6 +77,7 @@ def test_who_turned_the_mail_off_has_the_notice_all_the_same(world: World):
     assert len(talk(world.designer)) == 1
 
 
+@pytest.mark.slow
 def test_nobody_reads_or_marks_the_notices_of_another(world: World):
     answer_a_question(world, "a_tool")
     (notice,) = talk(world.designer)
@@ -108,6 +111,7 @@ def test_an_event_is_noticed_once_however_often_its_job_runs(world: World):
     assert len(read(world.designer)["items"]) == 2
 
 
+@pytest.mark.slow
 def test_pages_follow_one_another_and_the_count_ends_at_a_hundred(world: World):
     for number in range(103):
         add(world, world.designer_id, subject=f"piece {number}")

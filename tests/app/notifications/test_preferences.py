@@ -138,6 +138,7 @@ def test_news_of_a_day_is_one_mail_the_next_morning(world: World, mails: MailSer
     assert text.count("/sound-list/cues/") == 2, "each piece of news has its link"
 
 
+@pytest.mark.slow
 def test_what_is_turned_off_is_not_mailed_and_contracts_are(world: World, mails: MailServer):
     save(world, cadences=NEVER)
     address = answer_a_question(world, "a_tool")
@@ -163,6 +164,7 @@ def test_the_link_of_a_mail_turns_its_news_off_without_signing_in(world: World, 
     assert len(answers(mails, address)) == 1
 
 
+@pytest.mark.slow
 def test_a_mail_program_stops_mails_by_one_click(world: World, mails: MailServer):
     address = answer_a_question(world, "a_tool")
     mails.texts_for(address)
@@ -175,6 +177,7 @@ def test_a_mail_program_stops_mails_by_one_click(world: World, mails: MailServer
     assert world.designer.get("/v1/me/mail-preferences").json()["cadences"]["talk"] == "never"
 
 
+@pytest.mark.slow
 def test_what_waits_is_dropped_once_it_is_turned_off(world: World, mails: MailServer):
     world.server.runtime.settings.digest_delay_s = 3_600.0
     address = answer_a_question(world, "a_tool")
@@ -187,6 +190,7 @@ def test_what_waits_is_dropped_once_it_is_turned_off(world: World, mails: MailSe
         assert session.get(Mail, waiting.id) is None
 
 
+@pytest.mark.slow
 def test_no_one_else_can_make_a_link(world: World):
     secret = world.server.runtime.settings.secret_key.get_secret_value()
     good = preferences.link_token(secret, world.designer_id, News.TALK)

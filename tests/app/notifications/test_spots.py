@@ -68,6 +68,7 @@ def body_of(message: EmailMessage, kind: str) -> str:
     return str(part.get_content()) if part else ""
 
 
+@pytest.mark.slow
 def test_a_change_is_mailed_with_its_cue_its_words_and_a_picture_that_leads_to_its_spot(world, stage, sent):
     cue_id = stage.cue("shield_hit")
     take_id = stage.take(cue_id)
@@ -87,6 +88,7 @@ def test_a_change_is_mailed_with_its_cue_its_words_and_a_picture_that_leads_to_i
     assert Image.open(BytesIO(picture.get_content())).size == (640, 96)
 
 
+@pytest.mark.slow
 def test_a_mention_leads_to_review_and_an_answer_to_the_version(world, stage, sent):
     cue_id = stage.cue("shield_hit")
     take_id = stage.take(cue_id)
@@ -98,6 +100,7 @@ def test_a_mention_leads_to_review_and_an_answer_to_the_version(world, stage, se
     assert f"/projects/{world.project_id}/review/{cue_id}?take={take_id}&amp;at=0.5" in html
 
 
+@pytest.mark.slow
 def test_a_sound_that_is_not_drawn_is_led_to_by_its_address_alone(world, stage, sent):
     take_id = stage.take(stage.cue("shield_hit"))
     world.server.in_database(lambda session: session.execute(sa.update(Picture).values(thumb={})))
@@ -136,6 +139,7 @@ def test_a_mail_has_few_pictures_however_many_changes_were_sent(world, stage, se
     assert all(f"/takes/{take_id}" in body_of(message, "html") for take_id in takes)
 
 
+@pytest.mark.slow
 def test_an_address_typed_in_a_text_shows_no_picture_of_another_sound(world, stage, sent):
     mine, secret = stage.take(stage.cue("hit")), stage.take(stage.cue("secret"))
     draw_takes(world, mine, secret)

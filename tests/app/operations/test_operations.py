@@ -89,6 +89,7 @@ def of_studio(world: World, what: str = "operations") -> str:
     return f"/v1/studios/{world.studio_id}/{what}"
 
 
+@pytest.mark.slow
 def test_a_producer_sees_what_gave_up_and_lets_it_run_again(world: World) -> None:
     key = parked(world, studio_id=world.studio_id)
     (job,) = body_of(world.producer.get(of_studio(world, "jobs"), params={"state": "parked"}))["items"]
@@ -104,6 +105,7 @@ def test_a_producer_sees_what_gave_up_and_lets_it_run_again(world: World) -> Non
     assert body_of(world.producer.get(of_studio(world)))["counts"] == []
 
 
+@pytest.mark.slow
 def test_nobody_sees_or_moves_another_studios_jobs(world: World) -> None:
     key = parked(world, studio_id=world.studio_id)
     own = next(iter(body_of(world.stranger.get("/v1/me"))["studios"]))["id"]
@@ -141,6 +143,7 @@ def test_an_operator_sees_every_studios_jobs_with_the_whole_reason(world: World,
     body_of(operator.post(f"/v1/operations/jobs/{key}/retry"))
 
 
+@pytest.mark.slow
 def test_those_who_do_not_run_the_server_are_refused(world: World, operator: TestClient) -> None:
     key = enqueue(world, studio_id=world.studio_id, delay_s=A_DAY_S)
     for who in (world.producer, world.approver, world.designer, world.stranger):
@@ -190,6 +193,7 @@ def test_lanes_say_whose_work_waits_and_how_soon_it_is_wanted(
     assert any(each["studio_id"] is None and each["delayed"] for each in server)
 
 
+@pytest.mark.slow
 def test_a_lane_says_what_runs_and_since_when_the_rest_waits(world: World, operator: TestClient) -> None:
     held, let_go = threading.Event(), threading.Event()
     steps["held"], steps["let_go"] = held, let_go
@@ -261,6 +265,7 @@ def kinds(storage: dict[str, Any]) -> dict[str, tuple[int, int]]:
     return {each["kind"]: (each["files"], each["size_bytes"]) for each in storage["kept"]}
 
 
+@pytest.mark.slow
 def test_what_is_delivered_twice_is_kept_once(
     world: World, operator: TestClient, kept: Callable[[], dict[str, Any]]
 ) -> None:

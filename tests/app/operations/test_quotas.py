@@ -95,6 +95,7 @@ def test_what_is_finished_is_never_refused(world: World) -> None:
     assert send(world).status_code == 507
 
 
+@pytest.mark.slow
 def test_the_producer_sees_use_and_limit(world: World) -> None:
     add_cues(world, {"name": "Door"}, {"name": "Gate"})
     deliver(world, "a.wav", SOUND)
@@ -130,6 +131,7 @@ def test_the_operator_sees_who_is_near(world: World) -> None:
     assert len(shown) > 1, "studios of which the operator is not a member"
 
 
+@pytest.mark.slow
 def test_uploads_leave_the_reserve_of_the_disk_and_the_database_goes_on(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:

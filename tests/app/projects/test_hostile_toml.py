@@ -51,6 +51,7 @@ def test_hostile_text_is_refused_everywhere(world: World, text: str) -> None:
     ensure_refused(world, "POST", f"/v1/studios/{world.studio_id}/contract-templates/import", {"toml": text})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tables", TABLES.values(), ids=TABLES)
 def test_a_hostile_form_is_refused(world: World, tables: dict[str, Any]) -> None:
     spec = f"/v1/projects/{world.project_id}/spec"

@@ -54,6 +54,7 @@ def test_the_mail_says_who_invites_to_what(server: RunningServer, world: World) 
         assert stored.secret_sha256 == sha256_of(link.rpartition("/")[2])
 
 
+@pytest.mark.slow
 def test_a_newcomer_is_engaged_and_signed_in_by_accepting(server: RunningServer, world: World) -> None:
     email = address()
     invite(world, email)
@@ -73,6 +74,7 @@ def test_a_newcomer_is_engaged_and_signed_in_by_accepting(server: RunningServer,
     assert listed["accepted_at"] is not None
 
 
+@pytest.mark.slow
 def test_accepting_again_is_accepting_once(server: RunningServer, world: World) -> None:
     email = address()
     invite(world, email)
@@ -97,6 +99,7 @@ def test_a_link_in_other_hands_opens_no_account(server: RunningServer, world: Wo
     assert world.other_designer.get(f"/v1/projects/{world.project_id}").status_code == 200
 
 
+@pytest.mark.slow
 def test_guessing_a_password_by_a_link_is_slowed_down(server: RunningServer, world: World) -> None:
     email = f"{world.other_designer_id}@example.test"
     invite(world, email)
@@ -179,6 +182,7 @@ def test_a_withdrawn_or_old_link_shows_and_engages_nothing(server: RunningServer
     assert server.browser().post(f"/v1/invitations/{secret}/accept", json=NEWCOMER).status_code == 404
 
 
+@pytest.mark.slow
 def test_an_ended_engagement_is_not_taken_up_by_the_old_link(server: RunningServer, world: World) -> None:
     email = address()
     invite(world, email)
@@ -197,6 +201,7 @@ def test_an_ended_engagement_is_not_taken_up_by_the_old_link(server: RunningServ
     assert (again["id"], again["kind"], again["ended_at"]) == (engagement["id"], "advisory", None)
 
 
+@pytest.mark.slow
 def test_a_producer_changes_and_restores_a_tie(world: World) -> None:
     (engagement,) = world.producer.get(f"/v1/projects/{world.project_id}").json()["engagements"]
     path = f"/v1/projects/{world.project_id}/engagements/{engagement['id']}"

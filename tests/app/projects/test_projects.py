@@ -92,6 +92,7 @@ def engage(session: sa.orm.Session, world: World, person_id: object) -> None:
     )
 
 
+@pytest.mark.slow
 def test_those_without_sight_learn_nothing(world: World) -> None:
     for browser in (world.stranger, world.other_designer):
         answer = browser.get(project_path(world))
@@ -198,6 +199,7 @@ def test_a_member_is_the_approver_in_one_step(world: World) -> None:
     assert world.producer.post(path, json={"email": "no address"}).status_code == 422
 
 
+@pytest.mark.slow
 def test_an_invited_approver_is_named_on_joining(world: World, server: RunningServer) -> None:
     email = address()
     invited = world.producer.post(project_path(world, "/approver-invitations"), json={"email": email})

@@ -64,6 +64,7 @@ def test_the_same_spec_gives_the_same_bytes(title: str) -> None:
     assert made == spec_pdf.spec_pdf(spec, title=title, version=1)
 
 
+@pytest.mark.slow
 def test_designer_and_team_read_it_and_a_stranger_does_not(world: World) -> None:
     url = f"/v1/projects/{world.project_id}/spec.pdf"
     for client in (world.designer, world.producer):

@@ -112,6 +112,7 @@ checks = {{ true-peak = 'error', head-silence = 'warning' }}
 """
 
 
+@pytest.mark.slow
 def test_60_categories_are_saved_as_text_and_by_the_form(world: World) -> None:
     toml = "format = 1\nname = 'Large'\n[targets.game]\nsample_rate_hz = 44100\nbit_depth = 16\n[files]\n"
     toml += "".join(f"'c{number}/**' = 'c{number}'\n" for number in range(1, 61))
@@ -255,6 +256,7 @@ def test_a_token_opens_its_own_project_and_scope_only(server: RunningServer, wor
     assert build.get("/v1/projects").json()["code"] == "person-needed"
 
 
+@pytest.mark.slow
 def test_tokens_are_the_producers_and_shown_once(world: World) -> None:
     tokens = f"/v1/projects/{world.project_id}/tokens"
     body = {"name": "CI", "scopes": ["spec:read", "list:read", "spec:read"]}

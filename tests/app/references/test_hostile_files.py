@@ -29,6 +29,7 @@ def decoded(content: bytes) -> Image.Image:
     return Image.open(io.BytesIO(content))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["PNG", "JPEG", "GIF", "WEBP"])
 def test_a_picture_is_drawn_again_at_two_sizes(world: World, form: str) -> None:
     reference = added(world, "no ending", picture(form, (2_000, 1_000)))
@@ -47,12 +48,14 @@ def test_a_picture_is_drawn_again_at_two_sizes(world: World, form: str) -> None:
     assert red > 180 > 90 > green > blue
 
 
+@pytest.mark.slow
 def test_a_small_picture_keeps_its_size(world: World) -> None:
     reference = added(world, "a.png", png(3, 2))
     shown(world, reference)
     assert decoded(opened(world, reference, "view").content).size == (3, 2)
 
 
+@pytest.mark.slow
 def test_a_picture_stands_as_its_camera_held_it_and_carries_nothing_else(world: World) -> None:
     exif = Image.Exif()
     exif[0x0112], exif[0x010E] = 6, "taken at home"  # turned by a quarter; a description
@@ -63,6 +66,7 @@ def test_a_picture_stands_as_its_camera_held_it_and_carries_nothing_else(world: 
     assert b"taken at home" not in view
 
 
+@pytest.mark.slow
 def test_transparency_and_16_bits_of_grey_survive(world: World) -> None:
     out = io.BytesIO()
     Image.new("RGBA", (4, 4), (255, 0, 0, 0)).save(out, "PNG")
@@ -75,6 +79,7 @@ def test_transparency_and_16_bits_of_grey_survive(world: World) -> None:
     assert abs(decoded(opened(world, grey, "view").content).convert("L").getpixel((1, 1)) - 128) <= 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("width", "height"), [(60_000, 60_000), (30_001, 1), (8_001, 8_000)])
 def test_a_picture_of_too_many_pixels_is_refused_in_words_and_kept_for_download(
     world: World, width: int, height: int
@@ -117,6 +122,7 @@ def test_a_damaged_picture_is_no_picture(world: World, content: bytes) -> None:
         assert version["kind"] == "file"
 
 
+@pytest.mark.slow
 def test_what_takes_too_much_to_draw_says_so(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     cramped = Sandbox(memory_bytes=1 << 20, preload=(drawing.__name__,))
     monkeypatch.setattr(jobs, "_sandbox", lambda: cramped)
@@ -165,6 +171,7 @@ def test_what_might_run_is_kept_for_download_only(
     assert answer.headers["content-security-policy"] == "default-src 'none'; sandbox"
 
 
+@pytest.mark.slow
 def test_the_original_of_a_picture_is_kept_for_download(world: World) -> None:
     polyglot = picture("JPEG") + HTML
     reference = added(world, "a.jpg", polyglot)

@@ -35,6 +35,7 @@ def test_a_file_is_sent_to_who_is_on_record(world: World) -> None:
     assert (entry["file_name"], entry["version"], entry["is_removed"]) == ("story.txt", 1, False)
 
 
+@pytest.mark.slow
 def test_each_version_is_opened_for_itself(world: World) -> None:
     first = added(world, "story.txt", STORY)
     opened(world, first, by=world.designer)
@@ -46,6 +47,7 @@ def test_each_version_is_opened_for_itself(world: World) -> None:
     assert [entry["version"] for entry in log(world)["items"]] == [2, 1]
 
 
+@pytest.mark.slow
 def test_what_is_opened_again_within_minutes_is_one_opening(world: World) -> None:
     reference = added(world, "story.txt", STORY)
     for _ in range(3):
@@ -83,6 +85,7 @@ def test_it_is_read_by_who_acts_for_the_team(world: World) -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_it_comes_in_pages_and_of_one_reference(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(endpoints, "PAGE", 2)
     references = [added(world, f"story{number}.txt", STORY) for number in range(3)]

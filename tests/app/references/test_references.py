@@ -27,6 +27,7 @@ def change(world: World, reference: dict[str, Any], **body: Any) -> dict[str, An
     return dict(answer.json())
 
 
+@pytest.mark.slow
 def test_a_file_is_pinned_to_a_cue_with_caption_terms_and_range(world: World) -> None:
     [cue] = add_cues(world, {"name": "Splash", "category": "impact"})
     made = added(
@@ -48,6 +49,7 @@ def test_a_file_is_pinned_to_a_cue_with_caption_terms_and_range(world: World) ->
     assert (answer.status_code, answer.content) == (200, WAV)
 
 
+@pytest.mark.slow
 def test_an_approver_adds_and_a_reviewer_only_looks(world: World) -> None:
     assert add(world, world.approver, url=LINK).status_code == 201
     for client in (world.reviewer, world.designer):
@@ -91,6 +93,7 @@ def test_what_cannot_be_is_refused_by_its_field(world: World, body: dict[str, An
     assert board(world) == []
 
 
+@pytest.mark.slow
 def test_a_pin_is_one_cue_of_this_project_or_one_category_of_its_list(world: World) -> None:
     [cue] = add_cues(world, {"name": "Splash", "category": "impact"})
     assert add(world, url=LINK, cue_id=cue["id"], category="impact").status_code == 422
@@ -106,6 +109,7 @@ def test_a_pin_is_one_cue_of_this_project_or_one_category_of_its_list(world: Wor
     assert (back["cue"], back["category"]) == (None, None)
 
 
+@pytest.mark.slow
 def test_a_cue_shows_its_own_references_and_those_of_its_category(world: World) -> None:
     splash, door = add_cues(world, {"name": "Splash", "category": "impact"}, {"name": "Door"})
     own = add(world, url=LINK, cue_id=splash["id"]).json()
@@ -128,6 +132,7 @@ def test_changes_touch_only_what_is_sent(world: World) -> None:
     assert change(world, reference, start_s=None, end_s=None)["start_s"] is None
 
 
+@pytest.mark.slow
 def test_a_new_version_replaces_the_file_and_the_old_one_stays(world: World) -> None:
     first = added(world, "splash.wav", WAV, caption="Splash")
     text = b"A heavy tool falls into deep water."
@@ -154,6 +159,7 @@ def test_a_version_must_fit_the_range_that_is_named(world: World) -> None:
     assert board(world)[0]["version"]["number"] == 1
 
 
+@pytest.mark.slow
 def test_what_is_removed_is_off_the_board_for_all(world: World) -> None:
     reference = added(world, "splash.wav", WAV)
     assert opened(world, reference, by=world.designer).status_code == 200
@@ -189,6 +195,7 @@ def accept(world: World, at: Any) -> Callable[[Session], None]:
     return do
 
 
+@pytest.mark.slow
 def test_before_the_nda_a_designer_sees_none_of_it(world: World) -> None:
     reference = added(world, "splash.png", picture("PNG"), caption="The secret tank")
     world.server.wait_for_jobs()
@@ -258,6 +265,7 @@ def test_size_and_quota_are_refused_in_numbers_before_a_byte_is_stored(
     assert (used["used"], used["limit"]) == (len(WAV), limit)
 
 
+@pytest.mark.slow
 def test_what_is_kept_is_counted_once(world: World) -> None:
     for name in ("a.png", "b.png"):
         added(world, name, picture("PNG"))

@@ -34,6 +34,7 @@ def clip(world: World) -> dict[str, Any]:
     return added(world, "walkway.mp4", CLIP, caption="The walkway", terms="Not to be shipped")
 
 
+@pytest.mark.slow
 def test_each_mark_becomes_a_cue_with_its_part_of_the_clip(world: World, clip: dict[str, Any]) -> None:
     made = make(world, clip, DOOR, SHOT)
     assert made.status_code == 201, made.text
@@ -57,6 +58,7 @@ def test_the_cues_are_one_revision(world: World, clip: dict[str, Any]) -> None:
     assert [one["summary"] for one in revisions] == ["2 cues added"]
 
 
+@pytest.mark.slow
 def test_undo_takes_cues_and_parts_away_together(world: World, clip: dict[str, Any]) -> None:
     cues = make(world, clip, DOOR, SHOT).json()
     assert undo(world, clip, cues).status_code == 204
@@ -75,6 +77,7 @@ def test_undo_is_refused_once_a_part_was_opened(world: World, clip: dict[str, An
     assert len(board(world)) == 2
 
 
+@pytest.mark.slow
 def test_undo_is_refused_once_the_list_has_gone_on(world: World, clip: dict[str, Any]) -> None:
     cues = make(world, clip, DOOR).json()
     add_cues(world, {"name": "Later"})
@@ -82,6 +85,7 @@ def test_undo_is_refused_once_the_list_has_gone_on(world: World, clip: dict[str,
     assert len(board(world)) == 2
 
 
+@pytest.mark.slow
 def test_a_name_that_is_taken_refuses_all_and_names_its_row(world: World, clip: dict[str, Any]) -> None:
     add_cues(world, {"name": "Shot"})
     refused = make(world, clip, DOOR, SHOT)
@@ -142,6 +146,7 @@ def part_of(world: World, cue: dict[str, Any]) -> dict[str, Any]:
     return part
 
 
+@pytest.mark.slow
 def test_parts_follow_to_a_new_version_of_the_clip_at_their_times(world: World, clip: dict[str, Any]) -> None:
     door, shot = make(world, clip, DOOR, SHOT).json()
     opened(world, part_of(world, door), by=world.designer)
@@ -155,6 +160,7 @@ def test_parts_follow_to_a_new_version_of_the_clip_at_their_times(world: World, 
     assert [(one["version"], one["file_name"]) for one in log] == [(2, "walkway_2.mp4"), (1, "walkway.mp4")]
 
 
+@pytest.mark.slow
 def test_a_part_with_a_file_of_its_own_keeps_it(world: World, clip: dict[str, Any]) -> None:
     door, shot = make(world, clip, DOOR, SHOT).json()
     renewed(world, part_of(world, door), CLIP + b"a close-up")
@@ -170,6 +176,7 @@ def test_parts_stay_where_the_new_version_is_no_clip(world: World, clip: dict[st
     assert part_of(world, door)["version"]["number"] == 1
 
 
+@pytest.mark.slow
 def test_the_range_of_a_part_is_changed_afterwards(world: World, clip: dict[str, Any]) -> None:
     [door] = make(world, clip, DOOR).json()
     url = f"/v1/references/{part_of(world, door)['id']}"
@@ -181,6 +188,7 @@ def test_the_range_of_a_part_is_changed_afterwards(world: World, clip: dict[str,
     assert world.designer.patch(url, json={"start_s": 0}).status_code == 403
 
 
+@pytest.mark.slow
 def test_undo_still_takes_the_cues_away_after_a_new_version(world: World, clip: dict[str, Any]) -> None:
     cues = make(world, clip, DOOR, SHOT).json()
     renewed(world, clip)

@@ -73,11 +73,13 @@ def test_the_same_knowledge_gives_the_same_copy_and_other_knowledge_another(worl
     assert world.reviewer.get(first["file_url"]).status_code == 200  # nothing is replaced
 
 
+@pytest.mark.slow
 def test_an_unmatched_take_says_whose_it_is(world: World) -> None:
     export = made(world, world.reviewer, deliver_sound(world, "unasked.wav", TONE, rate=48_000))
     assert set(export["fields"]) == {"project", "originator", "originatorStudio"}
 
 
+@pytest.mark.slow
 def test_only_who_sees_the_take_gets_it(world: World) -> None:
     add_cue(world, "laser")
     export = made(world, world.designer, deliver_sound(world, "laser.wav", TONE, rate=48_000))
@@ -102,6 +104,7 @@ def test_an_unreadable_file_is_refused_with_a_reason(world: World) -> None:
     assert answer.json()["fix"] == "take the master as it was delivered"
 
 
+@pytest.mark.slow
 def test_a_copy_that_failed_is_made_when_it_is_asked_for_again(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     take_id = deliver_sound(world, "laser.wav", TONE, rate=48_000)
 
@@ -116,6 +119,7 @@ def test_a_copy_that_failed_is_made_when_it_is_asked_for_again(world: World, mon
     assert (again["id"], again["state"], again["refusal"]) == (failed["id"], "made", None)
 
 
+@pytest.mark.slow
 def test_a_flac_master_comes_as_wav(world: World) -> None:
     packed = io.BytesIO()
     soundfile.write(packed, TONE, 48_000, format="FLAC", subtype="PCM_24")

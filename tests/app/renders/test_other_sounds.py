@@ -54,6 +54,7 @@ def picture_of(stage: Stage, take_id: UUID) -> str:
     return f"/v1/sounds/{stage.world.server.in_database(read)}/preview"
 
 
+@pytest.mark.slow
 def test_approved_sounds_are_opened_unless_the_studio_says_otherwise(stage: Stage) -> None:
     palette = stage.take(stage.cue("tone", palette=True, category="ui"), state=TakeState.APPROVED)
     plain = stage.take(stage.cue("bang", variations=2), 2, state=TakeState.APPROVED)

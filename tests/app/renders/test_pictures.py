@@ -14,6 +14,7 @@ from tests.support.server import World
 from tests.support.waves import join, silence, sine, wav_bytes
 
 
+@pytest.mark.slow
 def test_thumb_peaks_and_spectrum_show_the_sound(world: World) -> None:
     add_cue(world, "beep")
     half = sine(hz=1_000, dbfs=-6.02, rate=96_000, seconds=0.5)
@@ -80,6 +81,7 @@ def test_a_light_preview_is_as_long_as_the_sound_and_a_small_sound_is_sent_as_it
     assert world.stranger.get(f"{exact_url}?light=true").status_code == 404
 
 
+@pytest.mark.slow
 def test_what_plays_already_is_its_own_preview(world: World) -> None:
     add_cue(world, "beep")
     content = wav_bytes(sine(hz=1_000, dbfs=-6, rate=44_100, seconds=0.2), rate=44_100, bits=16)
@@ -96,6 +98,7 @@ def test_what_cannot_be_read_is_said_to_be_undrawable(world: World) -> None:
     assert (master["state"], master["preview_url"], master["thumb"]) == ("undrawable", None, None)
 
 
+@pytest.mark.slow
 def test_three_hundred_peaks_for_three_hundred_frames(world: World) -> None:
     """A sound of fewer frames than points has one point a frame."""
     add_cue(world, "tick")

@@ -72,6 +72,7 @@ def test_what_fails_together_is_made_one_by_one(world: World, monkeypatch: pytes
     assert all(one["preview_url"] for one in (heard["master"], *heard["renders"]))
 
 
+@pytest.mark.slow
 def test_a_renderer_that_fails_three_times_is_said_to_be_our_fault(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:

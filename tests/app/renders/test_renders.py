@@ -38,6 +38,7 @@ def count(server: RunningServer, *where: Any) -> int:
     return found
 
 
+@pytest.mark.slow
 def test_a_conforming_take_gets_a_game_file_for_each_target(world: World) -> None:
     add_cue(world, "laser")
     take_id = deliver_sound(world, "laser.wav", sine(hz=997, dbfs=-6, rate=96_000, channels=2, seconds=0.5))
@@ -62,6 +63,7 @@ def test_a_conforming_take_gets_a_game_file_for_each_target(world: World) -> Non
         assert one["attenuation_db"] == 0
 
 
+@pytest.mark.slow
 def test_a_target_above_the_master_is_refused_with_a_reason(world: World) -> None:
     add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
     add_cue(world, "beep")
@@ -78,6 +80,7 @@ def test_a_target_above_the_master_is_refused_with_a_reason(world: World) -> Non
     assert (answer.status_code, answer.json()["code"]) == (409, "nothing-rendered")
 
 
+@pytest.mark.slow
 def test_a_returned_take_is_drawn_and_not_rendered(world: World) -> None:
     add_cue(world, "hit")
     take_id = deliver_sound(world, "hit.wav", sine(hz=997, dbfs=0, rate=96_000, seconds=0.2))
@@ -157,6 +160,7 @@ def test_a_game_file_that_two_workers_made_is_kept_once(world: World) -> None:
     assert count(world.server, Render.take_id == take_id) == len(made) == 2
 
 
+@pytest.mark.slow
 def test_the_same_master_gives_the_same_bytes(world: World) -> None:
     add_cue(world, "one")
     add_cue(world, "two")
@@ -190,6 +194,7 @@ def make_it_loop(session: Session, world: World) -> None:
     session.execute(update(Cue).where(Cue.project_id == world.project_id).values(loop=True))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("move_on", [add_newer_spec, make_it_loop])
 def test_what_moves_on_between_check_and_game_files_is_followed(
     world: World, monkeypatch: pytest.MonkeyPatch, move_on: Callable[[Session, World], None]
@@ -214,6 +219,7 @@ def test_what_moves_on_between_check_and_game_files_is_followed(
         assert session.get_one(RenderSet, take_id).spec_id == spec.id
 
 
+@pytest.mark.slow
 def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> None:
     add_cue(world, "beep")
     take_id = UUID(deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
@@ -293,6 +299,7 @@ def test_who_may_see_and_hear(world: World) -> None:
         assert world.approver.get(address).status_code == 404
 
 
+@pytest.mark.slow
 def test_a_designer_hears_only_their_own(world: World) -> None:
     """Two designers on one project, each with the same sound: a picture is shared, sight of a take is not."""
     add_cue(world, "beep")
@@ -309,6 +316,7 @@ def test_a_designer_hears_only_their_own(world: World) -> None:
         assert world.approver.get(address).status_code == 200
 
 
+@pytest.mark.slow
 def test_what_a_game_file_lost_is_shown_in_figures_and_spectra(world: World) -> None:
     add_cue(world, "chirp")
     # Two tones of one level: half of the energy lies above 11,025 Hz, and the file for 22,050 Hz lacks it.

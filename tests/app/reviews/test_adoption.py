@@ -78,6 +78,7 @@ def test_a_folder_becomes_cues_with_approved_takes_and_their_checks(world: World
     assert masters == {one["path"].rpartition("/")[2]: one["sha256"] for one in folder(FILES)["files"]}
 
 
+@pytest.mark.slow
 def test_a_file_that_breaks_the_spec_is_adopted_with_its_verdict_beside_it(world: World) -> None:
     files = {**FILES, "ui/thump.wav": wav_bytes(sine(hz=200, dbfs=0, seconds=0.3, rate=RATE), rate=RATE, bits=16)}
     adoption = adopted(world, files)
@@ -124,6 +125,7 @@ def test_the_dry_run_says_what_happens_to_each_file_and_writes_nothing(world: Wo
     assert rows(world, Adoption) == []
 
 
+@pytest.mark.slow
 def test_a_cue_of_the_list_keeps_what_it_has(world: World) -> None:
     [cue] = add_cues(world, {"name": "Click"})
     adoption = adopted(world, FILES)
@@ -131,6 +133,7 @@ def test_a_cue_of_the_list_keeps_what_it_has(world: World) -> None:
     assert review(world, cue["id"])["takes"] == []
 
 
+@pytest.mark.slow
 def test_only_a_producer_or_the_approver_adopts(world: World) -> None:
     for client, status in ((world.designer, 403), (world.reviewer, 403), (world.stranger, 404)):
         url = f"/v1/projects/{world.project_id}"
@@ -154,6 +157,7 @@ def test_nothing_is_adopted_before_every_file_is_there(world: World) -> None:
     assert cues_of(world) == []
 
 
+@pytest.mark.slow
 def test_the_same_bytes_are_sent_once_and_count_for_every_file(world: World) -> None:
     content = FILES["ui/click.wav"]
     files = {"ui/click.wav": content, "menu/click.wav": content}
@@ -199,6 +203,7 @@ def test_undo_withdraws_each_verdict_and_keeps_it_on_record(world: World) -> Non
     assert world.producer.get(f"/v1/projects/{world.project_id}/overview").status_code == 200
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("built", ["a verdict", "a delivery", "a cue"])
 def test_undo_is_refused_once_something_was_built_on_it(world: World, built: str) -> None:
     adoption = adopted(world, FILES)
@@ -223,6 +228,7 @@ def test_one_adopted_sound_is_not_undone_as_a_click_is(world: World) -> None:
     assert (refused.status_code, refused.json()["code"]) == (409, "nothing-to-undo")
 
 
+@pytest.mark.slow
 def test_nobody_is_mailed_for_each_adopted_sound(world: World) -> None:
     adopted(world, FILES)
     mails = world.server.in_database(
@@ -231,6 +237,7 @@ def test_nobody_is_mailed_for_each_adopted_sound(world: World) -> None:
     assert not [one for one in mails if "approved" in one.subject.lower()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "path",
     ["../../etc/passwd.wav", "C:\\game\\con.wav", "=cmd().wav", "a" * 400 + ".wav", "\u202egnp.wav", "x.wav.wav"],

@@ -104,6 +104,7 @@ def test_cues_have_loop_and_events_and_takes_say_their_level(world: World) -> No
     assert shown["takes"][0]["note"] == "In the game as a/step hard.wav, played at -6.0 dB"
 
 
+@pytest.mark.slow
 def test_the_level_in_the_game_is_the_approved_one(world: World, tmp_path: Path) -> None:
     adopted(world)
     url = f"/v1/projects/{world.project_id}/manifest.json"

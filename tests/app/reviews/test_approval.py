@@ -108,6 +108,7 @@ def test_a_category_has_its_own_approver_and_the_others_keep_the_projects(stage:
     assert approves(world.approver, click)
 
 
+@pytest.mark.slow
 def test_a_set_a_waiver_a_cut_and_a_comment_ask_the_same_rule(stage: Stage) -> None:
     world = stage.world
     name_for(world, "ui", world.reviewer_id)
@@ -169,6 +170,7 @@ def test_who_only_reviews_is_made_an_audio_lead_first(world: World) -> None:
     assert refused(removing) == (409, "liaison-is-approver")
 
 
+@pytest.mark.slow
 def test_the_approver_of_a_category_stays_an_audio_lead(stage: Stage) -> None:
     world = stage.world
     name_for(world, "ui", world.reviewer_id)
@@ -178,6 +180,7 @@ def test_the_approver_of_a_category_stays_an_audio_lead(stage: Stage) -> None:
     assert world.producer.delete(lead).status_code == 200
 
 
+@pytest.mark.slow
 def test_producers_name_and_the_team_reads(stage: Stage) -> None:
     world = stage.world
     deputy = name_deputy(world, world.approver_id, world.producer_id)
@@ -229,6 +232,7 @@ def next_steps(client: TestClient, world: World) -> tuple[dict[str, int], list[t
     return {one["kind"]: one["count"] for one in found["steps"]}, awaited
 
 
+@pytest.mark.slow
 def test_each_approver_is_shown_their_own_sounds_and_waits_for_the_others(stage: Stage) -> None:
     world = stage.world
     name_for(world, "ui", world.reviewer_id)
@@ -248,6 +252,7 @@ def test_each_approver_is_shown_their_own_sounds_and_waits_for_the_others(stage:
     assert sorted(next_steps(world.designer, world)[1]) == [("Audio director", 1), ("Producer", 2)]
 
 
+@pytest.mark.slow
 def test_each_approver_sends_their_own_drafts(stage: Stage) -> None:
     world = stage.world
     name_for(world, "ui", world.reviewer_id)

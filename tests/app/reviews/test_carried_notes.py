@@ -48,6 +48,7 @@ def open_notes(stage: Stage) -> int:
     return count
 
 
+@pytest.mark.slow
 def test_what_was_said_of_a_version_stands_at_the_next_one_with_its_place(stage: Stage) -> None:
     cue_id = stage.cue()
     first = returned(stage, cue_id)
@@ -61,6 +62,7 @@ def test_what_was_said_of_a_version_stands_at_the_next_one_with_its_place(stage:
     assert open_notes(stage) == 2
 
 
+@pytest.mark.slow
 def test_who_said_done_and_of_which_version_is_kept_and_what_is_open_counts(stage: Stage) -> None:
     cue_id = stage.cue()
     first = returned(stage, cue_id)
@@ -85,6 +87,7 @@ def body_of_list(given: Any) -> list[dict[str, Any]]:
     return items
 
 
+@pytest.mark.slow
 def test_what_is_still_open_moves_on_again_and_what_is_done_does_not(stage: Stage) -> None:
     cue_id = stage.cue()
     returned(stage, cue_id)
@@ -104,6 +107,7 @@ def test_what_is_still_open_moves_on_again_and_what_is_done_does_not(stage: Stag
     assert open_notes(stage) == 1
 
 
+@pytest.mark.slow
 def test_an_approval_answers_what_is_left_and_its_undo_takes_that_back(stage: Stage) -> None:
     cue_id = stage.cue()
     returned(stage, cue_id)
@@ -122,6 +126,7 @@ def test_an_approval_answers_what_is_left_and_its_undo_takes_that_back(stage: St
     assert done == {tail["id"]: True, clank["id"]: False}, "what was said to be open of this version stays so"
 
 
+@pytest.mark.slow
 def test_an_approval_says_nothing_of_notes_on_other_variations(stage: Stage) -> None:
     cue_id = stage.cue(variations=2)
     returned(stage, cue_id)
@@ -131,6 +136,7 @@ def test_an_approval_says_nothing_of_notes_on_other_variations(stage: Stage) -> 
     assert [note["answer"] for note in notes_of(stage, cue_id)] == [None, None]
 
 
+@pytest.mark.slow
 def test_an_earlier_version_that_is_approved_in_the_end_answers_no_note_on_a_later_one(stage: Stage) -> None:
     cue_id = stage.cue()
     first = stage.take(cue_id)
@@ -141,6 +147,7 @@ def test_an_earlier_version_that_is_approved_in_the_end_answers_no_note_on_a_lat
     assert [(note["number"], note["answer"]) for note in notes_of(stage, cue_id)] == [(2, None)]
 
 
+@pytest.mark.slow
 def test_saying_the_same_twice_says_it_once(stage: Stage) -> None:
     cue_id = stage.cue()
     returned(stage, cue_id)
@@ -150,6 +157,7 @@ def test_saying_the_same_twice_says_it_once(stage: Stage) -> None:
     assert body_of(answer(stage.world.reviewer, second, tail, is_done=True)) == once
 
 
+@pytest.mark.slow
 def test_replies_and_what_its_designer_said_and_notes_of_what_still_waits_are_not_carried(stage: Stage) -> None:
     cue_id = stage.cue()
     first = stage.take(cue_id)
@@ -163,6 +171,7 @@ def test_replies_and_what_its_designer_said_and_notes_of_what_still_waits_are_no
     assert [note["text"] for note in notes_of(stage, cue_id)] == ["Too long?", "a duller clank"]
 
 
+@pytest.mark.slow
 def test_only_a_note_on_an_earlier_version_of_the_same_variation_is_answered(stage: Stage) -> None:
     cue_id = stage.cue(variations=2)
     first = returned(stage, cue_id)

@@ -39,6 +39,7 @@ def comment(stage: Stage, take_id: UUID, **more: Any) -> dict[str, Any]:
     return said
 
 
+@pytest.mark.slow
 def test_items_of_every_cue_stand_before_those_of_the_category(stage: Stage) -> None:
     cue_id = stage.cue(category="ui")
     stage.take(cue_id)
@@ -49,6 +50,7 @@ def test_items_of_every_cue_stand_before_those_of_the_category(stage: Stage) -> 
     assert texts == ["Fits the mood", "No clicks", "Short enough"]
 
 
+@pytest.mark.slow
 def test_who_checked_an_item_of_which_version_is_kept(stage: Stage) -> None:
     cue_id = stage.cue()
     first, second = stage.take(cue_id), stage.take(cue_id)
@@ -62,6 +64,7 @@ def test_who_checked_an_item_of_which_version_is_kept(stage: Stage) -> None:
     assert stage.review(cue_id)["checklist"]["checks"] == []
 
 
+@pytest.mark.slow
 def test_an_item_written_as_before_keeps_its_checks_and_another_has_none(stage: Stage) -> None:
     cue_id = stage.cue()
     take_id = stage.take(cue_id)
@@ -81,6 +84,7 @@ def test_nothing_blocks_until_a_producer_sets_it(stage: Stage) -> None:
     assert stage.approve(take_id)["state"] == "approved"
 
 
+@pytest.mark.slow
 def test_unchecked_items_block_approval_in_words_until_they_are_checked(stage: Stage) -> None:
     cue_id = stage.cue()
     take_id = stage.take(cue_id)
@@ -128,6 +132,7 @@ def test_the_queue_says_beforehand_which_versions_cannot_be_approved_yet(stage: 
     assert blocked() == {str(later): "1 comment is not resolved"}
 
 
+@pytest.mark.slow
 def test_comments_that_are_not_resolved_block_and_replies_do_not(stage: Stage) -> None:
     take_id = stage.take(stage.cue())
     write(stage, "No clicks")
@@ -141,6 +146,7 @@ def test_comments_that_are_not_resolved_block_and_replies_do_not(stage: Stage) -
     stage.approve(take_id)
 
 
+@pytest.mark.slow
 def test_a_note_on_an_earlier_version_blocks_until_it_is_done(stage: Stage) -> None:
     cue_id = stage.cue()
     stage.draft(stage.take(cue_id), "a duller clank")
@@ -162,6 +168,7 @@ def test_setting_aside_and_requesting_a_change_are_never_blocked(stage: Stage) -
     body_of(stage.verdict(second, "set_aside"))
 
 
+@pytest.mark.slow
 def test_a_set_is_refused_as_a_whole_and_names_each_version_that_is_open(stage: Stage) -> None:
     cue_id = stage.cue(variations=3)
     takes = [stage.take(cue_id, variation) for variation in (1, 2, 3)]
@@ -178,6 +185,7 @@ def test_a_set_is_refused_as_a_whole_and_names_each_version_that_is_open(stage: 
     assert body_of(stage.world.approver.post(f"/v1/cues/{cue_id}/accept-set", json={}))["cue_accepted"]
 
 
+@pytest.mark.slow
 def test_only_a_producer_writes_checklists_and_blockers(stage: Stage) -> None:
     project = f"/v1/projects/{stage.world.project_id}"
     for path, body in (("checklist", {"category": "", "items": []}), ("approval-blockers", {"blockers": "both"})):

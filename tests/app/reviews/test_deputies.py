@@ -37,6 +37,7 @@ def stage(world: World) -> Stage:
     return Stage(world)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("at", "may"),
     [
@@ -66,6 +67,7 @@ def test_a_deputy_approves_from_the_first_day_to_the_last_in_the_studios_time_zo
     assert approves(approver, stage.take(cue)), "the approver may approve all the time"
 
 
+@pytest.mark.slow
 def test_the_verdict_of_a_deputy_says_for_whom_it_was_given(stage: Stage) -> None:
     world = stage.world
     name_deputy(world, world.approver_id, world.producer_id, *today_and_on(world))
@@ -84,6 +86,7 @@ def test_the_verdict_of_a_deputy_says_for_whom_it_was_given(stage: Stage) -> Non
     assert (approved["by"]["name"], approved["on_behalf_of"]["name"]) == ("Producer", "Audio director")
 
 
+@pytest.mark.slow
 def test_the_record_of_a_contract_says_for_whom_a_deputy_decided(world: World) -> None:
     agreed = Agreed(world)
     cue = agreed.cue()
@@ -113,6 +116,7 @@ def test_a_deputy_has_no_deputy() -> None:
     assert not rights.scope_of(three).is_any
 
 
+@pytest.mark.slow
 def test_rights_end_with_a_withdrawal_and_with_the_membership(stage: Stage) -> None:
     world = stage.world
     name_for(world, "ui", world.reviewer_id)

@@ -97,6 +97,7 @@ def test_its_own_cue_is_not_among_those_it_is_compared_with(stage: Stage) -> Non
     assert str(first) not in {one["cue"]["id"] for one in fit["measures"][0]["others"]}
 
 
+@pytest.mark.slow
 def test_the_variations_of_a_cue_are_one_sound(stage: Stage) -> None:
     palette(stage)
     cue_id = stage.cue("steps", category="ui", variations=3)

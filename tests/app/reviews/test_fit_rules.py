@@ -68,6 +68,7 @@ def test_timbres_are_compared_alike() -> None:
     assert fit_of(Likeness(timbre=[1.0, 2.6]), others)[Measure.TIMBRE].stands is Stands.ABOVE
 
 
+@pytest.mark.slow
 @given(st.lists(st.lists(st.integers(-9, 0), min_size=2, max_size=2), min_size=3, max_size=9))
 def test_each_other_has_its_distance_from_the_middle_of_all_but_itself(spectra: list[list[int]]) -> None:
     others = [Likeness(bands_db=bands) for bands in spectra]

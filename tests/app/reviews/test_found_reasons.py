@@ -39,6 +39,7 @@ def test_reasons_of_picks_and_of_sent_changes_are_counted_apart(stage: Stage) ->
     assert [one["reason"] for one in found["pick"]] == ["Fits the scene", "Cleanest"], "the most frequent first"
 
 
+@pytest.mark.slow
 def test_an_approval_that_is_taken_back_counts_no_longer(stage: Stage) -> None:
     take_id = stage.take(stage.cue())
     stage.approve(take_id, reasons=["Cleanest"])
@@ -63,6 +64,7 @@ def test_each_version_is_named_with_who_said_what_and_where(stage: Stage) -> Non
     assert versions(stage, "pick", "Too loud")["items"] == []
 
 
+@pytest.mark.slow
 def test_they_are_filtered_by_designer_and_category(stage: Stage) -> None:
     world = stage.world
     stage.approve(stage.take(stage.cue(category="ui")), reasons=["Cleanest"])
@@ -80,6 +82,7 @@ def test_they_are_filtered_by_designer_and_category(stage: Stage) -> None:
     assert {one["id"] for one in found["designers"]} == {str(world.designer_id), str(world.producer_id)}
 
 
+@pytest.mark.slow
 def test_a_designer_finds_their_own_alone(stage: Stage) -> None:
     world = stage.world
     stage.approve(stage.take(stage.cue(category="ui")), reasons=["Cleanest"])
@@ -93,6 +96,7 @@ def test_a_designer_finds_their_own_alone(stage: Stage) -> None:
     assert (seen["designers"], seen["categories"]) == ([], ["ui"])
 
 
+@pytest.mark.slow
 def test_versions_come_newest_first_page_by_page(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(found_reasons, "PAGE_PLACES", 2)
     takes = [stage.take(stage.cue()) for _ in range(3)]

@@ -31,6 +31,7 @@ def unheard(client: Any, project_id: UUID) -> list[str]:
     return [item["cue"]["name"] for item in items]
 
 
+@pytest.mark.slow
 def test_what_a_person_heard_leaves_their_filter_and_no_other(stage: Stage) -> None:
     world = stage.world
     laser, shield = stage.take(stage.cue("laser")), stage.take(stage.cue("shield"))
@@ -43,6 +44,7 @@ def test_what_a_person_heard_leaves_their_filter_and_no_other(stage: Stage) -> N
     assert by_take == {str(laser): False, str(shield): False}, "the approver heard neither"
 
 
+@pytest.mark.slow
 def test_a_new_version_and_another_variation_have_to_be_heard_too(stage: Stage) -> None:
     world, reviewer = stage.world, stage.world.reviewer
     pair = stage.cue("pair", variations=2)
@@ -125,6 +127,7 @@ def unheard_of_list(stage: Stage, client: Any) -> dict[str, list[str]]:
     return {names[cue["cue_id"]]: cue["unheard_take_ids"] for cue in cues}
 
 
+@pytest.mark.slow
 def test_the_list_marks_what_waits_or_is_approved_and_was_not_heard(stage: Stage) -> None:
     world, reviewer = stage.world, stage.world.reviewer
     pair, door, cut = stage.cue("pair", variations=2), stage.cue("door"), stage.cue("cut")
@@ -144,6 +147,7 @@ def test_the_list_marks_what_waits_or_is_approved_and_was_not_heard(stage: Stage
     assert unheard_of_list(stage, world.designer) == {name: [] for name in expected}
 
 
+@pytest.mark.slow
 def test_a_longer_list_costs_no_more_statements(stage: Stage) -> None:
     server, project = stage.world.server, f"/v1/projects/{stage.world.project_id}"
 

@@ -91,6 +91,7 @@ def test_who_is_answered_and_mentioned_hears_of_it_once(stage: Stage):
     assert [one["news"] for one in world.reviewer.get("/v1/me/notices").json()["items"]] == ["mentions"]
 
 
+@pytest.mark.slow
 def test_a_mention_in_a_change_request_is_sent_with_it_and_outlives_an_undone_approval(stage: Stage):
     world, take_id = stage.world, stage.take(stage.cue())
     both = [str(world.reviewer_id), str(world.designer_id)]
@@ -105,6 +106,7 @@ def test_a_mention_in_a_change_request_is_sent_with_it_and_outlives_an_undone_ap
     assert {one["name"] for one in request["mentions"]} == {"Composer", "Sound designer"}
 
 
+@pytest.mark.slow
 def test_a_comment_is_acknowledged_by_who_is_mentioned_and_by_the_designer_once_each(stage: Stage):
     world, take_id = stage.world, stage.take(stage.cue())
     said = say(world.approver, take_id, "@Composer, listen", mentions=[str(world.reviewer_id)]).json()

@@ -25,6 +25,7 @@ def stage(world: World) -> Stage:
     return Stage(world)
 
 
+@pytest.mark.slow
 def test_a_real_take_waits_with_all_that_its_card_shows(world: World) -> None:
     cue = add_cue(world, "beep", description="the bridge answers", use="every menu")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, dbfs=-6, rate=96_000, seconds=0.5))
@@ -185,6 +186,7 @@ def test_cues_are_counted_and_not_takes_and_up_to_a_bound(stage: Stage, monkeypa
     assert count() == {"cues": 3, "is_all": False}
 
 
+@pytest.mark.slow
 def test_to_count_costs_the_same_however_many_wait(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("app.reviews.review_room.COUNTED_CUES", 3)
     server, named = stage.world.server, {"project_id": str(stage.world.project_id)}
@@ -216,6 +218,7 @@ def test_who_may_count_the_queue(stage: Stage) -> None:
     assert body_of(world.stranger.get(address)) == {"cues": 0, "is_all": True}
 
 
+@pytest.mark.slow
 def test_who_sees_the_queue(stage: Stage) -> None:
     world = stage.world
     stage.take(stage.cue())
@@ -281,6 +284,7 @@ def test_need_then_playback_priority_order_what_is_equally_urgent(
     assert names == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("urgent", [3, PAGE_CUES, PAGE_CUES + 3])
 def test_pages_go_from_what_is_urgent_to_the_rest_and_repeat_nothing(stage: Stage, urgent: int) -> None:
     start, count = datetime(2026, 11, 20, tzinfo=UTC), 2 * PAGE_CUES + 5

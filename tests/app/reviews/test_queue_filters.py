@@ -46,6 +46,7 @@ def test_facts_of_the_cue_leave_cues_in_order_and_combine(stage: Stage) -> None:
     assert names(stage, category="weapon", need="wish") == []
 
 
+@pytest.mark.slow
 def test_a_set_alternates_and_single_versions_are_distinguished(stage: Stage) -> None:
     single, several, whole = stage.cue("single"), stage.cue("several"), stage.cue("whole", variations=2)
     for place, cue_id in enumerate((single, several, several, whole)):
@@ -56,6 +57,7 @@ def test_a_set_alternates_and_single_versions_are_distinguished(stage: Stage) ->
     assert names(stage, kind="set") == ["whole"]
 
 
+@pytest.mark.slow
 def test_a_version_that_answers_a_change_is_new(stage: Stage) -> None:
     changed, first = stage.cue("changed"), stage.cue("first")
     stage.draft(stage.take(changed))
@@ -66,6 +68,7 @@ def test_a_version_that_answers_a_change_is_new(stage: Stage) -> None:
     assert names(stage, version="first") == ["first"]
 
 
+@pytest.mark.slow
 def test_a_designer_whose_version_is_not_the_first_that_waits_is_found_with_the_whole_cue(stage: Stage) -> None:
     world = stage.world
     mixed = stage.cue("mixed", variations=2)

@@ -86,6 +86,7 @@ def test_a_reason_twice_is_named_with_its_place(stage: Stage) -> None:
     assert answer.json()["fix"] == "keep one of the two"
 
 
+@pytest.mark.slow
 def test_the_reason_of_a_pick_stands_with_its_verdict_for_the_team_and_the_designer(stage: Stage) -> None:
     cue_id = stage.cue()
     take_id = stage.take(cue_id)
@@ -95,6 +96,7 @@ def test_the_reason_of_a_pick_stands_with_its_verdict_for_the_team_and_the_desig
     assert history(stage, take_id)[-1]["reasons"] == ["Fits the scene"]
 
 
+@pytest.mark.slow
 def test_a_later_list_changes_no_verdict(stage: Stage) -> None:
     cue_id = stage.cue()
     write(stage, pick=["Feels right"])
@@ -113,6 +115,7 @@ def test_a_set_is_accepted_with_one_reason_and_what_gives_way_has_none(stage: St
     assert said == {str(older): [], **{str(take_id): ["Best timing"] for take_id in picks}}
 
 
+@pytest.mark.slow
 def test_the_reasons_of_a_change_stand_beside_its_text_and_come_back_with_undo(stage: Stage) -> None:
     cue_id = stage.cue()
     take_id = stage.take(cue_id)

@@ -33,6 +33,7 @@ def reasons(stage: Stage, cue_id: UUID, take_id: UUID) -> list[str]:
     return listed(stage, cue_id)[str(take_id)]
 
 
+@pytest.mark.slow
 def test_a_designer_reads_why_a_version_was_approved_wherever_versions_are_listed(stage: Stage) -> None:
     cue_id = stage.cue()
     take_id = stage.take(cue_id)
@@ -46,6 +47,7 @@ def test_a_designer_reads_why_a_version_was_approved_wherever_versions_are_liste
     assert [take["verdict_reasons"] for take in delivery["takes"]] == [said]
 
 
+@pytest.mark.slow
 def test_another_designer_reads_none_of_it(stage: Stage) -> None:
     cue_id = stage.cue()
     take_id = stage.take(cue_id)
@@ -56,6 +58,7 @@ def test_another_designer_reads_none_of_it(stage: Stage) -> None:
     assert stage.world.stranger.get(f"/v1/takes/{take_id}").status_code == 404
 
 
+@pytest.mark.slow
 def test_what_gives_way_loses_its_reasons_and_has_them_again_after_undo(stage: Stage) -> None:
     cue_id = stage.cue()
     first = stage.take(cue_id)
@@ -70,6 +73,7 @@ def test_what_gives_way_loses_its_reasons_and_has_them_again_after_undo(stage: S
     assert listed(stage, cue_id) == {str(first): [], str(second): []}
 
 
+@pytest.mark.slow
 def test_of_two_approvals_of_one_version_the_last_counts(stage: Stage) -> None:
     cue_id = stage.cue()
     first = stage.take(cue_id)
@@ -82,6 +86,7 @@ def test_of_two_approvals_of_one_version_the_last_counts(stage: Stage) -> None:
     assert listed(stage, cue_id) == {str(first): ["Best timing"], str(second): []}
 
 
+@pytest.mark.slow
 def test_a_change_that_was_sent_says_why_and_its_draft_does_not(stage: Stage) -> None:
     cue_id = stage.cue()
     take_id = stage.take(cue_id)
@@ -111,6 +116,7 @@ def test_a_version_that_is_checked_again_has_none(stage: Stage) -> None:
     assert reasons(stage, cue_id, take_id) == []
 
 
+@pytest.mark.slow
 def test_the_list_asks_the_database_as_often_for_many_reasons_as_for_none(stage: Stage) -> None:
     cue_id = stage.cue(variations=4)
     takes = [stage.take(cue_id, variation) for variation in (1, 2, 3, 4)]

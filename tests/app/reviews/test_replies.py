@@ -26,6 +26,7 @@ def sent_change(stage: Stage, take_id: Any) -> str:
     return str(request["id"])
 
 
+@pytest.mark.slow
 def test_a_designer_replies_to_a_change_and_the_desk_shows_the_conversation(stage: Stage) -> None:
     take_id = stage.take(stage.cue())
     change_id = sent_change(stage, take_id)
@@ -39,6 +40,7 @@ def test_a_designer_replies_to_a_change_and_the_desk_shows_the_conversation(stag
     assert [comment["text"] for comment in back["comments"]] == ["Duller as in darker?", "Darker, yes."]
 
 
+@pytest.mark.slow
 def test_a_reply_is_mailed_to_who_wrote_the_note(stage: Stage) -> None:
     world = stage.world
     take_id = stage.take(stage.cue())

@@ -46,6 +46,7 @@ def test_one_sending_counts_once_for_a_set(stage: Stage) -> None:
     assert [one["number"] for one in stage.review(steps)["rounds"]] == [1, 2]
 
 
+@pytest.mark.slow
 def test_a_reversal_is_sent_and_counts_no_round(stage: Stage) -> None:
     cue = stage.cue()
     take = stage.take(cue)
@@ -60,6 +61,7 @@ def test_a_reversal_is_sent_and_counts_no_round(stage: Stage) -> None:
     assert [one["number"] for one in stage.send()["rounds"]] == [1]
 
 
+@pytest.mark.slow
 def test_beside_a_reversal_a_change_still_counts(stage: Stage) -> None:
     cue = stage.cue(variations=2)
     approved, waiting = stage.take(cue, 1), stage.take(cue, 2)
@@ -69,6 +71,7 @@ def test_beside_a_reversal_a_change_still_counts(stage: Stage) -> None:
     assert [one["number"] for one in stage.send()["rounds"]] == [1]
 
 
+@pytest.mark.slow
 def test_a_draft_whose_take_moved_on_is_kept_back(stage: Stage) -> None:
     gone, here = stage.take(stage.cue("gone")), stage.take(stage.cue("here"))
     stage.draft(gone, "shorter")
@@ -85,6 +88,7 @@ def test_a_draft_whose_take_moved_on_is_kept_back(stage: Stage) -> None:
     assert requests_seen_by(stage, "approver", "draft") == ["shorter"]
 
 
+@pytest.mark.slow
 def test_a_draft_stays_with_its_cue_when_its_take_leaves_it(stage: Stage) -> None:
     bell, drum = stage.cue("bell"), stage.cue("drum")
     take = stage.take(bell)
@@ -118,6 +122,7 @@ def test_nothing_is_sent_twice(stage: Stage) -> None:
     assert refused(answer) == (409, "nothing-to-send")
 
 
+@pytest.mark.slow
 def test_a_draft_can_be_dropped_until_it_is_sent(stage: Stage) -> None:
     cue = stage.cue()
     take = stage.take(cue)
@@ -134,6 +139,7 @@ def test_a_draft_can_be_dropped_until_it_is_sent(stage: Stage) -> None:
     assert refused(stage.world.designer.delete(f"/v1/change-requests/{second['id']}")) == (403, "approver-needed")
 
 
+@pytest.mark.slow
 def test_drafts_are_the_teams_and_what_was_sent_is_the_designers_too(stage: Stage) -> None:
     world = stage.world
     stage.draft(stage.take(stage.cue("mine")), "mine")
@@ -159,6 +165,7 @@ def test_only_the_approver_sends(stage: Stage) -> None:
     assert world.nobody.post(path, json={}).status_code == 401
 
 
+@pytest.mark.slow
 def test_lists_of_change_requests_have_pages(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("app.reviews.feedback.PAGE_CHANGE_REQUESTS", 2)
     for number in range(5):
@@ -177,6 +184,7 @@ def comment(client: Any, take: UUID | str, text: str, **at: float) -> Any:
     return client.post(f"/v1/takes/{take}/comments", json={"text": text, **at})
 
 
+@pytest.mark.slow
 def test_all_who_see_a_take_may_comment_and_only_one_decides(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
@@ -200,6 +208,7 @@ def test_all_who_see_a_take_may_comment_and_only_one_decides(stage: Stage) -> No
     assert stage.queue()[0]["takes"][0]["open_comments"] == 2
 
 
+@pytest.mark.slow
 def test_comments_are_checked_and_kept_from_strangers(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
@@ -217,6 +226,7 @@ def test_comments_are_checked_and_kept_from_strangers(stage: Stage) -> None:
     assert refused(world.approver.post(f"/v1/comments/{new_id()}/resolve")) == (404, "comment-not-found")
 
 
+@pytest.mark.slow
 def test_a_history_lists_all_but_drafts(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
@@ -239,6 +249,7 @@ def test_a_history_lists_all_but_drafts(stage: Stage) -> None:
     assert last["by"]["name"] == "Audio director"
 
 
+@pytest.mark.slow
 def test_the_review_room_shows_a_cue_with_its_older_versions(stage: Stage) -> None:
     world = stage.world
     cue = stage.cue("suit_hit")
@@ -262,6 +273,7 @@ def test_the_review_room_shows_a_cue_with_its_older_versions(stage: Stage) -> No
     assert refused(world.approver.get(f"/v1/cues/{new_id()}/review")) == (404, "cue-not-found")
 
 
+@pytest.mark.slow
 def test_a_cue_is_cut_with_its_reason(stage: Stage) -> None:
     world = stage.world
     cue = stage.cue("mine_arm")

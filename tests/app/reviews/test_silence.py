@@ -85,6 +85,7 @@ def days(count: int) -> timedelta:
     return timedelta(days=count)
 
 
+@pytest.mark.slow
 def test_the_approver_is_reminded_once_each_time(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     moved.agree(cue, moved.agreed.take(cue))
@@ -102,6 +103,7 @@ def test_the_approver_is_reminded_once_each_time(moved: MovedClock) -> None:
     assert moved.agreed.owed() == []
 
 
+@pytest.mark.slow
 def test_todays_deputy_of_the_categorys_approver_is_reminded_too(moved: MovedClock) -> None:
     world = moved.agreed.world
     project = f"/v1/projects/{world.project_id}"
@@ -150,6 +152,7 @@ def test_when_the_days_are_over_the_cue_is_accepted_as_by_an_approval(moved: Mov
     assert notified_of == {str(world.designer_id), str(world.approver_id), str(world.producer_id)}
 
 
+@pytest.mark.slow
 def test_a_verdict_in_time_leaves_nothing_to_silence(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     take = moved.agreed.take(cue)
@@ -161,6 +164,7 @@ def test_a_verdict_in_time_leaves_nothing_to_silence(moved: MovedClock) -> None:
     assert moved.mails() == []
 
 
+@pytest.mark.slow
 def test_the_approver_may_still_reverse_it_and_the_money_goes_back(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     take = moved.agreed.take(cue)
@@ -172,6 +176,7 @@ def test_the_approver_may_still_reverse_it_and_the_money_goes_back(moved: MovedC
     assert moved.agreed.owed() == [("accepted", 18_000), ("reversed", -18_000)]
 
 
+@pytest.mark.slow
 def test_a_set_is_accepted_whole_and_waits_since_its_last_variation(moved: MovedClock) -> None:
     agreed = moved.agreed
     steps = agreed.cue("steps", variations=2)
@@ -187,6 +192,7 @@ def test_a_set_is_accepted_whole_and_waits_since_its_last_variation(moved: Moved
     assert agreed.owed() == [("accepted", 18_000)]
 
 
+@pytest.mark.slow
 def test_another_version_restarts_the_studios_days(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     first = moved.agreed.take(cue)
@@ -198,6 +204,7 @@ def test_another_version_restarts_the_studios_days(moved: MovedClock) -> None:
     assert moved.agreed.states(first, second) == ["set_aside", "approved"]
 
 
+@pytest.mark.slow
 def test_what_was_delivered_before_waits_from_the_agreement_on(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     take = moved.agreed.take(cue, state_since=FRIDAY - days(300))
@@ -219,6 +226,7 @@ def test_only_what_stands_in_the_queue_counts(moved: MovedClock, facts: dict[str
     assert moved.agreed.states(take) == before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("terms", [{}, {"silence_days": 10}], ids=["struck", "kept by the parties"])
 def test_without_the_clause_nothing_happens(
     world: World, monkeypatch: pytest.MonkeyPatch, terms: dict[str, int]
@@ -240,6 +248,7 @@ def test_of_another_designer_nothing_is_accepted(moved: MovedClock) -> None:
     assert moved.agreed.states(take) == ["conforming"]
 
 
+@pytest.mark.slow
 def test_screens_say_until_when_a_cue_waits(moved: MovedClock) -> None:
     cue, other = moved.agreed.cue(), moved.agreed.cue("radar_ping")
     moved.agree(cue, moved.agreed.take(cue))
@@ -290,6 +299,7 @@ def test_a_question_of_the_designer_pauses_it_until_it_is_answered(by_calendar: 
     assert agreed.states(take) == ["approved"]
 
 
+@pytest.mark.slow
 def test_a_question_of_the_team_or_another_designer_pauses_nothing(by_calendar: MovedClock) -> None:
     agreed, world = by_calendar.agreed, by_calendar.agreed.world
     cue = agreed.cue()
@@ -301,6 +311,7 @@ def test_a_question_of_the_team_or_another_designer_pauses_nothing(by_calendar: 
     assert agreed.review(cue)["silence_paused_by"] is None
 
 
+@pytest.mark.slow
 def test_a_text_that_names_no_calendar_is_paused_by_nothing(moved: MovedClock) -> None:
     agreed, world = moved.agreed, moved.agreed.world
     cue = agreed.cue()
@@ -326,6 +337,7 @@ def test_an_open_change_order_pauses_every_cue_of_its_contract(by_calendar: Move
     assert agreed.review(cue)["silence_paused_by"] is None
 
 
+@pytest.mark.slow
 def test_without_the_sources_that_the_contract_wants_it_does_not_wait(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -347,6 +359,7 @@ def test_the_library_leaves_it_out_until_it_is_wanted() -> None:
     assert DeemedAcceptance.of(terms_in_force(clauses, terms)) is None
 
 
+@pytest.mark.slow
 def test_a_producer_keeps_the_calendar_and_both_sides_see_it(world: World) -> None:
     path = f"/v1/studios/{world.studio_id}/calendar"
     assert body_of(world.reviewer.get(path)) == {"time_zone": "UTC", "holidays": []}

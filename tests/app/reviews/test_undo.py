@@ -41,6 +41,7 @@ def test_undo_brings_everything_back(stage: Stage) -> None:
     assert [one["kind"] for one in stage.review(cue)["verdicts"] if one["withdrawn"]] == ["set_aside"] * 2 + ["approve"]
 
 
+@pytest.mark.slow
 def test_undo_is_for_a_minute(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     early, late = stage.take(stage.cue("early")), stage.take(stage.cue("late"))
     drafted = stage.take(stage.cue("drafted"))
@@ -83,6 +84,7 @@ def test_undo_stops_where_something_later_stands(stage: Stage) -> None:
     assert stage.states(a, b) == ["change_requested", "set_aside"]
 
 
+@pytest.mark.slow
 def test_an_approval_taken_back_has_not_happened_lately(stage: Stage) -> None:
     stays, goes = stage.take(stage.cue("laser_fire")), stage.take(stage.cue("shield_hit"))
     for take in (stays, goes):

@@ -23,6 +23,7 @@ def stage(world: World) -> Stage:
     return Stage(world)
 
 
+@pytest.mark.slow
 def test_approving_an_alternate_sets_the_others_aside(stage: Stage) -> None:
     cue = stage.cue()
     a, b, c = (stage.take(cue) for _ in range(3))
@@ -41,6 +42,7 @@ def test_a_take_still_in_check_is_left_alone(stage: Stage) -> None:
     assert stage.states(checking) == ["received"]
 
 
+@pytest.mark.slow
 def test_a_set_aside_take_can_be_picked_later(stage: Stage) -> None:
     cue = stage.cue()
     first, second = stage.take(cue), stage.take(cue)
@@ -50,6 +52,7 @@ def test_a_set_aside_take_can_be_picked_later(stage: Stage) -> None:
     assert stage.states(first, second) == ["set_aside", "approved"]
 
 
+@pytest.mark.slow
 def test_a_newer_version_takes_the_place_of_the_approved_one(stage: Stage) -> None:
     cue = stage.cue()
     first = stage.take(cue)
@@ -58,6 +61,7 @@ def test_a_newer_version_takes_the_place_of_the_approved_one(stage: Stage) -> No
     assert stage.approve(second)["set_aside"] == [str(first)]
 
 
+@pytest.mark.slow
 def test_a_set_is_accepted_when_every_variation_has_its_take(stage: Stage) -> None:
     cue = stage.cue(variations=2)
     one, two = stage.take(cue, 1), stage.take(cue, 2)
@@ -66,6 +70,7 @@ def test_a_set_is_accepted_when_every_variation_has_its_take(stage: Stage) -> No
     assert stage.approve(two)["cue_accepted"] is True
 
 
+@pytest.mark.slow
 def test_only_the_approver_decides(stage: Stage) -> None:
     world = stage.world
     take = stage.take(stage.cue())
@@ -196,6 +201,7 @@ def test_the_database_itself_allows_one_approved_take(stage: Stage) -> None:
         )
 
 
+@pytest.mark.slow
 def test_unmatched_files_and_cut_cues_cannot_be_judged(stage: Stage) -> None:
     unmatched = stage.world.server.in_database(
         lambda session: add_take(session, stage.world, stage.delivery_id, None, 1)
@@ -208,6 +214,7 @@ def test_unmatched_files_and_cut_cues_cannot_be_judged(stage: Stage) -> None:
     assert refused(stage.undo(take)) == (409, "cue-is-cut")
 
 
+@pytest.mark.slow
 def test_a_change_is_a_draft_that_can_be_reworded(stage: Stage) -> None:
     take = stage.take(stage.cue())
     draft = stage.draft(take, "less shimmer", start_s=0.1, end_s=0.2)
@@ -239,6 +246,7 @@ def test_a_change_request_is_checked(stage: Stage, more: dict[str, Any], code: s
     assert stage.queue()[0]["takes"][0]["draft_change"] is None
 
 
+@pytest.mark.slow
 def test_a_change_noted_on_another_alternate_is_kept(stage: Stage) -> None:
     cue = stage.cue()
     picked, other = stage.take(cue), stage.take(cue)
@@ -253,6 +261,7 @@ def test_a_change_noted_on_another_alternate_is_kept(stage: Stage) -> None:
     assert [one["text"] for one in stage.send()["change_requests"]] == ["shorter"]
 
 
+@pytest.mark.slow
 def test_a_set_is_accepted_at_once_and_taken_back_at_once(stage: Stage) -> None:
     cue = stage.cue(variations=3)
     older = stage.take(cue, 1)
@@ -265,6 +274,7 @@ def test_a_set_is_accepted_at_once_and_taken_back_at_once(stage: Stage) -> None:
     assert stage.states(older, *takes) == ["conforming"] * 4
 
 
+@pytest.mark.slow
 def test_the_takes_of_a_set_can_be_named(stage: Stage) -> None:
     cue = stage.cue(variations=2)
     older, newer, second = stage.take(cue, 1), stage.take(cue, 1), stage.take(cue, 2)
@@ -282,6 +292,7 @@ def test_an_incomplete_set_is_not_accepted_in_part(stage: Stage) -> None:
     assert stage.states(*takes) == ["conforming", "conforming", "returned"]
 
 
+@pytest.mark.slow
 def test_a_set_names_its_own_takes_once_and_only_the_approver_accepts(stage: Stage) -> None:
     cue, other = stage.cue(variations=2), stage.cue("other")
     one, twin, two = stage.take(cue, 1), stage.take(cue, 1), stage.take(cue, 2)
@@ -300,6 +311,7 @@ def test_a_set_names_its_own_takes_once_and_only_the_approver_accepts(stage: Sta
     assert stage.states(one, twin, two) == ["conforming"] * 3
 
 
+@pytest.mark.slow
 def test_what_is_accepted_is_known_to_packs(stage: Stage) -> None:
     whole, half, cut = stage.cue("whole", variations=2), stage.cue("half", variations=2), stage.cue("cut")
     picked = [stage.take(whole, 2), stage.take(whole, 1)]

@@ -86,6 +86,7 @@ def test_a_part_of_a_reference_is_a_bed_once_it_was_opened(world: World, take_id
     assert masking(world, take_id)["is_measured"] is True
 
 
+@pytest.mark.slow
 def test_a_reference_that_cannot_be_decoded_says_so_and_holds_nothing_up(world: World, take_id: str):
     reference = added(world, "broken.flac", b"fLaC" + bytes(400))
     set_bed(world, role="music", reference_id=reference["id"])
@@ -97,6 +98,7 @@ def test_a_reference_that_cannot_be_decoded_says_so_and_holds_nothing_up(world: 
     assert masking(world, take_id)["is_measured"] is True
 
 
+@pytest.mark.slow
 def test_what_is_no_longer_approved_or_on_the_board_is_no_lane(world: World, stage: Stage, take_id: str):
     _, engine = approved(stage, "engine_loop", loop=True)
     reference = added(world, "a.wav", wav_bytes(sine(hz=440, seconds=0.5)))
@@ -106,6 +108,7 @@ def test_what_is_no_longer_approved_or_on_the_board_is_no_lane(world: World, sta
     assert list(beds_in(opened_scene(world, take_id, settled=False))) == ["ambience"]
 
 
+@pytest.mark.slow
 def test_a_bed_that_is_off_covers_nothing(world: World, stage: Stage, take_id: str):
     _, engine = approved(stage, "engine_loop", noise(dbfs=-6.0, seconds=1.0), loop=True)
     bed = set_bed(world, role="ambience", take_id=str(engine), level_db=0)
@@ -143,6 +146,7 @@ def test_a_version_that_is_not_approved_or_of_another_project_is_no_bed(world: W
     assert put(world, role="music", take_id=str(other)).status_code == 422
 
 
+@pytest.mark.slow
 def test_those_who_act_for_the_team_set_beds(world: World, stage: Stage):
     _, engine = approved(stage, "engine_loop")
     body = {"role": "music", "take_id": str(engine)}
@@ -156,6 +160,7 @@ def test_those_who_act_for_the_team_set_beds(world: World, stage: Stage):
     assert world.approver.patch(f"/v1/beds/{NOBODY_ID}", json={}).status_code == 404
 
 
+@pytest.mark.slow
 def test_sources_are_approved_sounds_with_loops_first_then_references(world: World, stage: Stage, take_id: str):
     approved(stage, "hull_impact")
     approved(stage, "engine_loop", loop=True)

@@ -26,6 +26,7 @@ def ask(world: World, take_id: str, **body: Any) -> Any:
     return world.reviewer.post(f"/v1/takes/{take_id}/comparisons", json=body)
 
 
+@pytest.mark.slow
 def test_two_versions_are_compared_once(world: World, versions: tuple[str, str]):
     first, second = versions
     asked = ask(world, second, against_take_id=first)
@@ -62,6 +63,7 @@ def test_another_project_is_not_within_sight(world: World, versions: tuple[str, 
     assert ask(world, versions[0], against_take_id=str(other)).status_code == 404
 
 
+@pytest.mark.slow
 def test_the_team_alone_compares(world: World, versions: tuple[str, str]):
     first, second = versions
     body = {"against_take_id": first}

@@ -125,6 +125,7 @@ def test_a_game_file_of_a_lower_rate_leaves_what_it_cannot_hold(tmp_path: Path):
     assert found["against_dbfs"][-1] is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("from_hz", "to_hz"), [(44_100, 48_000), (48_000, 44_100), (22_050, 48_000), (48_000, 24_000)])
 def test_another_rate_keeps_a_tone(from_hz: int, to_hz: int):
     tone = swelling(sine(hz=1_000, rate=from_hz), from_hz // 10)

@@ -23,6 +23,7 @@ def lanes_of(scene: dict) -> dict[str, dict]:
     return {lane["name"]: lane for lane in scene["lanes"]}
 
 
+@pytest.mark.slow
 def test_a_version_plays_among_the_approved_sounds_of_its_scene(world: World, stage: Stage):
     take_id = waiting(stage, category="impacts", extra={"Scene": "Boarding"})
     approved(stage, "laser_fire", category="weapons", extra={"Scene": "Boarding"}, variations=3)
@@ -65,6 +66,7 @@ def test_levels_are_those_of_the_newest_audit(world: World, stage: Stage):
     assert (lanes["hull_impact"]["level_db"], lanes["hull_impact"]["level_from"]) == (0.0, "approved")
 
 
+@pytest.mark.slow
 def test_a_louder_level_in_the_game_covers_more(world: World, stage: Stage):
     take_id = waiting(stage)
     engine, _ = approved(stage, "engine", noise(dbfs=-20.0, seconds=1.0, seed=5), loop=True)
@@ -82,6 +84,7 @@ def test_a_louder_level_in_the_game_covers_more(world: World, stage: Stage):
     assert margins == pytest.approx([12.0] * 37, abs=0.3)
 
 
+@pytest.mark.slow
 def test_lanes_can_be_left_out_and_be_heard_at_another_level(world: World, stage: Stage):
     take_id = waiting(stage, sine(hz=1_000, dbfs=-30.0, seconds=0.5))
     engine, _ = approved(stage, "engine", noise(dbfs=-20.0, seconds=1.0), loop=True)
@@ -120,6 +123,7 @@ def test_a_sound_alone_is_not_said_to_be_heard(world: World, stage: Stage):
     assert alone["in_words"].startswith("Not known yet: the scene has no bed and no neighbours.")
 
 
+@pytest.mark.slow
 def test_silence_among_others_has_no_bands(world: World, stage: Stage):
     take_id = waiting(stage, silence(seconds=0.5))
     approved(stage, "engine")
@@ -129,6 +133,7 @@ def test_silence_among_others_has_no_bands(world: World, stage: Stage):
     assert found["in_words"] == "The sound is silent. The scene has no bed: music and ambience are not counted."
 
 
+@pytest.mark.slow
 def test_a_clip_gives_the_scene_its_length_and_the_nearest_pin_comes_first(world: World, stage: Stage):
     take_id = waiting(stage, category="impacts")
     scene = opened_scene(world, take_id, settled=False)
@@ -142,6 +147,7 @@ def test_a_clip_gives_the_scene_its_length_and_the_nearest_pin_comes_first(world
     assert scene["clips"][0]["media_type"] == "video/webm"
 
 
+@pytest.mark.slow
 def test_the_team_alone_opens_a_scene(world: World, stage: Stage):
     take_id = waiting(stage)
     for path, method in ((f"/v1/takes/{take_id}/scene", "POST"), (f"/v1/takes/{take_id}/masking", "GET")):
@@ -156,6 +162,7 @@ def test_a_version_for_no_cue_has_no_scene(world: World, stage: Stage):
     assert world.reviewer.post(f"/v1/takes/{take_id}/scene").status_code == 404
 
 
+@pytest.mark.slow
 def test_each_sound_is_measured_once(world: World, stage: Stage):
     take_id = waiting(stage)
     for _ in range(3):

@@ -190,6 +190,7 @@ def test_comments_arrive_on_the_version_as_from_a_guest_and_the_designer_reads_t
     assert world.reviewer.post(f"/v1/comments/{shown['id']}/resolve").status_code == 200
 
 
+@pytest.mark.slow
 def test_a_link_for_listening_takes_no_comments(world: World) -> None:
     cue_id, take_id = sound(world)
     _, secret = made(world, cue_ids=[cue_id])
@@ -277,6 +278,7 @@ def test_who_acts_for_the_team_makes_links_and_no_one_else(world: World) -> None
         assert client.patch(f"/v1/guest-links/{link['id']}", json={"may_comment": True}).status_code == status
 
 
+@pytest.mark.slow
 def test_cues_of_another_project_are_not_shared(world: World) -> None:
     elsewhere = World(world.server)
     foreign, _ = sound(elsewhere)
@@ -298,6 +300,7 @@ def test_what_cannot_be_is_refused_by_its_field(world: World, body: dict[str, ob
     assert [error["where"] for error in refused.json()["errors"]] == [where]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "body",
     [

@@ -44,6 +44,7 @@ def test_a_playlist_of_cues_has_the_version_that_is_heard_of_each_in_list_order(
     assert (brief["name"], brief["takes"], brief["made_by"]["name"]) == ("Combat", 2, "Producer")
 
 
+@pytest.mark.slow
 def test_the_answer_says_who_may_approve(world: World) -> None:
     _, take_id = sound(world)
     url = f"/v1/playlists/{playlist(world, take_id)['id']}"
@@ -159,6 +160,7 @@ def test_the_team_sees_labels_and_a_designer_those_of_their_own(world: World) ->
     assert labels(world.other_designer) == [None, "wild"]
 
 
+@pytest.mark.slow
 def test_guests_see_no_labels(world: World) -> None:
     _, laser = sound(world)
     world.producer.put(f"/v1/takes/{laser}/label", json={"label": "longer"})

@@ -133,6 +133,7 @@ def test_no_request_is_asked_more_than_a_reader_takes_in() -> None:
     assert max(len(facts_of(word)) for kind in lexicon().kinds for word in kind.words) == MAX_QUESTIONS
 
 
+@pytest.mark.slow
 def test_the_list_names_what_is_open_and_an_answer_joins_the_description(world: World) -> None:
     project = f"/v1/projects/{world.project_id}"
     splash = {"name": "Splash", "description": "A splash."}
@@ -164,6 +165,7 @@ def test_only_the_team_answers_and_strangers_see_nothing(world: World) -> None:
     assert world.producer.post(f"{path}/colour/answer", json={"text": "red"}).status_code == 422
 
 
+@pytest.mark.slow
 def test_a_cut_cue_is_not_asked_about(world: World) -> None:
     project = f"/v1/projects/{world.project_id}"
     cue = world.producer.post(f"{project}/cues", json={"cues": [{"name": "Impact"}]}).json()[0]

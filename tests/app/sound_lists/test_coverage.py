@@ -67,6 +67,7 @@ def read(world: World, by: str = "producer") -> dict[str, Any]:
     return dict(answer.json())
 
 
+@pytest.mark.slow
 def test_the_project_says_what_is_missing(world: World) -> None:
     scenes = ("scenes_without_ambience", "silent_scenes")
     fields = (*scenes, "categories_without_cue", "priority_without_cue", "priority_as_wish")

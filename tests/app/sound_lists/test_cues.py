@@ -120,6 +120,7 @@ def test_two_editors_notice_each_other(world: World) -> None:
     assert world.producer.get(url).json()["use"] == "level 1"
 
 
+@pytest.mark.slow
 def test_a_change_that_changes_nothing_is_no_revision(world: World) -> None:
     (cue,) = add(world, {"name": "Door", "duration_s": 1.5})
     answer = world.producer.patch(f"/v1/cues/{cue['id']}", json={"edition": 1, "duration_s": 1.5})
@@ -127,6 +128,7 @@ def test_a_change_that_changes_nothing_is_no_revision(world: World) -> None:
     assert the_list(world)["revision"] == 1
 
 
+@pytest.mark.slow
 def test_names_can_be_swapped_in_two_steps_and_are_free_after_a_rename(world: World) -> None:
     one, two = add(world, {"name": "One"}, {"name": "Two"})
     taken = world.producer.patch(f"/v1/cues/{one['id']}", json={"edition": 1, "name": "Two"})
@@ -136,6 +138,7 @@ def test_names_can_be_swapped_in_two_steps_and_are_free_after_a_rename(world: Wo
     assert world.producer.patch(f"/v1/cues/{one['id']}", json={"edition": 1, "name": "Two"}).status_code == 200
 
 
+@pytest.mark.slow
 def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     reported: list[tuple[str, dict[str, object]]] = []
 
@@ -158,6 +161,7 @@ def test_events_say_what_changed(world: World, monkeypatch: pytest.MonkeyPatch) 
     ]
 
 
+@pytest.mark.slow
 def test_the_list_comes_in_pages_in_its_own_order(world: World) -> None:
     names = [cue["name"] for cue in add(world, *({"name": f"Sound {place}"} for place in range(7)))]
     ids = [cue["id"] for cue in the_list(world)["cues"]]
@@ -219,6 +223,7 @@ def test_a_cut_cue_keeps_its_reason_and_frees_its_name(world: World) -> None:
     assert [one["label"] for one in compared["added"]] == ["SW-002"]
 
 
+@pytest.mark.slow
 def test_changed_and_changed_back_is_no_difference(world: World) -> None:
     (cue,) = add(world, {"name": "Door", "use": "hall"})
     url = f"/v1/cues/{cue['id']}"

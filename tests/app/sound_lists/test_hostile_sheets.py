@@ -190,6 +190,7 @@ def test_no_long_cell_is_searched_through_again_and_again(letters: str, end: str
             read_cell(field, cell)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("letters", LETTERS)
 def test_no_file_name_takes_guessing_long(letters: str):
     name = (letters * 255)[:251] + ".wav"

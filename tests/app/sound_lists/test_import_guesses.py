@@ -138,6 +138,7 @@ def refused_names(world: World) -> dict[str, Any]:
     return read
 
 
+@pytest.mark.slow
 def test_names_that_the_spec_refuses_are_said_and_renamed(world: World) -> None:
     text = "Name,File name,Category\nButton click,UI_Button_Click,ui\nDoor,door,foley\n"
     read = send(world, text, dry_run=True)

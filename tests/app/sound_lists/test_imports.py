@@ -199,6 +199,7 @@ def test_a_dry_run_says_all_and_does_nothing(world: World) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_matching_by_name(world: World) -> None:
     add(world, {"name": "Door"}, {"name": "Bell", "file_name": "bell_a"}, {"name": "Bell", "file_name": "bell_b"})
     reported = send(world, "name,use\nDOOR,hall\n", match="name")
@@ -210,6 +211,7 @@ def test_matching_by_name(world: World) -> None:
     assert "row 3" in reported["errors"][1]["message"]
 
 
+@pytest.mark.slow
 def test_adding_never_changes(world: World) -> None:
     add(world, {"name": "Door"})
     reported = send(world, "number,name\nSW-001,Gate\n", match="add")
@@ -258,6 +260,7 @@ def wild_rows() -> list[dict[str, Any]]:
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_the_export_comes_back_as_it_went(world: World, server: Any) -> None:
     (*_, plain) = add(world, *wild_rows())
     cut(world, plain["id"], "not needed")

@@ -1,10 +1,13 @@
 """The mailed link shows the list at once, to anyone who has it."""
 
+import pytest
+
 from tests.app.sound_lists.lists import add, cut
 from tests.support.links import secret_for
 from tests.support.server import World
 
 
+@pytest.mark.slow
 def test_the_link_shows_project_list_and_spec_without_an_account(world: World) -> None:
     _, gone = add(world, {"name": "Laser fire", "variations": 4, "category": "weapon"}, {"name": "Mine arm"})
     cut(world, gone["id"], "mines are gone")

@@ -134,6 +134,7 @@ def test_names_follow_the_spec_of_the_project(world: World) -> None:
     assert names["Coin"] == "Ui-Coin-Pickup"
 
 
+@pytest.mark.slow
 def test_an_addition_is_undone_in_one_act(world: World) -> None:
     add(world, [{"name": "Airlock"}])
     added = add(world, rows(world)).json()
@@ -147,6 +148,7 @@ def test_an_addition_is_undone_in_one_act(world: World) -> None:
     assert add(world, rows(world)).status_code == 201
 
 
+@pytest.mark.slow
 def test_what_has_gone_on_is_not_undone(world: World) -> None:
     first, second = add(world, rows(world)[:2]).json()
     asked = world.designer.post(f"/v1/cues/{first['id']}/questions", json={"text": "Which grass?"})

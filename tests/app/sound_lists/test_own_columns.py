@@ -81,6 +81,7 @@ def test_the_limits_of_columns() -> None:
     assert faults(choice(*map(str, range(51)))) == [(1, "choices")]
 
 
+@pytest.mark.slow
 def test_columns_have_an_order_and_cues_have_values(world: World) -> None:
     set_columns(world, [MOOD, {"name": "Bank"}])
     (cue,) = add(world, {"name": "Door", "extra": {"mood": "TENSE", "Bank": " sfx "}})
@@ -104,6 +105,7 @@ def test_a_removed_column_leaves_its_values_and_finds_them_again(world: World) -
     assert values(world) == [{"MOOD": "calm"}]
 
 
+@pytest.mark.slow
 def test_a_renamed_column_takes_its_values_along_cut_cues_too(world: World) -> None:
     set_columns(world, [MOOD, {"name": "Bank"}])
     cues = add(
@@ -133,6 +135,7 @@ def test_a_rename_that_would_hide_a_value_is_refused(world: World) -> None:
     assert values(world) == [{"Mood": "calm", "Tone": "dark"}]
 
 
+@pytest.mark.slow
 def test_a_type_that_values_do_not_fit_is_refused_and_says_where(world: World) -> None:
     add(world, {"name": "One", "extra": {"Weight": "1,5"}}, {"name": "Two", "extra": {"Weight": "heavy"}})
     refused = put(world, [{"name": "Weight", "kind": "number"}])
@@ -163,6 +166,7 @@ def test_who_may_set_columns(world: World, by: str, status: int) -> None:
     assert put(world, [MOOD], by=by).status_code == status
 
 
+@pytest.mark.slow
 def test_an_import_reads_a_column_by_its_name_or_as_mapped(world: World) -> None:
     set_columns(world, [MOOD, {"name": "Priority", "kind": "date"}])
     guessed = send(world, "name,MOOD,Priority,Stimmung\nDoor,Calm,31/5/2026,\nGate,angry,4/6/2026,\n", dry_run=True)

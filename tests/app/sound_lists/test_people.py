@@ -64,6 +64,7 @@ def test_a_designer_learns_of_no_one_but_themselves(world: World) -> None:
     assert str(world.reviewer_id) not in str(compared)
 
 
+@pytest.mark.slow
 def test_a_sheet_names_them_by_name_or_address(world: World) -> None:
     add(world, {"name": "Door"}, {"name": "Gate"})
     address = f"{world.designer_id}@example.test"
@@ -110,6 +111,7 @@ def test_an_accepted_cue_waits_for_its_implementer_until_it_is_in_the_build(worl
     assert "implement" not in step_kinds(world, "reviewer")
 
 
+@pytest.mark.slow
 def test_a_cue_waits_for_the_person_who_records_it_until_a_take_comes(world: World) -> None:
     add(world, {"name": "Door", "recorder_id": str(world.designer_id)}, {"name": "Gate"})
     assert step_kinds(world, "designer")["record"] == 1

@@ -1,5 +1,7 @@
 """A designer asks on a cue, and the answer becomes part of it."""
 
+import pytest
+
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from tests.support.server import World
@@ -11,6 +13,7 @@ def a_cue(world: World) -> str:
     return cue_id
 
 
+@pytest.mark.slow
 def test_the_answer_joins_the_cue(world: World) -> None:
     cue_id = a_cue(world)
     asked = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "A drop, a tool, a person?"})
@@ -29,6 +32,7 @@ def test_the_answer_joins_the_cue(world: World) -> None:
     assert again.json()["code"] == "question-answered"
 
 
+@pytest.mark.slow
 def test_an_answer_need_not_join(world: World) -> None:
     cue_id = a_cue(world)
     asked = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "When?"}).json()
@@ -36,6 +40,7 @@ def test_an_answer_need_not_join(world: World) -> None:
     assert world.designer.get(f"/v1/cues/{cue_id}").json()["description"] == "Something falls in."
 
 
+@pytest.mark.slow
 def test_designers_do_not_learn_of_one_another(world: World) -> None:
     cue_id = a_cue(world)
     world.server.in_database(
@@ -55,6 +60,7 @@ def test_designers_do_not_learn_of_one_another(world: World) -> None:
     assert world.producer.get(url).json()["items"][0]["asked_by"]["name"] == "Sound designer"
 
 
+@pytest.mark.slow
 def test_open_questions_alone(world: World) -> None:
     cue_id = a_cue(world)
     first = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "One?"}).json()

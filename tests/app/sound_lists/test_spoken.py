@@ -38,6 +38,7 @@ def placeholders(world: World) -> list[dict[str, object]]:
     return list(answer.json()["items"])
 
 
+@pytest.mark.slow
 def test_a_word_is_trimmed_kept_and_heard_by_all_of_the_project(world: World, cue_id: str) -> None:
     assert world.producer.get(f"/v1/cues/{cue_id}/spoken-placeholder").json() is None
     made = say(world, cue_id)
@@ -52,6 +53,7 @@ def test_a_word_is_trimmed_kept_and_heard_by_all_of_the_project(world: World, cu
         assert len(read_recording(heard.content, 48_000)) == round(said["duration_s"] * 48_000)
 
 
+@pytest.mark.slow
 def test_the_placeholder_files_say_it_and_are_packed(world: World, cue_id: str) -> None:
     [before] = placeholders(world)
     assert before["state"] == "missing"
@@ -81,6 +83,7 @@ def test_it_is_replaced_and_removed_and_the_files_follow(world: World, cue_id: s
     assert remade["state"] == "made"
 
 
+@pytest.mark.slow
 def test_a_file_of_what_was_said_before_does_not_replace_that_of_what_is_said_now(world: World, cue_id: str) -> None:
     def slot_now() -> tuple[Project, Slot]:
         with world.server.runtime.database.reading() as session:

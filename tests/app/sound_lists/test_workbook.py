@@ -94,6 +94,7 @@ def test_a_list_comes_back_without_a_difference(world: World, typed: list[dict[s
         assert read["same"] == len(the_list(world)["cues"])
 
 
+@pytest.mark.slow
 def test_text_like_a_broken_formula_comes_back(world: World) -> None:
     set_columns(world, [{"name": "Mood"}])
     add(world, {"name": "Door", "description": "#N/A", "extra": {"Mood": "#REF!", "Kept": "#NAME?"}})

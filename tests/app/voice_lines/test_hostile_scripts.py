@@ -79,6 +79,7 @@ def test_a_damaged_character_is_named_by_its_row(world: World) -> None:
     assert refused(world, format="csv", content_base64=encoded(data)).startswith("row 3:")
 
 
+@pytest.mark.slow
 def test_formulas_and_invisible_characters(world: World) -> None:
     formula = workbook([["Line ID", "Character", "Text"], ["m_1", "Maya", "=HYPERLINK(A1)"]])
     read = send(world, format="xlsx", content_base64=encoded(formula)).json()

@@ -129,6 +129,7 @@ def test_a_script_without_ids_finds_its_lines_by_their_words(world: World) -> No
     assert other["not_in_script"] == ["maya_001"]
 
 
+@pytest.mark.slow
 def test_a_second_script_changes_texts_by_id_and_says_which(world: World) -> None:
     imported(world)
     deliver(world, "en_captain_010.wav", sound(1.0))
@@ -148,6 +149,7 @@ def test_a_second_script_changes_texts_by_id_and_says_which(world: World) -> Non
     assert (found["text"], found["text_version"]) == ("By the light of a thousand suns.", 2)
 
 
+@pytest.mark.slow
 def test_a_part_of_a_script_adds_its_lines_where_they_belong(world: World) -> None:
     imported(world)
     read = imported(
@@ -158,6 +160,7 @@ def test_a_part_of_a_script_adds_its_lines_where_they_belong(world: World) -> No
     assert list(lines(world)) == ["captain_010", "captain_015", "captain_020", "maya_010"]
 
 
+@pytest.mark.slow
 def test_an_empty_scene_leaves_a_line_in_its_scene(world: World) -> None:
     imported(world)
     read = imported(world, "Line ID,Character,Scene,English\nmaya_010,Maya,,It is open!\n")
@@ -165,6 +168,7 @@ def test_an_empty_scene_leaves_a_line_in_its_scene(world: World) -> None:
     assert lines(world)["maya_010"]["scene"] == "Hangar"
 
 
+@pytest.mark.slow
 def test_a_language_can_come_later(world: World) -> None:
     imported(world, "Line ID,Character,English\nm_1,Maya,Hello\nm_2,Maya,Go\n")
     read = imported(world, "Line ID,Character,French\nm_1,Maya,Bonjour\n")
@@ -231,6 +235,7 @@ def test_only_the_team_imports(world: World) -> None:
     assert send(world, world.approver, text=SHEET).status_code == 200
 
 
+@pytest.mark.slow
 def test_a_file_finds_its_cue_by_the_folder_of_its_language(world: World) -> None:
     imported(world)
     for path, cue in (("de/captain_010.wav", "de_captain_010"), ("en/captain_010.wav", "en_captain_010")):
@@ -239,6 +244,7 @@ def test_a_file_finds_its_cue_by_the_folder_of_its_language(world: World) -> Non
     assert deliver(world, "captain_010.wav", sound(1.4))["cue"] is None, "no language says which"
 
 
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_on_both_databases_a_designer_reads_and_another_studio_sees_nothing(world: World) -> None:
     imported(world)

@@ -35,6 +35,7 @@ def releases(world: World) -> dict[str, Any]:
     return dict(answer.json())
 
 
+@pytest.mark.slow
 def test_a_character_is_cast_for_each_language(world: World) -> None:
     imported(world)
     cast(world, performer=VOICE, directed_by="Audio director", cast_by="Producer")
@@ -48,6 +49,7 @@ def test_a_character_is_cast_for_each_language(world: World) -> None:
     assert [one["performer"] for one in cast(world, performer="")["castings"]] == ["Another voice", None]
 
 
+@pytest.mark.slow
 def test_notes_on_a_voice(world: World) -> None:
     imported(world)
     script = world.producer.get(f"/v1/projects/{world.project_id}/voice-script").json()

@@ -60,6 +60,7 @@ def test_takes_can_be_said_to_fit(world: World) -> None:
     assert lines(world)["captain_020"]["state"] == "approved"
 
 
+@pytest.mark.slow
 def test_two_people_who_change_a_text_notice_each_other(world: World) -> None:
     imported(world)
     line = lines(world)["captain_020"]
@@ -104,6 +105,7 @@ def test_the_pick_up_list_names_its_reasons(world: World) -> None:
     assert {key for _, key in pick_ups(world, character=captain)} == {"captain_010", "captain_020"}
 
 
+@pytest.mark.slow
 def test_a_cut_line_is_not_recorded(world: World) -> None:
     imported(world)
     cue = lines(world)["maya_010"]["cue"]["id"]
@@ -187,6 +189,7 @@ def test_each_designer_sees_the_takes_of_their_own(world: World) -> None:
     assert (other["state"], other["take"]) == ("no_take", None)
 
 
+@pytest.mark.slow
 def test_a_cue_without_a_line(world: World) -> None:
     imported(world)
     answer = world.producer.post(f"/v1/projects/{world.project_id}/cues", json={"cues": [{"name": "Door"}]})

@@ -99,6 +99,7 @@ def test_bodies_of_chats_call_nobody():
     assert len(json.loads(body_of(WebhookForm.DISCORD, long, AT))["content"]) < 2_000
 
 
+@pytest.mark.slow
 def test_an_approval_arrives_signed_with_cue_words_and_link(world: World, target: Receiver):
     webhook = add(world, f"{target.url}/in", events=["take.approved"])
     stage = Stage(world)
@@ -117,6 +118,7 @@ def test_an_approval_arrives_signed_with_cue_words_and_link(world: World, target
     assert request.headers["webhook-id"] == call["id"]
 
 
+@pytest.mark.slow
 def test_what_was_not_chosen_and_other_projects_call_nobody(world: World, target: Receiver):
     body = {"name": "Other", "cue_prefix": "OT"}
     other = world.producer.post("/v1/projects", json={**body, "studio_id": str(world.studio_id)}).json()
@@ -128,6 +130,7 @@ def test_what_was_not_chosen_and_other_projects_call_nobody(world: World, target
     assert elsewhere["project"]["name"] == "Other"
 
 
+@pytest.mark.slow
 def test_a_designers_question_calls_the_studios_webhook(world: World, target: Receiver):
     add(world, target.url, events=["question.asked"], form="slack")
     (cue,) = add_cues(world, {"name": "coolant"})
@@ -137,6 +140,7 @@ def test_a_designers_question_calls_the_studios_webhook(world: World, target: Re
     assert "Sound designer asks about SW-001 coolant: A drop?" in json.loads(request.body)["text"]
 
 
+@pytest.mark.slow
 def test_an_event_is_one_call_however_often_its_job_runs(world: World, target: Receiver):
     webhook = add(world, target.url, events=["list.revised"])
     payload = {"event": "list.revised", "event_id": "one", "studio_id": str(world.studio_id)}
@@ -213,6 +217,7 @@ def test_an_attempt_that_is_not_due_any_more_sends_nothing(world: World, target:
     assert len(target.received) == 1
 
 
+@pytest.mark.slow
 def test_after_five_days_of_failures_it_is_disabled_with_a_notice(
     world: World, target: Receiver, monkeypatch: pytest.MonkeyPatch
 ):
@@ -250,6 +255,7 @@ def until_tried(world: World, webhook: dict[str, Any]) -> None:
         attempt_again(world, call["id"])
 
 
+@pytest.mark.slow
 def test_a_rotated_secret_signs_beside_the_old_one_for_a_day(
     world: World, target: Receiver, monkeypatch: pytest.MonkeyPatch
 ):
@@ -277,6 +283,7 @@ def _due(session: Any, call_id: str) -> None:
     session.get_one(WebhookCall, UUID(call_id)).next_attempt = UUID(int=9)
 
 
+@pytest.mark.slow
 def test_addresses_inside_are_refused_when_saved_and_when_sent(world: World):
     path = f"/v1/studios/{world.studio_id}/webhooks"
     for url in (
@@ -301,6 +308,7 @@ def test_addresses_inside_are_refused_when_saved_and_when_sent(world: World):
     assert call["status"] is None
 
 
+@pytest.mark.slow
 def test_only_producers_of_the_studio_see_and_set_webhooks(world: World, target: Receiver):
     webhook = add(world, target.url)
     call_id = world.producer.post(f"/v1/webhooks/{webhook['id']}/test").json()["id"]
@@ -321,6 +329,7 @@ def test_only_producers_of_the_studio_see_and_set_webhooks(world: World, target:
     assert world.producer.get(path).json()["items"] == []
 
 
+@pytest.mark.slow
 def test_a_studio_has_twenty_at_most_and_no_other_studios_project(world: World, target: Receiver):
     path = f"/v1/studios/{world.studio_id}/webhooks"
     elsewhere = world.stranger.get("/v1/me").json()["studios"][0]["id"]

@@ -251,6 +251,7 @@ def test_mutants_are_measured_or_refused(tmp_path):
     assert measured > 50
 
 
+@pytest.mark.slow
 def test_the_import_is_light():
     script = (
         "import sys, audio_checks.audio.audio_file; print({'soundfile', 'scipy', 'librosa', 'app'} & set(sys.modules))"

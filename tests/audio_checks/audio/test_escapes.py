@@ -243,6 +243,7 @@ class TestUsingUp:
             box.call(exec, "while True: pass")
         box.close()
 
+    @pytest.mark.slow
     def test_a_huge_allocation_is_refused(self, sandbox):
         with pytest.raises(SandboxOutOfMemory):
             sandbox.call(bytearray, 64 << 30)
@@ -260,6 +261,7 @@ def test_a_child_of_root_drops_root(sandbox, tmp_path):
         sandbox.call(os.setuid, 0)
 
 
+@pytest.mark.slow
 def test_the_filter_knows_both_machines():
     for machine in AUDIT_ARCH:
         content = seccomp.program(machine, 4_711)
@@ -275,6 +277,7 @@ def test_the_filter_knows_both_machines():
         assert len(numbers) == len(set(numbers))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("abi", "filters", "machine", "said"),
     [

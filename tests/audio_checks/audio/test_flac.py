@@ -73,6 +73,7 @@ def test_decoding_happens_in_a_child(tmp_path, monkeypatch):
     assert (entry.verdict, entry.facts["frames"]) == ("conforming", 9_600)
 
 
+@pytest.mark.slow
 def test_within_a_child_there_is_no_other(tmp_path):
     path = write(tmp_path / "a.flac", flacs.flac_bytes(noise(seconds=0.2)))
     with Sandbox(timeout_s=20).child(reads=[path]) as child:  # where no process may be started
@@ -210,6 +211,7 @@ def die(_path, _out):
     os.kill(os.getpid(), signal.SIGSEGV)
 
 
+@pytest.mark.slow
 def test_nothing_is_left_behind(tmp_path, inside, monkeypatch):
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
     (tmp_path / "tmp").mkdir()

@@ -22,6 +22,7 @@ def held_to_hashlib(pieces: list[tuple[bool, bytes]]) -> None:
     assert both.result() == (whole.hexdigest(), sound.hexdigest())
 
 
+@pytest.mark.slow
 @given(PIECES)
 def test_pieces_of_any_length_in_any_order(pieces: list[tuple[bool, bytes]]):
     held_to_hashlib(pieces)

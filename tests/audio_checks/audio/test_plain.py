@@ -158,6 +158,7 @@ def test_texts_that_never_end_are_read_once(text):
         resolved((RETURNED, lie(text)), len)
 
 
+@pytest.mark.slow
 def test_commas_and_brackets_in_a_text_are_no_values():
     text = '[,"\\' * 1_000_000
     assert decode(encode([text])) == [text]

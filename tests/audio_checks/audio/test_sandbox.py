@@ -132,6 +132,7 @@ def test_the_time_of_a_call_is_not_taken_from_the_next(sandbox):
     assert second > first > 4.0
 
 
+@pytest.mark.slow
 def test_large_arguments_and_results(sandbox):
     assert sandbox.call(bytes.upper, b"a" * 20_000_000) == b"A" * 20_000_000
 
@@ -189,6 +190,7 @@ def test_a_failure_names_its_place(sandbox):
     assert "Traceback" in failure.value.detail
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "code",
     [
@@ -206,6 +208,7 @@ def test_what_does_not_end_is_ended(own_sandbox, code):
     assert own_sandbox.call(len, "fine") == 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "code",
     [
@@ -226,6 +229,7 @@ def test_a_child_that_lies_or_hangs_up(own_sandbox, code):
 NAMES_A_PROGRAM = b'["enum","audio_checks.cli.__main__","x","y"]'
 
 
+@pytest.mark.slow
 def test_a_taken_over_child_cannot_run_code_here(own_sandbox, tmp_path):
     trap = tmp_path / "trap"
     for said, why in (
@@ -239,6 +243,7 @@ def test_a_taken_over_child_cannot_run_code_here(own_sandbox, tmp_path):
     assert not trap.exists()
 
 
+@pytest.mark.slow
 def test_nothing_stays_behind(own_sandbox):
     breed = (
         "import os, time\nfor _ in range(8):\n  if not os.fork():\n    os.setsid()\n    time.sleep(30)\n    os._exit(0)"
@@ -255,6 +260,7 @@ def test_nothing_stays_behind(own_sandbox):
     assert not descendants() - before
 
 
+@pytest.mark.slow
 def test_descriptors_of_the_caller_do_not_leak(own_sandbox):
     before = len(os.listdir("/proc/self/fd"))
     for _ in range(20):
@@ -294,6 +300,7 @@ def test_threads_share_one_sandbox(sandbox):
     assert answers == {(number, turn): number**turn for number in range(6) for turn in range(10)}
 
 
+@pytest.mark.slow
 def test_the_server_ends_with_its_caller():
     script = (
         "import os\nfrom audio_checks.audio.sandbox import Sandbox\n"

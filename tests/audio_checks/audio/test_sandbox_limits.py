@@ -35,6 +35,7 @@ def test_a_child_keeps_the_memory_that_it_was_given(sandbox):
     assert sandbox.call(faults_of_samples_taken_again) < pages / 100
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("code", ["bytearray(4 << 30)", "[bytearray(1 << 24) for _ in range(1000)]", "'x' * (1 << 34)"])
 def test_memory_is_limited(code):
     box = Sandbox(timeout_s=20, memory_bytes=400 << 20)
@@ -46,6 +47,7 @@ def test_memory_is_limited(code):
         box.close()
 
 
+@pytest.mark.slow
 def test_a_large_result_is_refused():
     box = Sandbox(timeout_s=20, result_bytes=1_000)
     try:

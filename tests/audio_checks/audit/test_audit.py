@@ -191,6 +191,7 @@ def test_many_processes_say_the_same(folders, sound, audit):
     assert audit("-j", "2") == audit("-j", "1")
 
 
+@pytest.mark.slow
 def test_formats_and_schemas(folders, sound, audit, run):
     approved, build = folders
     write_wav(approved / "a.wav", sound("bell"))

@@ -61,6 +61,7 @@ def test_an_equaliser_is_distinguished_from_gain():
     assert likeness(waves(samples), waves(steep)).tilt_db > 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("family", ["footsteps", "impact", "rain", "voice", "bell", "wind"])
 def test_variations_are_not_the_same(family):
     variations = [waves(sound(family, seed)) for seed in range(6)]

@@ -144,6 +144,7 @@ def test_a_level_that_depends_on_the_game_is_not_called_the_same(game):
     assert 'depends on game parameter "RPM"' in entries["snd_0000.wav"]["message"]
 
 
+@pytest.mark.slow
 def test_an_import_setting_that_changes_the_level(game):
     game.write("unity")
     meta = game.root / (KINDS["unity"].file.format(2) + ".meta")
@@ -180,6 +181,7 @@ def test_text_and_annotations_name_object_and_file(game, run):
 
 
 class TestAccepted:
+    @pytest.mark.slow
     def test_drift_is_let_through_with_its_reason_and_no_further(self, game):
         game.write()
         game.change({("sound", 0): 6.0})
@@ -196,6 +198,7 @@ class TestAccepted:
         game.change({("sound", 0): 7.0})
         assert game.audit("--baseline", "b.json")[0] == 1
 
+    @pytest.mark.slow
     def test_the_file_is_a_baseline_of_check_too(self, game, run):
         game.write()
         game.change({("sound", 0): 6.0})
@@ -219,6 +222,7 @@ class TestAccepted:
 
 
 class TestChangelists:
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         ("engine", "level"),
         [
@@ -262,6 +266,7 @@ class TestChangelists:
         _, entries, _, _ = game.audit()
         assert entries["snd_0000.wav"]["plays"][0]["moved"][0]["changelist"] is None
 
+    @pytest.mark.slow
     def test_what_is_not_committed_is_reported(self, game):
         game.write("godot")
         for command in (["init", "-q"], ["add", "."], ["commit", "-qm", "Begin"]):

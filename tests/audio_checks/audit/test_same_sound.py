@@ -44,6 +44,7 @@ def test_other_sounds_are_not_the_same(tmp_path):
     assert difference_of(known(tmp_path, burst(3)).fingerprint, known(tmp_path, burst(4)).fingerprint) is None
 
 
+@pytest.mark.slow
 def test_the_sound_is_among_the_likeliest_of_many(tmp_path):
     others = [known(tmp_path, burst(seed)).moments for seed in range(10, 40)]
     looked_for = known(tmp_path, burst(25)[RATE // 50 :] / 4)

@@ -68,6 +68,7 @@ def test_only_where_the_spec_wants_dry_sounds_and_the_list_no_tail():
     assert codes([judged(f"{number}.wav", None) for number in range(5)]) == [[]] * 5
 
 
+@pytest.mark.slow
 def test_dry_hits_and_the_same_in_a_room(tmp_path):
     for folder, made in (("dry", lambda sound: sound), ("wet", in_a_room)):
         (tmp_path / folder).mkdir()

@@ -41,6 +41,7 @@ def judged(run):
     return judged
 
 
+@pytest.mark.slow
 def test_changed_and_new_files_are_judged(repository, judged):
     write_wav(repository / "a.wav", OTHER)
     write_wav(repository / "sub dir" / "é.wav", OTHER)
@@ -171,28 +172,33 @@ def update_submodules(root, *options):
     git("-C", root, "-c", "protocol.file.allow=always", "submodule", "-q", "update", "--init", "--recursive", *options)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("paths", [["."], ["assets"], ["assets/lib"], ["assets/lib/bad.wav", "assets/lib/good.wav"]])
 def test_a_moved_submodule_is_judged_from_the_commit_that_was_recorded(with_submodule, judged, paths):
     found, _ = judged("main", *paths)
     assert [os.path.normpath(path) for path in found] == ["assets/lib/bad.wav"]
 
 
+@pytest.mark.slow
 def test_the_branch_of_a_submodule_is_not_the_branch_of_the_game(with_submodule, judged):
     git("-C", "assets/lib", "branch", "-f", "feature", "HEAD")  # a branch of the same name, where nothing differs
     assert judged("main", ".")[0] == ["./assets/lib/bad.wav"]
     assert judged("feature", ".")[0] == []
 
 
+@pytest.mark.slow
 def test_changes_in_the_working_tree_of_a_submodule(with_submodule, judged):
     write_wav(with_submodule / "assets" / "lib" / "new.wav", OTHER)
     assert judged("HEAD", ".")[0] == ["./assets/lib/new.wav"]
 
 
+@pytest.mark.slow
 def test_a_new_submodule_is_new_throughout(with_submodule, judged, tmp_path):
     submodule_of(with_submodule, tmp_path / "library", "more")
     assert judged("main", ".")[0] == ["./assets/lib/bad.wav", "./more/good.wav"]
 
 
+@pytest.mark.slow
 def test_a_setting_cannot_hide_a_submodule(with_submodule, judged):
     git("config", "-f", ".gitmodules", "submodule.assets/lib.ignore", "all")
     git("config", "diff.ignoreSubmodules", "all")
@@ -239,6 +245,7 @@ def test_a_shallow_clone_with_both_ends(with_submodule, judged, tmp_path, monkey
     assert judged("FETCH_HEAD", ".")[0] == ["./assets/lib/bad.wav"]
 
 
+@pytest.mark.slow
 def test_a_moved_submodule_that_is_not_checked_out_fails(with_submodule, run, tmp_path, monkeypatch):
     clone = cloned(with_submodule, tmp_path / "clone")
     write_wav(clone / "own.wav", GOOD)
@@ -253,11 +260,13 @@ def test_a_moved_submodule_that_is_not_checked_out_fails(with_submodule, run, tm
     assert (code, "the submodule differs" in err) == (0, False)
 
 
+@pytest.mark.slow
 def test_a_submodule_by_itself_has_its_own_branches(with_submodule, judged, monkeypatch):
     monkeypatch.chdir(with_submodule / "assets" / "lib")
     assert judged("HEAD~1", ".")[0] == ["./bad.wav"]
 
 
+@pytest.mark.slow
 def test_another_repository_inside_the_tree_is_judged_whole(repository, judged):
     git("init", "-q", "vendor")
     write_wav(repository / "vendor" / "x.wav", GOOD)
@@ -267,12 +276,14 @@ def test_another_repository_inside_the_tree_is_judged_whole(repository, judged):
     assert "a repository of its own and no submodule, so every file of it is judged" in err
 
 
+@pytest.mark.slow
 def test_a_hook_of_git_names_its_own_repository_only(with_submodule, judged, monkeypatch):
     monkeypatch.setenv("GIT_DIR", str(with_submodule / ".git"))
     monkeypatch.setenv("GIT_INDEX_FILE", str(with_submodule / ".git" / "index"))
     assert judged("main", ".")[0] == ["./assets/lib/bad.wav"]
 
 
+@pytest.mark.slow
 def test_links_count_by_where_they_lead(repository, judged, tmp_path):
     shared = tmp_path / "shared"
     shared.mkdir()

@@ -334,6 +334,7 @@ def test_a_cold_start_costs_a_few_imports_of_numpy(folder):
     assert ours_s < 5 * numpy_s
 
 
+@pytest.mark.slow
 def test_a_closed_pipe_is_no_traceback():
     reader, writer = os.pipe()
     os.close(reader)

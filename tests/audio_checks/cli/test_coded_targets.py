@@ -55,6 +55,7 @@ def run(capsys):
     return run
 
 
+@pytest.mark.slow
 def test_what_is_rendered_passes_its_check_and_is_made_once(folder, run):
     code, out, _ = run("render", "--spec", "spec.toml", "--out", "game", "masters")
     assert code == 0
@@ -72,6 +73,7 @@ def test_what_is_rendered_passes_its_check_and_is_made_once(folder, run):
     assert "container FLAC, accepted OGG" in out
 
 
+@pytest.mark.slow
 def test_an_audit_recognises_a_coded_file_and_one_encoded_again(folder, run):
     run("render", "--spec", "spec.toml", "--target", "game", "--out", "game", "masters")
     assert run("manifest", "game/game", "--out", "approved.json")[0] == 0

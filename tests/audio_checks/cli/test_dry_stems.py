@@ -64,6 +64,7 @@ def test_a_name_that_a_cue_owns_is_no_stem():
     assert dry_stems(["shot.wav", "shot__dry.wav"], owned) == {}
 
 
+@pytest.mark.slow
 def test_what_was_added_is_found_and_named(folder, check):
     write_wav(folder / "warp_in.wav", WET)
     write_wav(folder / "warp_in__dry.wav", DRY)
@@ -74,6 +75,7 @@ def test_what_was_added_is_found_and_named(folder, check):
     assert finding["message"].startswith("reverb of about 0.8 s added to warp_in__dry.wav, score 0.99 of 1")
 
 
+@pytest.mark.slow
 def test_where_nothing_was_added_there_is_no_finding(folder, check):
     write_wav(folder / "warp_in.wav", WET)
     assert "baked-reverb:heard" in codes(check()[1]["warp_in.wav"])
@@ -85,6 +87,7 @@ def test_where_nothing_was_added_there_is_no_finding(folder, check):
     assert "baked-reverb:heard" in codes(check()[1]["warp_in.wav"])
 
 
+@pytest.mark.slow
 def test_of_another_sound_the_judgement_without_it_stands(folder, check):
     write_wav(folder / "warp_in.wav", WET)
     alone = check()[1]["warp_in.wav"]

@@ -119,6 +119,7 @@ def test_nor_does_the_module_in_isolated_mode(tree, marker):
     assert "2 files" in done.stdout
 
 
+@pytest.mark.slow
 def test_git_starts_nothing_of_a_repository_inside_the_tree(tree, marker):
     run_in(tree, [str(BIN / "audio-checks"), "check", "--changed-since", "HEAD", "good/inner.wav"])
     assert not marker.exists(), marker.read_text()
@@ -146,6 +147,7 @@ def test_the_sandbox_of_a_server_runs_nothing_of_it(tree, marker, tmp_path):
     assert done.stdout.split() == ["4", "4"], done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", ["/etc/passwd", "/dev/zero", "/proc/self/environ", "no/such/file", "fifo", "huge"])
 def test_a_spec_that_is_something_else_is_refused_with_a_reason(tree, place):
     os.mkfifo(tree / "fifo")
@@ -162,6 +164,7 @@ def test_a_spec_that_is_something_else_is_refused_with_a_reason(tree, place):
     assert "fault of the tool" not in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("option", ["--baseline", "--spec", "--list"])
 def test_so_is_any_other_text_file(tree, option):
     (tree / "endless").symlink_to("/dev/zero")

@@ -226,6 +226,7 @@ class TestGithub:
         assert rows[2].startswith("| a\\_b&#124;c.wav | rejected | error: true peak")
         assert "old.wav" not in text
 
+    @pytest.mark.slow
     def test_a_large_summary_keeps_within_what_a_step_may_write(self, tmp_path, monkeypatch):
         monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(tmp_path / "summary.md"))
         self.commands(*(entry(f"sounds/{n:05}.wav", OVER, LATE) for n in range(8_000)))
@@ -273,6 +274,7 @@ class TestText:
         assert re.search(r"^  sample peak +-6\.00 dBFS$", out, re.MULTILINE)
         assert re.search(r"^  is silence +yes$", out, re.MULTILINE)
 
+    @pytest.mark.slow
     def test_reverb_is_drawn_octave_by_octave(self, folder, run):
         dry = hits(channels=2)
         write_wav(folder / "dry.wav", dry)

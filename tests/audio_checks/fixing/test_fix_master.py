@@ -303,6 +303,7 @@ class TestWhole:
         assert (kinds(fixed), fixed.conforms) == (["gain", "depth"], True)
         assert layout_of(fixed.path).bit_depth == 16
 
+    @pytest.mark.slow
     def test_the_same_master_gives_the_same_bytes_and_is_only_read(self, tmp_path, out):
         sound = join(noise(dbfs=-70.0, seconds=0.2), noise(dbfs=-3.0, seconds=0.3, channels=1))
         master = write_wav(tmp_path / "Rain 1.wav", sound, bits=16)

@@ -29,6 +29,7 @@ def test_reverb_that_was_added(beside, channels, wet_db):
     assert found.evidence["response"]["curve_db"][0] == 0
 
 
+@pytest.mark.slow
 def test_a_burst_of_noise_is_distinguished_from_its_tail(beside):
     burst = noise(seconds=1.5, dbfs=-18) * np.exp(-np.arange(72_000) / 10_000)[:, np.newaxis]
     assert beside(burst, burst).verdict == "dry"

@@ -59,6 +59,7 @@ def test_the_evidence_is_what_is_drawn(judged):
     assert judged(hits()).evidence["coherence"] is None
 
 
+@pytest.mark.slow
 def test_surer_of_more_reverb(judged):
     dry = hits(channels=2)
     scores = [judged(dry).score, *(judged(in_a_room(dry, wet_db=wet_db)).score for wet_db in (-20.0, -6.0))]

@@ -29,6 +29,7 @@ def test_which_of_two_has_more(between, samples, earlier, verdict):
     assert found.figures["wet_db"] == pytest.approx(-6.0, abs=1)
 
 
+@pytest.mark.slow
 def test_the_octaves_die_away_slower_by_what_was_added(between):
     bands = between(WET, DRY).evidence["bands"]
     assert bands

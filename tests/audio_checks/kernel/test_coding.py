@@ -47,6 +47,7 @@ def test_zeros_in_long_runs_are_silent(sounding: list[bool], margin: int, run: i
     assert not marks[1].any()
 
 
+@pytest.mark.slow
 @given(st.data(), st.sampled_from(DEPTHS), st.integers(1, 4), st.integers(0, 20))
 def test_bytes_of_any_depth(data: st.DataObject, bits: int, channels: int, frames: int) -> None:
     most = 1 << (bits - 1)

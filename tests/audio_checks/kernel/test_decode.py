@@ -22,6 +22,7 @@ def integers(raw: bytes, bits: int) -> NDArray[np.integer]:
     return np.frombuffer(raw, f"<i{bits // 8}")
 
 
+@pytest.mark.slow
 @given(st.data(), st.sampled_from([8, 16, 24, 32]), st.integers(1, 8), st.integers(0, 70))
 def test_pcm_of_any_depth_and_any_number_of_channels(data, bits: int, channels: int, frames: int):
     size = channels * frames * bits // 8
@@ -43,6 +44,7 @@ def test_full_scale_is_one(bits: int):
     assert block.tolist() == [[-1.0, 1 - 2.0 ** (1 - bits)]]
 
 
+@pytest.mark.slow
 @given(st.sampled_from([32, 64]), st.integers(1, 8), st.lists(FLOATS, max_size=90))
 def test_floats_and_what_is_no_number(bits: int, channels: int, values: list[float]):
     frames = len(values) // channels

@@ -13,6 +13,7 @@ from tests.audio_checks.kernel.signals import Samples, signals
 HISTORY = 6
 
 
+@pytest.mark.slow
 @given(signals(), st.integers(1, 50))
 def test_cells_of_any_size(samples: Samples, size: int):
     channels = samples.shape[1]
@@ -79,6 +80,7 @@ def longest(wave, start, end, level) -> tuple[int, int]:
     return best, place
 
 
+@pytest.mark.slow
 @given(signals(most_channels=1), st.integers(0, 300), st.sampled_from([1.0, -1.0]), st.sampled_from([0.0, 0.01, 0.5]))
 def test_crests(samples: Samples, first: int, sign: float, grain: float):
     row = np.ascontiguousarray(np.repeat(samples[:, 0], 2))  # so that some have flat tops
@@ -151,6 +153,7 @@ def test_a_stretch_that_comes_again_elsewhere_is_no_older_buffer(beside: int):
     assert kernel.recurrences(row, 0, 1e-3, 60, 500, 4.5, 4, np.empty((8, 3), np.int64)) == 0
 
 
+@pytest.mark.slow
 @given(signals(most_channels=1), st.integers(0, 2**32 - 1))
 def test_what_is_reported_did_come_twice(samples: Samples, seed: int):
     rng = np.random.default_rng(seed)
@@ -189,6 +192,7 @@ def highest_beside(heights: list[float], at: int, reach: int) -> float:
     return max([min(beside), *far])
 
 
+@pytest.mark.slow
 @given(
     st.lists(st.sampled_from([0.1, 0.2, 1.0, 1.1, 4.0, 5.0]), min_size=15, max_size=40),
     st.sampled_from([3, 7]),
@@ -197,6 +201,7 @@ def test_what_stands_out(heights: list[float], reach: int):
     assert outstanding(heights, reach) == all_that_stand_out(heights, reach)
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32 - 1), st.sampled_from([4, 7, 40]))
 def test_what_stands_out_of_many(seed: int, reach: int):
     # Sixty-four at a time are compared with their nearest before one is compared with all.
@@ -291,6 +296,7 @@ def test_bursts_refuse_what_does_not_fit(within: int, reach: int, level: int):
         kernel.bursts(row, row, row, within, reach, level, 3.0, 0.2, 0.5, 4.0, 2.0, places, np.empty(5))
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32 - 1), st.sampled_from([2.0, 3.5]), st.sampled_from([0.0, 5.0]), st.sampled_from([0.0, 0.8]))
 def test_what_stands_out_amid_a_sound_that_goes_on(seed: int, times: float, above_mean: float, quietest: float):
     reach, level, before = 7, 5, 3
@@ -345,6 +351,7 @@ def test_cells_beside_what_may_stand_out_are_wanted(first: int):
         )
 
 
+@pytest.mark.slow
 @given(st.lists(st.floats(-10, 10), min_size=2, max_size=40))
 def test_bends(sums: list[float]):
     out = np.empty(len(sums) - 2)

@@ -15,6 +15,7 @@ def runs_of(low: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return list(zip(turns[::2], turns[1::2], strict=True))
 
 
+@pytest.mark.slow
 @given(
     st.lists(st.sampled_from([0.0, 1e-4, 0.5]), max_size=80),
     st.sampled_from([0.0, 1e-4]),

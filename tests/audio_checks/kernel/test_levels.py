@@ -11,6 +11,7 @@ from audio_checks.measure.maxima import maxima_of
 from tests.audio_checks.kernel.signals import Samples, cut, signals
 
 
+@pytest.mark.slow
 @given(signals(), st.integers(0, 99))
 def test_sums_of_blocks_of_any_length(samples: Samples, seed: int):
     figures = np.zeros((samples.shape[1], 2))
@@ -20,6 +21,7 @@ def test_sums_of_blocks_of_any_length(samples: Samples, seed: int):
     np.testing.assert_allclose(figures[:, 1], np.square(samples).sum(axis=0), rtol=1e-12, atol=1e-300)
 
 
+@pytest.mark.slow
 @given(signals())
 def test_the_highest_of_each_row(samples: Samples):
     sizes = np.abs(samples)
@@ -28,6 +30,7 @@ def test_the_highest_of_each_row(samples: Samples):
     np.testing.assert_array_equal(maxima_of(kernel.by_channel(samples)), np.array(rows).reshape(-1, samples.shape[1]).T)
 
 
+@pytest.mark.slow
 @given(signals(), st.integers(0, 99))
 def test_the_first_frame_at_the_peak(samples: Samples, seed: int):
     meter = Levels(1, samples.shape[1], len(samples))
@@ -37,6 +40,7 @@ def test_the_first_frame_at_the_peak(samples: Samples, seed: int):
     assert meter.result()["sample_peak_s"] == (int(np.argmax(loud)) if loud.any() else 0)
 
 
+@pytest.mark.slow
 @given(signals(most_channels=5), st.integers(0, 99))
 def test_products_of_every_two_channels(samples: Samples, seed: int):
     channels = samples.shape[1]
@@ -60,6 +64,7 @@ def test_the_same_block_gives_the_same_bits():
     assert len(answers) == 1
 
 
+@pytest.mark.slow
 @given(signals(most_channels=2), st.integers(1, 200), st.integers(0, 99))
 def test_products_of_stereo_by_hops(samples: Samples, hop: int, seed: int):
     if samples.shape[1] != 2:
@@ -76,6 +81,7 @@ def test_products_of_stereo_by_hops(samples: Samples, hop: int, seed: int):
     np.testing.assert_allclose(hops, wanted, rtol=1e-11, atol=1e-9 * (1 + loudest))
 
 
+@pytest.mark.slow
 @given(signals(), st.sampled_from([0.0, 1e-3, 0.5]))
 def test_the_first_and_the_last_loud_frame(samples: Samples, level: float):
     block = kernel.by_channel(samples)
@@ -83,6 +89,7 @@ def test_the_first_and_the_last_loud_frame(samples: Samples, level: float):
     assert kernel.loud_frames(block, maxima_of(block), level) == ((loud[0], loud[-1]) if loud else (-1, -1))
 
 
+@pytest.mark.slow
 @given(signals(), st.integers(1, 40))
 def test_groups_are_added_up_as_numpy_does(samples: Samples, size: int):
     rows = kernel.by_channel(samples)
@@ -104,6 +111,7 @@ def test_room_for_every_hop_is_wanted(at: int, hop: int, room: int):
         kernel.stereo_products(np.zeros((2, 100)), at, hop, np.zeros((room, 4)))
 
 
+@pytest.mark.slow
 @given(signals(), st.integers(1, 50))
 def test_shapes_of_points(samples: Samples, size: int):
     rows = kernel.by_channel(samples)

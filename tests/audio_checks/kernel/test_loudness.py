@@ -28,6 +28,7 @@ def hop_energies(samples: Samples, rate: int, weights: np.ndarray) -> np.ndarray
     return np.diff(sums[starts], axis=0) @ weights
 
 
+@pytest.mark.slow
 @settings(max_examples=60)
 @given(signals(most_frames=4_000), st.sampled_from([1_000, 8_000, 11_025, 44_100, 192_000]), st.integers(0, 99))
 def test_every_hop_of_blocks_of_any_length(samples: Samples, rate: int, seed: int):
@@ -114,6 +115,7 @@ def window_powers(hops: np.ndarray, first: int, length: int, rate: int, windows:
     return (np.maximum(sums[length:] - sums[:-length], 0.0) / (bounds[length:] - bounds[:-length]))[-windows:]
 
 
+@pytest.mark.slow
 @given(
     st.integers(1, 700),
     st.sampled_from([1, 2, 40, 300]),

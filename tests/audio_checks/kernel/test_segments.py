@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from audio_checks import kernel
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32 - 1), st.integers(0, 7), st.floats(0.5, 3.0), st.sampled_from([0.0, 1.0]))
 def test_steady_segments(seed: int, without: int, most: float, least: float):
     # The bound that passes most segments over gives the answer of sorting each.
@@ -27,6 +28,7 @@ def test_steady_segments_refuse_what_does_not_fit(size: int, without: int):
         kernel.steady_segments(np.zeros(24), np.zeros(24), size, without, 0.0, 1.0, np.empty(3, np.bool_))
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32 - 1), st.integers(2, 11), st.floats(0.01, 1.0))
 def test_gliding_segments(seed: int, size: int, most: float):
     rng = np.random.default_rng(seed)

@@ -26,6 +26,7 @@ def surveyed(raw: bytes, bits: int, floats: bool, whole: Samples, size: int, hop
     return maxima, figures, cells, said
 
 
+@pytest.mark.slow
 @given(signals(most_frames=5_000, most_channels=4), st.integers(1, 50), st.sampled_from([True, False]))
 def test_a_survey_finds_what_each_loop_finds_alone(samples: Samples, size: int, floats: bool):
     channels, frames = samples.shape[1], len(samples)

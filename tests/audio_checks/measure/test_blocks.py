@@ -84,6 +84,7 @@ def test_blocks_of_any_length_in_memory_that_is_used_again(layout: wav.WavLayout
                 assert parts[name] == value, name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frames", [len(SOUND), 4_321, 131_072, 389])
 def test_what_is_decoded_in_place_gives_the_same(layout: wav.WavLayout, frames: int, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(faults, "STRETCH_FRAMES", 1 << 17)
@@ -120,6 +121,7 @@ def test_what_is_decoded_in_place_gives_the_same(layout: wav.WavLayout, frames: 
                 assert mine[name] == value, name
 
 
+@pytest.mark.slow
 def test_pieces_are_whole_rows_and_cells_and_never_more_than_is_looked_at_together(layout: wav.WavLayout):
     for rate in (8_000, 44_100, 62_000, 758_000):
         for channels in (1, 2, 8, 64):

@@ -35,6 +35,7 @@ def coded():
 
 
 class TestLines:
+    @pytest.mark.slow
     @pytest.mark.parametrize("lines", all_lines()[1:4], ids=lambda lines: lines.codec)
     def test_frames_that_overlap_do_not_disturb_one_another(self, lines):
         # Princen, Johnson, Bradley 1987: a window whose squares add up to 1 makes all lines of all frames orthogonal.
@@ -64,6 +65,7 @@ class TestLines:
 
 
 class TestTraces:
+    @pytest.mark.slow
     def test_the_codec_and_where_its_frames_begin(self, coded):
         trace = best_of(coded)
         assert (trace.codec, trace.rate_hz) == ("AAC", RATE)
@@ -71,12 +73,14 @@ class TestTraces:
         assert trace.shares.argmax() == 0
         assert trace.silent_share == pytest.approx(trace.shares.max()) == pytest.approx(0.3, abs=0.05)
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("frames", [1, 500, 1_023])
     def test_a_trimmed_beginning_moves_the_place(self, coded, frames):
         trace = best_of(coded[frames:] * 0.37)
         assert trace.contrast > ENOUGH
         assert trace.shares.argmax() == (1_024 - frames) % 1_024
 
+    @pytest.mark.slow
     def test_after_another_rate_it_is_found_at_the_codec_s(self, coded):
         trace = best_of(signal.resample_poly(coded, 160, 147, window=("kaiser", 12.0)), 48_000)
         assert (trace.codec, trace.rate_hz) == ("AAC", RATE)

@@ -57,6 +57,7 @@ INTEGRATED_3341 = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", RATES_HZ)
 @pytest.mark.parametrize("case", INTEGRATED_3341)
 def test_3341_integrated(case: int, rate: int):
@@ -88,6 +89,7 @@ def test_3341_10_short_term_wherever_the_tone_starts(number: int):
     assert figures(samples, 48_000)["max_short_term_lufs"] == pytest.approx(-23.0, abs=0.03)
 
 
+@pytest.mark.slow
 def test_3341_11_short_term_of_each_of_twenty_tones():
     parts: list[tuple[float, float]] = []
     for number in range(20):
@@ -108,6 +110,7 @@ def test_3341_13_momentary_wherever_the_tone_starts(number: int):
     assert figures(samples, 48_000)["max_momentary_lufs"] == pytest.approx(-23.0, abs=0.03)
 
 
+@pytest.mark.slow
 def test_3341_14_momentary_of_each_of_twenty_tones():
     parts: list[tuple[float, float]] = []
     for number in range(20):

@@ -80,6 +80,7 @@ def test_a_tone_over_and_under_a_narrow_noise(above_db, is_heard):
     assert found.margin_db[band] == pytest.approx(above_db + 3.0, abs=2.0)
 
 
+@pytest.mark.slow
 def test_a_notch_around_the_tone_uncovers_it():
     tone = excitation(sine(hz=1_000, dbfs=-40.0, seconds=2.0))
     margins = []

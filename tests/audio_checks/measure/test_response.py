@@ -21,6 +21,7 @@ def test_reverb_comes_back_with_its_time_and_its_level(rt60_s, wet_db):
     assert list(found.curve_db) == sorted(found.curve_db, reverse=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("delivered", [hits() * 0.5, join(silence(seconds=0.1), hits())], ids=["quieter", "later"])
 def test_nothing_was_added(delivered):
     found = response_between(hits(), delivered, RATE)

@@ -34,6 +34,7 @@ HOSTILE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("path", "place"), [(path, at) for path, texts in HOSTILE.items() for at in range(len(texts))])
 def test_a_text_made_to_take_long_does_not(tmp_path, path, place):
     """A pattern that took the square of the time would run into the timeout of every test."""

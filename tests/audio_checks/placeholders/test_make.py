@@ -92,6 +92,7 @@ class TestToSpec:
 
 
 class TestOfAKind:
+    @pytest.mark.slow
     def test_the_same_each_time_and_left_where_nothing_changed(self, tmp_path):
         first = made(tmp_path)
         stamps = [one.path.stat().st_mtime_ns for one in first]
@@ -100,6 +101,7 @@ class TestOfAKind:
         assert [one.is_new for one in again] == [False] * 6
         assert [one.path.stat().st_mtime_ns for one in again] == stamps
 
+    @pytest.mark.slow
     def test_cues_and_variations_are_distinguished(self):
         sounds = [pattern(f"SW-{number:03}", 1, 9_600, 16_000) for number in range(60)]
         sounds += [pattern("SW-000", variation, 9_600, 16_000) for variation in (2, 3, 4)]
@@ -202,6 +204,7 @@ class TestSpeech:
         monkeypatch.setenv("PATH", str(tmp_path))
         assert speech.synthesize_speech("Shield up", 48_000, None) is None
 
+    @pytest.mark.slow
     def test_spoken_placeholders_conform_too(self, tmp_path, engine):
         engine()
         cues = read_sound_list(LIST)
@@ -228,6 +231,7 @@ class TestCommand:
 
     ASKED = ("placeholders", "--list", "sounds.csv", "--spec", "spec.toml", "--no-voice", "--out", "out")
 
+    @pytest.mark.slow
     def test_all_then_what_is_missing(self, folder, capsys):
         (folder / "takes").mkdir()
         write_wav(folder / "takes" / "shield_up__alt2.wav", noise())
@@ -238,6 +242,7 @@ class TestCommand:
         assert out.splitlines()[-1] == "10 placeholders; 1 take needs none"
         assert is_placeholder(folder / "out" / "game" / "vo_welcome.wav")
 
+    @pytest.mark.slow
     def test_a_placeholder_is_not_a_take(self, capsys):
         assert main([*self.ASKED]) == 0
         assert main([*self.ASKED, "out"]) == 0

@@ -152,6 +152,7 @@ def loudness_written(tmp_path, samples, levels):
     return made.measurements, struct.unpack_from("<5h", one(kept, "bext"), 412)
 
 
+@pytest.mark.slow
 def test_loudness_is_stated_as_it_is_now_where_it_was_stated(tmp_path):
     # A tone of 997 Hz at -20 dBFS reads -23.01 LUFS in mono (BS.1770), at any rate: the master lied.
     tone = sine(hz=997, dbfs=-20, rate=RATE, seconds=4)
@@ -256,6 +257,7 @@ CHUNKS_OF_STRANGERS = st.sampled_from(["bext", "iXML", "cue ", "smpl", "LIST", "
 BEGINNINGS = st.sampled_from([b"", b"adtlltxt\x40\0\0\0", struct.pack("<I", 9), bytes(28) + struct.pack("<I", 1 << 31)])
 
 
+@pytest.mark.slow
 @given(name=CHUNKS_OF_STRANGERS, beginning=BEGINNINGS, rest=st.binary(max_size=700))
 @settings(max_examples=200)
 def test_no_chunk_of_a_stranger_stops_a_render(name, beginning, rest):

@@ -177,6 +177,7 @@ def test_flac_holds_the_very_samples_of_a_wav(tmp_path):
     assert rendered_to("flac", eight, tmp_path).bit_depth == 8  # nothing was recalculated, so nothing is added
 
 
+@pytest.mark.slow
 def test_quality_is_heard_in_size_and_loss(tmp_path):
     master = write_wav(tmp_path / "a.wav", noise(seconds=1, channels=2, dbfs=-20))
     for name in ("vorbis", "opus"):

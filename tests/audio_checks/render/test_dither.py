@@ -114,6 +114,7 @@ def test_beyond_full_scale_is_not_hidden():
     assert rounded(np.array([[1.5], [-1.5]]), 16, dither="none").tolist() == [[49_152], [-49_152]]
 
 
+@pytest.mark.slow
 def test_shaped_noise_follows_the_response_of_its_weights():
     samples = sine(-20.0)
     hz = np.fft.rfftfreq(len(samples), 1 / RATE)

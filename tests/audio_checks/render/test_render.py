@@ -71,6 +71,7 @@ class TestFormat:
         assert rendered.master_sha256 == hashlib.sha256(master.read_bytes()).hexdigest()
         assert rendered.renderer_version == RENDERER_VERSION
 
+    @pytest.mark.slow
     def test_a_quiet_tone_keeps_its_level(self, tmp_path, out):
         # Over ten seconds the dither itself moves the reading by 0.003 dB.
         tone = waves.sine(hz=1_000, dbfs=-80, seconds=11, rate=96_000)

@@ -23,6 +23,7 @@ def test_shares_hold_every_task_once_and_are_single_ones_at_the_end(count: int):
     assert lengths[0] == min(MOST_AT_ONCE, max(1, count // 8))
 
 
+@pytest.mark.slow
 def test_the_largest_are_done_first_and_results_come_in_the_order_of_tasks():
     heard: list[int] = []
     tasks = [3, 1, 2, 9, 5]

@@ -32,6 +32,7 @@ def test_without_a_rehearsal_it_loads_much(tmp_path: Path) -> None:
     sandbox.close()
 
 
+@pytest.mark.slow
 def test_a_rehearsal_that_fails_stops_nobody() -> None:
     sandbox = Sandbox(rehearsal=len)  # wants an argument
     assert sandbox.call(len, "four") == 4

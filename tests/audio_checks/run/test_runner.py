@@ -282,6 +282,7 @@ def test_every_byte_of_sound_is_read_once_with_all_checks_on(monkeypatch, tmp_pa
     assert size <= sum(count for _, count in reads) < size + 600  # only headers are seen twice
 
 
+@pytest.mark.slow
 def test_the_base_install_is_enough_and_loads_little():
     # What an import pulls in is seen only by a fresh interpreter.
     script = """

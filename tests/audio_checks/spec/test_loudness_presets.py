@@ -43,6 +43,7 @@ def test_in_words():
     assert "too short" in in_words("aswg-home", stands("aswg-home", None))
 
 
+@pytest.mark.slow
 def test_a_mix_is_set_beside_them(tmp_path, capsys):
     # A 997 Hz sine in both channels reads the RMS of one plus 3.01 dB.
     path = write_wav(tmp_path / "trailer.wav", sine(hz=997, dbfs=-20.0, seconds=5, channels=2))
