@@ -251,8 +251,3 @@ def _is_figure(text: str) -> bool:
         except ValueError:
             return False
     return True
-
-
-def field_of_column(name: str) -> str | None:
-    """Return the field that a column's head means, None where it is unknown."""
-    return head_of(name).field
