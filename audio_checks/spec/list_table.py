@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from audio_checks.spec.list_cells import is_broken_formula, read_number, reading_of
-from audio_checks.spec.list_heads import head_of, known_heads_in, plain_head
+from audio_checks.spec.list_heads import known_heads_in, plain_head
 
 SEPARATORS = ",;\t|"
 HEAD_WITHIN_ROWS = 12
