@@ -6,7 +6,7 @@ import { Button } from '@/ui/Button'
 import { State } from '@/ui/State'
 
 import { fixInWords, isAllFixed } from './autoFix'
-import type { Finding } from './checks'
+import type { Finding } from './findings'
 import classes from './HeldFiles.module.css'
 import type { HeldFile } from './held'
 import { isRenamable, heldStateOf } from './renames'

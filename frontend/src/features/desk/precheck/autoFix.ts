@@ -1,5 +1,5 @@
 /** What the automatic fix does about a finding, in the server's words (audio_checks/fixing/offers.py). */
-import type { Finding, Subject } from './checks'
+import type { Finding, Subject } from './findings'
 import { fixed } from './numbers'
 
 const MOST_FIXED_BITS = 24

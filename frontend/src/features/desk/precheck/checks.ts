@@ -1,26 +1,11 @@
 /** The checks that need only the header and the peaks, with the server's words; `vectors.json` holds them to it. */
-import type { components } from '@/api/schema.gen'
-
 import { autoFix } from './autoFix'
+import type { CueLength, Finding, Subject } from './findings'
 import { exactly, fixed, type Fraction, general, isMore, levelShown, minus, size, toNumber } from './numbers'
 import type { Peaks } from './peaks'
 import type { Layout } from './wav'
 
-type Schemas = components['schemas']
-export type SpecView = Schemas['SpecView']
-export type CueLength = Schemas['CueLength']
-export type Finding = Pick<
-  Schemas['FindingRead'],
-  'code' | 'severity' | 'message' | 'fix' | 'measured' | 'limit' | 'unit' | 'start_s' | 'end_s' | 'auto_fix'
->
 type Found = Partial<Finding> & Pick<Finding, 'code' | 'message' | 'fix'>
-
-export interface Subject {
-  layout: Layout
-  peaks: Peaks
-  spec: SpecView
-  length: CueLength | null
-}
 
 const byNearness = (wanted: readonly number[], found: number, isLarger = false): number => {
   const ordered = wanted.toSorted((one, other) => (isLarger ? other - one : one - other))

@@ -1,5 +1,6 @@
 import { headerFix } from './autoFix'
-import { check, type CueLength, type Finding, otherThanAccepted, type SpecView, whole } from './checks'
+import { check, otherThanAccepted, whole } from './checks'
+import type { CueLength, Finding, SpecView } from './findings'
 import { flacSlices, readFlacLayout } from './flac'
 import { peaksOf, wavSlices } from './peaks'
 import { LeftToServer, type Read, readLayout, Unreadable } from './wav'

@@ -2,7 +2,8 @@ import { File as NodeFile } from 'node:buffer'
 
 import { expect, test } from 'vitest'
 
-import { CHECKED_HERE, type Finding, type SpecView } from './checks'
+import { CHECKED_HERE } from './checks'
+import type { Finding, SpecView } from './findings'
 import { judgeFile } from './judge'
 import { fixed, general } from './numbers'
 import { peaksOf, wavSlices } from './peaks'
