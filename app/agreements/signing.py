@@ -113,7 +113,8 @@ def contracts_to_sign(session: Session, studio_id: UUID, person_id: UUID) -> lis
         contract
         for contract in queries.unsigned_contracts_of_signer(session, studio_id, person_id)
         if contract.state is ContractState.SENT
-        and person_id not in {one.person_id for one in queries.acceptances_of(session, newest_of(session, contract).id)}
+        and person_id
+        not in {acceptance.person_id for acceptance in queries.acceptances_of(session, newest_of(session, contract).id)}
     ]
 
 

@@ -136,8 +136,8 @@ def _view_read(view: audio_checks.DeliverySpec) -> SpecView:
 
 
 def _of_name(name: str, view: audio_checks.DeliverySpec, cue: Cue | None) -> list[FindingRead]:
-    found = audio_checks.check_name(base_name(name), view, cue_facts(cue) if cue else None)
-    report = audio_checks.FileReport(path=base_name(name), verdict="rejected", findings=found)
-    offers = [audio_checks.fix_offer(finding, report, view) for finding in found]
-    findings = with_offers([{**finding.to_dict(), "waived": False} for finding in found], offers)
+    named = audio_checks.check_name(base_name(name), view, cue_facts(cue) if cue else None)
+    report = audio_checks.FileReport(path=base_name(name), verdict="rejected", findings=named)
+    offers = [audio_checks.fix_offer(finding, report, view) for finding in named]
+    findings = with_offers([{**finding.to_dict(), "waived": False} for finding in named], offers)
     return [FindingRead.model_validate(finding) for finding in findings]

@@ -76,7 +76,7 @@ def _add_to_roster(producer: Visitor, path: str) -> None:
 def _listen(producer: Visitor, project: str) -> None:
     listening = producer.ask("GET", f"{project}/listening-pass")["listening_pass"]
     listening = listening or producer.ask("POST", f"{project}/listening-passes")["listening_pass"]
-    ids = {one["cue"]["name"]: one["cue"]["id"] for one in listening["cues"]}
+    ids = {heard["cue"]["name"]: heard["cue"]["id"] for heard in listening["cues"]}
     for name, heard in HEARD:
         note_id = str(uuid5(NAMESPACE_URL, f"{listening['id']}/{name}"))  # a note that is sent again is the same note
         body = {"note_id": note_id, "cue_id": ids[name]} | heard

@@ -214,11 +214,11 @@ def _addresses_with(session: Session, studio_id: UUID, role: Role) -> set[str]:
 
 def notices_of(session: Session, person_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Notice]:
     """Return a person's notices, newest first."""
-    found = select(Notice).where(Notice.person_id == person_id, has_part(Notice.studio_id, person_id))
+    query = select(Notice).where(Notice.person_id == person_id, has_part(Notice.studio_id, person_id))
     if before is not None:
-        found = found.where(Notice.id < before)
+        query = query.where(Notice.id < before)
     with bypass_row_policies(session):  # who only bids does not see that they may
-        return session.scalars(found.order_by(Notice.id.desc()).limit(limit)).all()
+        return session.scalars(query.order_by(Notice.id.desc()).limit(limit)).all()
 
 
 def open_notice(session: Session, person_id: UUID, topic: str) -> Notice | None:

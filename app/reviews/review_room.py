@@ -161,7 +161,7 @@ def _queue_item(
     if cue is None:
         raise AssertionError("only matched takes wait")
     undecided = _undecided(waiting)
-    takes = [review_take(one, facts.prefix, words, undecided) for one in waiting]
+    takes = [review_take(queued, facts.prefix, words, undecided) for queued in waiting]
     findings = [finding for take in takes for finding in take.findings]
     return QueueItem(
         cue=review_cue(cue, facts.prefix),
@@ -193,7 +193,7 @@ def review_cue(cue: Cue, prefix: str) -> ReviewCue:
 
 def _undecided(takes: Iterable[TakeOnReview]) -> dict[UUID, list[UUID]]:
     """Return for takes between which nobody chose the others, by take."""
-    waiting = [one.take for one in takes if one.take.state is TakeState.CONFORMING]
+    waiting = [taken.take for taken in takes if taken.take.state is TakeState.CONFORMING]
     groups = undecided_groups(map(open_take_of, waiting))
     return {take.id: [other.id for other in group if other is not take] for group in groups for take in group}
 
@@ -298,7 +298,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     shown = take_queries.takes_of_cue(session, actor.person, cue.id)
     words = findings_of_sets(session, [cue], _specs_of(shown))
     undecided = _undecided(shown)
-    takes = [review_take(one, prefix, words, undecided) for one in shown]
+    takes = [review_take(on_review, prefix, words, undecided) for on_review in shown]
     ids = [take.id for take in takes]
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
     verdicts = queries.verdicts_on(session, Verdict.cue_id == cue.id)

@@ -178,9 +178,9 @@ def _skipped(sheet: Sheet, columns: Sequence[Column], ask: ImportAsk) -> list[Sk
     ]
     if sheet.header_row is not None:
         skipped += [
-            SkippedRow(row=found.row, kind=found.kind, text=found.text, why=found.why)
-            for found in rows_without_cue(sheet.rows, sheet.columns, fields, sheet.notes["merged_across"])
-            if found.row not in asked | kept
+            SkippedRow(row=skipped_row.row, kind=skipped_row.kind, text=skipped_row.text, why=skipped_row.why)
+            for skipped_row in rows_without_cue(sheet.rows, sheet.columns, fields, sheet.notes["merged_across"])
+            if skipped_row.row not in asked | kept
         ]
     return sorted(skipped, key=lambda row: row.row)
 

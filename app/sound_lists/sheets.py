@@ -169,13 +169,13 @@ def decoded(data: bytes, encoding: str | None = None) -> tuple[str, SheetNotes]:
     if encoding is not None and encoding not in CODE_PAGES:
         raise SheetUnreadable(f'no encoding "{encoding[:40]}"; wanted {", ".join(CODE_PAGES)}')
     try:
-        found = decode_text(data, encoding)
+        decoded_text = decode_text(data, encoding)
     except TextDamaged as error:
         fix = "name another encoding" if encoding else None
         raise SheetUnreadable(f"row {_row_at(error.before, len(error.before))}: {error}", fix=fix) from None
     notes = no_notes()
-    notes["encoding"], notes["encoding_is_guess"] = found.encoding, found.is_guess
-    notes["other_encodings"] = list(found.others)
+    notes["encoding"], notes["encoding_is_guess"] = decoded_text.encoding, decoded_text.is_guess
+    notes["other_encodings"] = list(decoded_text.others)
     return found.text, notes
 
 
@@ -327,26 +327,26 @@ def _parts_of_tabs(archive: zipfile.ZipFile) -> dict[str, str]:
     with archive.open(relations) as part:
         text = part.read(READ_BYTES).decode("utf-8", "replace")
     targets = {}
-    for found in RELATION_TAG.finditer(text):
-        said = dict(ATTRIBUTE.findall(found[1]))
-        targets[said.get("Id", "")] = posixpath.normpath(posixpath.join("/xl", said.get("Target", ""))).lstrip("/")
+    for tag in RELATION_TAG.finditer(text):
+        values = dict(ATTRIBUTE.findall(tag[1]))
+        targets[values.get("Id", "")] = posixpath.normpath(posixpath.join("/xl", values.get("Target", ""))).lstrip("/")
     with archive.open(names["xl/workbook.xml"]) as part:
         text = part.read(READ_BYTES).decode("utf-8", "replace")
     parts = {}
-    for found in TAB_TAG.finditer(text):
-        said = {key.rpartition(":")[2]: value for key, value in ATTRIBUTE.findall(found[1])}
-        parts[html.unescape(said.get("name", ""))] = targets.get(said.get("id", ""), "").lower()
+    for tag in TAB_TAG.finditer(text):
+        values = {key.rpartition(":")[2]: value for key, value in ATTRIBUTE.findall(tag[1])}
+        parts[html.unescape(values.get("name", ""))] = targets.get(values.get("id", ""), "").lower()
     return parts
 
 
 def _note_hidden(block: bytes, hidden: _Hidden) -> None:
     """Note the rows and columns that a piece of a sheet hides, and broken formulas; an outline hides nothing."""
-    for found in BROKEN_CELL.finditer(block):
-        place = CELL_PLACE.search(found[1])
+    for cell in BROKEN_CELL.finditer(block):
+        place = CELL_PLACE.search(cell[1])
         if place and len(hidden.broken) < MAX_FILLED_CELLS and len(place[1]) < 4 and len(place[2]) < 6:
             row, column = int(place[2]), _column_number(place[1])
             if row <= LAST_ROW and column <= LAST_COLUMN:
-                hidden.broken[row, column] = found[2].decode("ascii", "replace")
+                hidden.broken[row, column] = cell[2].decode("ascii", "replace")
     for found in HIDDEN_TAG.finditer(block):
         if b"hidden" not in found[2]:
             continue

@@ -75,9 +75,9 @@ def import_script(
     plans = [plan for plan in plans if plan.spoken.row not in failed]
     imports = not ask.dry_run and bool(plans) and not (ask.atomic and faults)
     missing = [line.key for line in lines if line.id not in {plan.line.id for plan in plans if plan.line}]
-    edits = [one.edit for plan in plans for one in plan.new_texts if one.edit]
+    edits = [new.edit for plan in plans for new in plan.new_texts if new.edit]
     refused = refusals_of_edits(session, project, edits)
-    rows = {one.edit.row: plan.spoken.row for plan in plans for one in plan.new_texts if one.edit}
+    rows = {new.edit.row: plan.spoken.row for plan in plans for new in plan.new_texts if new.edit}
     for name in refused.names:
         name.row = rows.get(name.row or 0)
     answer = _answer(sheet, columns, plans, faults, missing=missing, imported=imports, refused=refused, left_out=failed)

@@ -38,9 +38,13 @@ def refused_name(name: str, file_name: str, variations: int, spec: DeliverySpec)
     """
     stems = stems_of(name, file_name, variations)
     for stem in dict.fromkeys([*stems[:1], *stems[-1:]]):
-        found = next((one for one in check_name(stem + spec.ending, spec) if _rule_of(one.code) in RULES), None)
-        if found is not None:
-            return NameRefusal(stem, _rule_of(found.code), found.message, _proposed(name, file_name, variations, spec))
+        refused = next(
+            (finding for finding in check_name(stem + spec.ending, spec) if _rule_of(finding.code) in RULES), None
+        )
+        if refused is not None:
+            return NameRefusal(
+                stem, _rule_of(refused.code), refused.message, _proposed(name, file_name, variations, spec)
+            )
     return None
 
 
@@ -59,7 +63,7 @@ def _proposed(name: str, file_name: str, variations: int, spec: DeliverySpec) ->
         if stem == first != whole:  # the number that its variations get anyway
             base = re.sub(r"[_-]?0*1$", "", base)
         stems = stems_of("", base, variations)
-        if stems and all(valid_name(one + spec.ending, spec) == one + spec.ending for one in (stems[0], stems[-1])):
+        if stems and all(valid_name(stem + spec.ending, spec) == stem + spec.ending for stem in (stems[0], stems[-1])):
             return base
     return None
 

@@ -28,8 +28,8 @@ def check_name(name: str, spec: DeliverySpec, cue: CueFacts | None = None) -> tu
     naming = all_checks()["naming"]
     if spec.checks.get("naming") == "off" or not naming.applies(spec, None):
         return ()
-    found = (graded(one, spec) for one in naming.module.of_name(name, spec))
-    return ordered(as_listed([one for one in found if one is not None], name, cue))
+    findings = (graded(finding, spec) for finding in naming.module.of_name(name, spec))
+    return ordered(as_listed([finding for finding in findings if finding is not None], name, cue))
 
 
 def as_listed(findings: list[Finding], name: str, cue: CueFacts | None) -> list[Finding]:
@@ -42,7 +42,7 @@ def as_listed(findings: list[Finding], name: str, cue: CueFacts | None) -> list[
     stems = stems_of(cue.name, cue.file_name, cue.variations)
     if stem_of_file(name) not in stems and parse_file_name(name).stem not in stems:
         return findings
-    return [_of_the_list(one) if one.code in NAMING_RULES else one for one in findings]
+    return [_of_the_list(finding) if finding.code in NAMING_RULES else finding for finding in findings]
 
 
 def _of_the_list(finding: Finding) -> Finding:

@@ -161,7 +161,7 @@ def rows_without_cue(
         Numbers of rows with a cell that is merged over several columns.
     """
     reader = _Reader(rows, columns, fields, frozenset(merged_across))
-    return [found for place in range(len(rows)) if (found := reader.row_without_cue(place))]
+    return [without_cue for place in range(len(rows)) if (without_cue := reader.row_without_cue(place))]
 
 
 class _Reader:

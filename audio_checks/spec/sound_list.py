@@ -114,10 +114,10 @@ def read_sound_list(
     columns, rows = _table(text, where)
     read = _columns(columns, rows, rates, where, notes)
     skipped = {
-        found.row: found
-        for found in rows_without_cue(rows, columns, {column.place: column.field for column in read if column.field})
+        passed.row: passed
+        for passed in rows_without_cue(rows, columns, {column.place: column.field for column in read if column.field})
     }
-    notes += [f'row {found.row}: "{found.text[:60]}" is no cue: {found.why}' for found in skipped.values()]
+    notes += [f'row {passed.row}: "{passed.text[:60]}" is no cue: {passed.why}' for passed in skipped.values()]
     cues: list[CueFacts] = []
     wrong: list[str] = []
     for number, cells in rows:

@@ -150,7 +150,7 @@ def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
     if any(code.startswith(("naming:", "structure:")) for one in codes for code in one):
         from audio_checks.fixing.in_place import NAMES, SIZES
 
-        fixable = sum(bool(one & (NAMES | SIZES) - {"naming:unlisted", "naming:listed"}) for one in codes)
+        fixable = sum(bool(of_file & (NAMES | SIZES) - {"naming:unlisted", "naming:listed"}) for of_file in codes)
         if fixable:
             these = _count(fixable, "file")
             yield ink(f"to put names and headers of {these} right: audio-checks check --diff, then --fix", DIM)
