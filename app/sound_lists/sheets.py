@@ -176,7 +176,7 @@ def decoded(data: bytes, encoding: str | None = None) -> tuple[str, SheetNotes]:
     notes = no_notes()
     notes["encoding"], notes["encoding_is_guess"] = decoded_text.encoding, decoded_text.is_guess
     notes["other_encodings"] = list(decoded_text.others)
-    return found.text, notes
+    return decoded_text.text, notes
 
 
 @dataclass

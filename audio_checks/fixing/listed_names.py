@@ -38,13 +38,11 @@ def refused_name(name: str, file_name: str, variations: int, spec: DeliverySpec)
     """
     stems = stems_of(name, file_name, variations)
     for stem in dict.fromkeys([*stems[:1], *stems[-1:]]):
-        refused = next(
-            (finding for finding in check_name(stem + spec.ending, spec) if _rule_of(finding.code) in RULES), None
-        )
+        findings = check_name(stem + spec.ending, spec)
+        refused = next((finding for finding in findings if _rule_of(finding.code) in RULES), None)
         if refused is not None:
-            return NameRefusal(
-                stem, _rule_of(refused.code), refused.message, _proposed(name, file_name, variations, spec)
-            )
+            proposed = _proposed(name, file_name, variations, spec)
+            return NameRefusal(stem, _rule_of(refused.code), refused.message, proposed)
     return None
 
 
