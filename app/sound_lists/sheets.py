@@ -347,18 +347,18 @@ def _note_hidden(block: bytes, hidden: _Hidden) -> None:
             row, column = int(place[2]), _column_number(place[1])
             if row <= LAST_ROW and column <= LAST_COLUMN:
                 hidden.broken[row, column] = cell[2].decode("ascii", "replace")
-    for found in HIDDEN_TAG.finditer(block):
-        if b"hidden" not in found[2]:
+    for tag in HIDDEN_TAG.finditer(block):
+        if b"hidden" not in tag[2]:
             continue
-        said = dict(ATTRIBUTE.findall(found[2].decode("ascii", "replace")))
-        if said.get("hidden") not in ("1", "true") or said.get("outlineLevel", "0") != "0":
+        values = dict(ATTRIBUTE.findall(tag[2].decode("ascii", "replace")))
+        if values.get("hidden") not in ("1", "true") or values.get("outlineLevel", "0") != "0":
             continue
-        if found[1] == b"row":
-            row = said.get("r", "")
+        if tag[1] == b"row":
+            row = values.get("r", "")
             if row.isdecimal() and len(row) < 8 and int(row) <= LAST_ROW:
                 hidden.rows.add(int(row))
         else:
-            first, last = said.get("min", ""), said.get("max", "")
+            first, last = values.get("min", ""), values.get("max", "")
             if first.isdecimal() and last.isdecimal() and len(first + last) < 16:
                 hidden.columns.update(range(int(first), min(int(last), LAST_COLUMN) + 1))
 
