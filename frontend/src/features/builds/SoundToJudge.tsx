@@ -142,7 +142,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
           </p>
         </div>
         {onUndo && (
-          <Button variant="quiet" icon="turn" tall aria-label="Take the last note back" keys="u" onClick={onUndo}>
+          <Button variant="quiet" icon="turn" tall keys="u" onClick={onUndo}>
             Undo
           </Button>
         )}

@@ -77,7 +77,7 @@ describe('notes on earlier versions', () => {
     serveReview(aReview(item, { takes: [now, old], carried_notes: [tail] }))
     server.on('POST /v1/takes/a/carried-notes/tail', () => refusal(404, 'note-not-found', 'No such note.'))
     await opened()
-    await userEvent.click(screen.getByRole('button', { name: 'Done: Tail a little shorter.' }))
+    await userEvent.click(await screen.findByRole('button', { name: 'Done: Tail a little shorter.' }))
     expect(await screen.findByText('No such note.')).toBeVisible()
     expect(screen.getByText('0 of 1 done')).toBeVisible()
   })
