@@ -102,13 +102,16 @@ def remove_member(
     studio_id: UUID,
     person_id: UUID,
     session: DbSession,
+    keep: Annotated[
+        list[AccessKind],
+        Query(
+            default_factory=list,
+            description="Access made by the member that the caller takes over; the rest is revoked or disabled.",
+        ),
+    ],
     hand_over_to: Annotated[
         UUID | None, Query(description="Who becomes the approver of the projects that the member approves.")
     ] = None,
-    keep: Annotated[
-        list[AccessKind],
-        Query(description="What the member made that goes on, in the caller's name; the rest is revoked or disabled."),
-    ] = [],  # noqa: B006  FastAPI copies it
     actor: Actor = allows(Audience.PRODUCER),
 ) -> None:
     """Remove a member from the studio, and end all that the membership gave; the studio always keeps a producer."""

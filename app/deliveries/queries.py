@@ -372,13 +372,13 @@ def archive_of_upload(session: Session, upload_id: UUID) -> Archive | None:
 
 def competing_takes(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Take]:
     """Return open takes that share delivery, cue, variation and alternate with another one; see `tray`."""
-    place = (Take.delivery_id, Take.cue_id, Take.variation, func.coalesce(Take.alternate, 0))
+    slot = (Take.delivery_id, Take.cue_id, Take.variation, func.coalesce(Take.alternate, 0))
     is_open = [Take.project_id == project_id, Take.cue_id.is_not(None), Take.state.in_(OPEN_STATES)]
     if designer_id is not None:
         is_open.append(Take.designer_id == designer_id)
-    shared = select(*place).where(*is_open).group_by(*place).having(func.count() > 1).limit(PLACES_ASKED).subquery()
-    same_place = [column == other for column, other in zip(place, shared.c, strict=True)]
-    query = select(Take).join(shared, and_(*same_place)).where(*is_open).options(*_WITH_CUE_AND_DESIGNER)
+    shared = select(*slot).where(*is_open).group_by(*slot).having(func.count() > 1).limit(PLACES_ASKED).subquery()
+    in_slot = [column == other for column, other in zip(slot, shared.c, strict=True)]
+    query = select(Take).join(shared, and_(*in_slot)).where(*is_open).options(*_WITH_CUE_AND_DESIGNER)
     return session.scalars(query.order_by(Take.id)).all()
 
 

@@ -50,7 +50,7 @@ def undecided_places(session: Session, actor: Actor, project_id: UUID) -> list[l
 
 
 def open_take_of(take: Take) -> OpenTake:
-    """Return what of a matched take decides whether it competes with others."""
+    """Return the facts of a matched take by which it competes with others."""
     if take.cue_id is None:
         raise AssertionError("only matched takes have a place")
     return OpenTake(

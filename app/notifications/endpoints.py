@@ -50,7 +50,7 @@ def read_outbox(
 def list_mailed_links(
     project_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.TEAM)
 ) -> MailedLinksRead:
-    """Return how the mails stand by which a project invites: designers, candidates and, for producers, members."""
+    """Return the state of each invitation email: to designers, candidates and, for producers, members."""
     can_send = bool(runtime.settings.smtp_url)
     return MailedLinksRead(
         can_send=can_send,

@@ -223,8 +223,8 @@ def notices_of(session: Session, person_id: UUID, *, before: UUID | None, limit:
 
 def open_notice(session: Session, person_id: UUID, topic: str) -> Notice | None:
     """Return the notice that takes further events of a topic, locked until this transaction ends."""
-    wanted = select(Notice).where(Notice.person_id == person_id, Notice.topic == topic, Notice.is_open)
-    return session.scalar(wanted.with_for_update())
+    query = select(Notice).where(Notice.person_id == person_id, Notice.topic == topic, Notice.is_open)
+    return session.scalar(query.with_for_update())
 
 
 def has_notice(session: Session, person_id: UUID, topic: str, event_id: str) -> bool:

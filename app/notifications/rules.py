@@ -22,7 +22,7 @@ class MailState(StrEnum):
 
 
 def mail_state(sent_at: datetime | None, failure: str | None, *, can_send: bool) -> MailState:
-    """Return how a mail stands; `can_send`: a mail server is set."""
+    """Return the state of an email on a server that can send, or has no mail server."""
     if sent_at is not None:
         return MailState.SENT
     if not can_send:
@@ -53,11 +53,11 @@ class DigestPart:
     link: str
 
     def begun(self, at: int) -> dict[str, Any]:
-        """Return what a mail keeps to join further lines to the part, which is its line number `at`."""
+        """Return the record of a part, at line `at` of the email, that further lines can join."""
         return {self.topic: {"at": at, "lines": list(self.lines)}}
 
     def joined(self, folds: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
-        """Return what the mail keeps with these lines joined to the earlier ones, and the text of the whole part."""
+        """Return the record of the part with these lines after the earlier ones, and its text."""
         lines = [*folds[self.topic]["lines"], *self.lines]
         kept = {**folds, self.topic: {**folds[self.topic], "lines": lines}}
         return kept, "\n\n".join((self.fold.subject(len(lines)), *lines, self.link))

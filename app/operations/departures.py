@@ -21,7 +21,7 @@ from app.webhooks.queries import enabled_webhooks_by
 def departure(
     session: Session, actor: Actor, studio_id: UUID, person_id: UUID, roles: Collection[Role]
 ) -> list[DepartureItem]:
-    """Return what a member would lose with other roles, or without any by leaving; raise MemberNotFound."""
+    """Return the rights and access that a member loses with other roles, or by leaving; raise MemberNotFound."""
     ensure_producer_of(session, actor, studio_id)
     if membership(session, studio_id, person_id) is None:
         raise MemberNotFound(f"no person {person_id} in this studio")

@@ -43,10 +43,12 @@ def read_departure(
     studio_id: UUID,
     person_id: UUID,
     session: DbSession,
-    roles: Annotated[list[Role], Query(description="The roles that the member keeps; none: they leave.")] = [],  # noqa: B006  FastAPI copies it
+    roles: Annotated[
+        list[Role], Query(default_factory=list, description="The roles that the member keeps; none: they leave.")
+    ],
     actor: Actor = allows(Audience.PRODUCER),
 ) -> list[DepartureItem]:
-    """Return what would end if a member left or had other roles, and what must be handed over first."""
+    """Return the rights and access that end when a member leaves or changes roles, and those to hand over first."""
     return departures.departure(session, actor, studio_id, person_id, roles)
 
 

@@ -32,7 +32,7 @@ class Namings:
 
 
 def namings_ending(session: Session, studio_id: UUID, person_id: UUID, roles: frozenset[Role]) -> Namings:
-    """Return what ends for a member whose roles become these; without roles, all of it."""
+    """Return the namings that end for a member whose roles become these; without roles, all."""
     if Role.PRODUCER in roles:
         return Namings((), (), (), (), ())
     led = queries.projects_led_by(session, studio_id, person_id)

@@ -115,10 +115,10 @@ def _place_of(cursor: str | None) -> QueuePlace | None:
         return None
     ranks, _, rest = cursor.partition(".")
     read = re.fullmatch(r"([01])-(\d)-(\d{1,4})", ranks, re.ASCII)
-    place = instant_cursor(rest)
-    if read is None or place is None:
+    since_and_cue = instant_cursor(rest)
+    if read is None or since_and_cue is None:
         raise bad_cursor(cursor)
-    return QueuePlace(int(read[1]), int(read[2]), int(read[3]), *place)
+    return QueuePlace(int(read[1]), int(read[2]), int(read[3]), *since_and_cue)
 
 
 def _wanted(reach: ColumnElement[bool], wanted: QueueFilter, person_id: UUID) -> ColumnElement[bool]:

@@ -129,7 +129,7 @@ def _own_decision(session: Session, actor: Actor, take: Take) -> Verdict | None:
 
 
 def _given_before(session: Session, take: Take, cue: Cue, standing: Verdict) -> VerdictGiven:
-    """Return what was answered when a decision was made that its maker repeats."""
+    """Return the answer to a decision again, for a person who repeats it."""
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
     return VerdictGiven(
         take_id=take.id,
