@@ -37,7 +37,7 @@ hooks: setup  ## Check what you commit before it is committed
 quick: setup .make/postgresql .make/librosa  ## Pass the test files nearest to what is not committed (SINCE=main: nearest to a branch's changes)
 	@files=$$($(BIN)/python -m tests.affected --since '$(SINCE)') || exit 1; \
 	  test -z "$$files" || $(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m 'not slow' $$files || test $$? = 5
-	@cd frontend && npx vitest run --project '!slow' --changed $(SINCE) --passWithNoTests
+	@cd frontend && npx vitest run --tags-filter='!slow' --changed $(SINCE) --passWithNoTests
 
 test: .make/s3  ## Set up and pass the fast tests, two parts at a time: 17 minutes on two cores
 	@$(call in_parallel,$(PARTS))

@@ -15,9 +15,6 @@ const ARRIVALS = PAGES.map(({ modules: [page = ''] }) => page)
 // Tests with vi.mock: a module that another file has loaded is no longer replaced.
 const REPLACES_MODULES = ['src/features/take/DryStem.test.tsx']
 
-// Left to `npm run test:slow`.
-const SLOW = 'src/**/*.slow.test.tsx'
-
 export default defineConfig({
   plugins: [react(), early(), precompress(), limitPageSizes(ARRIVALS)],
   resolve: { alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) } },
@@ -50,18 +47,18 @@ export default defineConfig({
     setupFiles: ['src/test/setup.ts'],
     restoreMocks: true,
     maxWorkers: 2,
-    // A test takes at most 2 s of a processor: longer ones are slow tests.
+    // A fast test takes at most 1 s of a processor.
     testTimeout: 10_000,
     hookTimeout: 10_000,
+    tags: [{ name: 'slow', description: 'Left to `npm run test:slow`.', timeout: 60_000 }],
     projects: [
       // Files share a page environment and modules: to load them for each doubled what the tests of screens cost.
       { extends: true, test: { name: 'logic', include: ['src/**/*.test.ts'], isolate: false } },
       {
         extends: true,
-        test: { name: 'screens', include: ['src/**/*.test.tsx'], exclude: [...REPLACES_MODULES, SLOW], isolate: false },
+        test: { name: 'screens', include: ['src/**/*.test.tsx'], exclude: REPLACES_MODULES, isolate: false },
       },
       { extends: true, test: { name: 'alone', include: REPLACES_MODULES } },
-      { extends: true, test: { name: 'slow', include: [SLOW], isolate: false, testTimeout: 60_000 } },
     ],
   },
 })

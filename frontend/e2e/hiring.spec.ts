@@ -149,7 +149,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
   })
 }
 
-test('a producer hires by a posting, on SQLite', async ({ server, browser }) => {
+test('a producer hires by a posting, on SQLite @slow', async ({ server, browser }) => {
   await hire(browser, server.url)
 })
 

@@ -88,7 +88,7 @@ async function expectWhole(page: Page, url: string, projectId: string, sent: Buf
   expect(sha256Of(stored)).toBe(sha256Of(sent))
 }
 
-test('an upload goes on where it was after the line dropped and the web process was killed', async ({
+test('an upload goes on where it was after the line dropped and the web process was killed @slow', async ({
   behindLine: { line, server },
   page,
 }, testInfo) => {

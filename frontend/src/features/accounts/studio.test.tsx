@@ -87,33 +87,37 @@ describe('the studio', () => {
     { kind: 'webhook', id: 'w1', name: 'https://hooks.example/in', project_id: null, project_name: null },
   ]
 
-  test('who leaves hands over, and what they made is revoked or kept, seen before it happens', async () => {
-    const { asked } = serve(
-      studio({
-        'GET /v1/studios/s1/people/x2/departure': ENDING,
-        'DELETE /v1/studios/s1/people/x2': null,
-      }),
-    )
-    const user = userEvent.setup()
-    openApp('/studio')
-    await user.click(await screen.findByRole('button', { name: 'Roles of Audio director: Audio lead' }))
-    await user.click(await screen.findByRole('menuitem', { name: 'Remove from the studio…' }))
-    const dialog = within(await screen.findByRole('dialog', { name: 'Remove Audio director from the studio' }))
-    expect(await dialog.findByText('Audio director approves Shield Wing.')).toBeInTheDocument()
-    expect(dialog.getByRole('combobox', { name: 'Who approves from now on' })).toHaveDisplayValue('Producer')
-    const rows = dialog.getAllByRole('listitem').map((row) => row.textContent)
-    expect(rows).toEqual([
-      'uiApprover of a category, Shield Wingends',
-      'CIBuild token, Shield Wingrevoked',
-      'https://hooks.example/inWebhookgoes on in your name',
-    ])
-    await user.click(dialog.getByRole('checkbox', { name: 'Keep their build tokens' }))
-    await user.click(dialog.getByRole('button', { name: 'Remove from the studio' }))
-    expect(await screen.findByText(/Audio director was removed from the studio/)).toBeInTheDocument()
-    const removed = asked.find(({ method }) => method === 'DELETE')
-    expect(removed?.query.getAll('keep')).toEqual(['tokens', 'webhooks'])
-    expect(removed?.query.get('hand_over_to')).toBe('x1')
-  })
+  test(
+    'who leaves hands over, and what they made is revoked or kept, seen before it happens',
+    { tags: ['slow'] },
+    async () => {
+      const { asked } = serve(
+        studio({
+          'GET /v1/studios/s1/people/x2/departure': ENDING,
+          'DELETE /v1/studios/s1/people/x2': null,
+        }),
+      )
+      const user = userEvent.setup()
+      openApp('/studio')
+      await user.click(await screen.findByRole('button', { name: 'Roles of Audio director: Audio lead' }))
+      await user.click(await screen.findByRole('menuitem', { name: 'Remove from the studio…' }))
+      const dialog = within(await screen.findByRole('dialog', { name: 'Remove Audio director from the studio' }))
+      expect(await dialog.findByText('Audio director approves Shield Wing.')).toBeInTheDocument()
+      expect(dialog.getByRole('combobox', { name: 'Who approves from now on' })).toHaveDisplayValue('Producer')
+      const rows = dialog.getAllByRole('listitem').map((row) => row.textContent)
+      expect(rows).toEqual([
+        'uiApprover of a category, Shield Wingends',
+        'CIBuild token, Shield Wingrevoked',
+        'https://hooks.example/inWebhookgoes on in your name',
+      ])
+      await user.click(dialog.getByRole('checkbox', { name: 'Keep their build tokens' }))
+      await user.click(dialog.getByRole('button', { name: 'Remove from the studio' }))
+      expect(await screen.findByText(/Audio director was removed from the studio/)).toBeInTheDocument()
+      const removed = asked.find(({ method }) => method === 'DELETE')
+      expect(removed?.query.getAll('keep')).toEqual(['tokens', 'webhooks'])
+      expect(removed?.query.get('hand_over_to')).toBe('x1')
+    },
+  )
 
   test('the last role cannot be taken away by a slip', async () => {
     serve(studio())

@@ -312,7 +312,7 @@ describe('both sides', () => {
     })
   })
 
-  test('the page has no fault that a machine can find', async () => {
+  test('the page has no fault that a machine can find', { tags: ['slow'] }, async () => {
     const server = new BriefServer()
     server.kept.naming = { value: null, is_unknown: true, note: '' }
     openApp('/projects/p1/brief?topic=platforms')

@@ -108,7 +108,7 @@ const drift = (more: object = {}) =>
 
 const bodies = (asked: readonly Asked[], what: string) => wrote(asked, what).map(({ body }) => body)
 
-test('a set that drifted alike is one row, with what changed it and who is not named', async () => {
+test('a set that drifted alike is one row, with what changed it and who is not named', { tags: ['slow'] }, async () => {
   serve(drift())
   openApp('/projects/p1/drift')
   expect(await screen.findByRole('heading', { level: 1, name: 'Build 482' })).toBeVisible()

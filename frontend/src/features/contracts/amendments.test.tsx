@@ -59,7 +59,7 @@ test.each([
   expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
 })
 
-test('a change order shows what it changes, and is signed by its hash', async () => {
+test('a change order shows what it changes, and is signed by its hash', { tags: ['slow'] }, async () => {
   const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': ORDERS }))
   answers['POST /v1/contracts/c1/change-orders/1/accept'] = { ...ORDERS, orders: [{ ...ORDER, may: {} }] }
   openApp('/projects/p1/contracts/c1/changes')

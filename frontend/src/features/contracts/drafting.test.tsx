@@ -138,7 +138,7 @@ describe('a producer', () => {
     expect(body).toMatchObject({ based_on_version: 2, clauses: [{ stands: true }, { key: 'bonus', stands: true }] })
   })
 
-  test('adds, moves, removes and takes back clauses, by keyboard alone', async () => {
+  test('adds, moves, removes and takes back clauses, by keyboard alone', { tags: ['slow'] }, async () => {
     const library = {
       ...{ key: 'reel', title: 'Showing the work', text: 'From {reel_from} on.', stands: true },
       ...{ why: 'A reel is how designers find the next work.', music: false, instead_of: null },

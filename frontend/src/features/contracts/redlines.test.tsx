@@ -19,7 +19,7 @@ beforeEach(() => {
 })
 
 describe('the designer of a contract that was sent', () => {
-  test('edits, strikes and adds clauses, and sends them together', async () => {
+  test('edits, strikes and adds clauses, and sends them together', { tags: ['slow'] }, async () => {
     const { asked, answers } = serve(redlineAnswers())
     answers['POST /v1/contracts/c1/redlines'] = () => {
       answers['GET /v1/contracts/c1/redlines'] = page(round())
@@ -75,7 +75,7 @@ describe('the designer of a contract that was sent', () => {
     expect(screen.queryByRole('button', { name: /Accept change/ })).not.toBeInTheDocument()
   })
 
-  test('finds what was typed after a reload, and says which change has a fault', async () => {
+  test('finds what was typed after a reload, and says which change has a fault', { tags: ['slow'] }, async () => {
     const { answers } = serve(redlineAnswers())
     openApp(PAGE)
     await userEvent.click(await screen.findByRole('button', { name: 'Edit Rounds' }))
@@ -93,7 +93,7 @@ describe('the designer of a contract that was sent', () => {
     expect(screen.getByRole('button', { name: /^Send 1 change/ })).toBeDisabled()
   })
 
-  test('uploads a Word document, looks at what it changes, and sends it', async () => {
+  test('uploads a Word document, looks at what it changes, and sends it', { tags: ['slow'] }, async () => {
     const { asked, answers } = serve(redlineAnswers())
     const change = (kind: string, key: string | null, text: string) => ({
       kind,

@@ -83,7 +83,7 @@ describe('the approved versions', () => {
 describe('long lists come in pages', () => {
   const paged = (more: object) => ({ ...DESK, ...more })
 
-  test('what is to be made: the first ones, all of the first page, then page by page', async () => {
+  test('what is to be made: the first ones, all of the first page, then page by page', { tags: ['slow'] }, async () => {
     const first = Array.from({ length: 50 }, (_, place) => toMake({ id: `m${place}`, label: '', name: `cue_${place}` }))
     const { asked } = serve(
       atDesk({

@@ -168,7 +168,7 @@ describe('packs', () => {
     missing: [],
   }
 
-  test('sealed packs with what changed, and the next one sealed', async () => {
+  test('sealed packs with what changed, and the next one sealed', { tags: ['slow'] }, async () => {
     const { asked } = serve(
       onPage({
         'GET /v1/projects/p1/packs': { items: [PACK], next: null },

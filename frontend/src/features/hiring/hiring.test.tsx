@@ -479,7 +479,7 @@ test('hundredths and sums are exact', () => {
   expect(contentOf({ ...typed, hours: 'many' }, 'USD')).toEqual({ wrong: 'Enter the hours, such as 160.' })
 })
 
-test('the pages have no fault that a machine can find', async () => {
+test('the pages have no fault that a machine can find', { tags: ['slow'] }, async () => {
   bidsOpened()
   await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })
   const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })

@@ -105,7 +105,7 @@ beforeEach(() => {
   vi.spyOn(window.HTMLMediaElement.prototype, 'pause').mockImplementation(() => undefined)
 })
 
-test('a designer adds a sound for a line, sees what the check found, and removes it', async () => {
+test('a designer adds a sound for a line, sees what the check found, and removes it', { tags: ['slow'] }, async () => {
   const server = new ListServer([], {}, 'designer')
   server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = { ...POSTING, own_bid: own([]) }

@@ -76,7 +76,7 @@ describe('a producer', () => {
     expect(screen.getByText('$540.00')).toBeVisible()
   })
 
-  test('records a payment with its reference, and none without', async () => {
+  test('records a payment with its reference, and none without', { tags: ['slow'] }, async () => {
     server.on('POST /v1/invoices/invoice-effects/payments', anInvoice('effects'))
     await opened()
     const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
@@ -154,7 +154,7 @@ describe('a producer', () => {
     expect(await screen.findByRole('alert')).toHaveTextContent('Only the team sees this.')
   })
 
-  test('axe finds nothing where two contracts stand below each other', async () => {
+  test('axe finds nothing where two contracts stand below each other', { tags: ['slow'] }, async () => {
     await opened()
     expect(await faults()).toEqual([])
   })
@@ -172,7 +172,7 @@ describe('a designer', () => {
     server.on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_approver: false }))
   })
 
-  test('issues the next invoice, with its tax; axe finds nothing', async () => {
+  test('issues the next invoice, with its tax; axe finds nothing', { tags: ['slow'] }, async () => {
     server.on('POST /v1/contracts/effects/invoices', anInvoice('effects', { number: 2 }))
     await opened()
     const effects = within(screen.getByRole('region', { name: 'Effects, Sound designer' }))
@@ -207,7 +207,7 @@ describe('a designer', () => {
     expect(form.getByRole('button', { name: 'Issue invoice 12' })).toBeDisabled()
   })
 
-  test('logs a day in quarters, and takes one back', async () => {
+  test('logs a day in quarters, and takes one back', { tags: ['slow'] }, async () => {
     byTheDay()
     server
       .on('GET /v1/contracts/effects/worked-days', [WORKED])

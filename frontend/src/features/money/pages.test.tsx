@@ -204,7 +204,7 @@ describe('the plan of a draft', () => {
       })
   })
 
-  test('begins empty, shows warnings while it is typed, and is saved in minor units', async () => {
+  test('begins empty, shows warnings while it is typed, and is saved in minor units', { tags: ['slow'] }, async () => {
     server.on(SAVE, { contract_id: 'effects', currency: 'USD', milestones: [], advice: [] })
     await opened()
     expect(screen.getByRole('heading', { name: 'No milestones yet' })).toBeVisible()
@@ -266,7 +266,7 @@ describe('the plan of a draft', () => {
     })
   })
 
-  test('asks before it is left with something typed; what was typed is kept', async () => {
+  test('asks before it is left with something typed; what was typed is kept', { tags: ['slow'] }, async () => {
     const app = openApp(`/projects/${PROJECT}/contracts/effects/plan`)
     await screen.findByRole('heading', { level: 1, name: 'Plan: Effects' })
     await userEvent.keyboard('n')

@@ -83,7 +83,7 @@ describe('people', () => {
     expect(wrote(asked, 'DELETE /v1/projects/p1/invitations/i1')).toHaveLength(1)
   })
 
-  test('an engagement is ended, and taken up again by Undo', async () => {
+  test('an engagement is ended, and taken up again by Undo', { tags: ['slow'] }, async () => {
     let ended = false
     const { asked } = serve({
       ...inProject(),
@@ -115,7 +115,7 @@ describe('people', () => {
     ])
   })
 
-  test('a producer takes the last word over, with a reason that is kept', async () => {
+  test('a producer takes the last word over, with a reason that is kept', { tags: ['slow'] }, async () => {
     const { asked, answers } = serve({
       ...inProject(),
       'PUT /v1/projects/p1/approver': ({ body }: Asked) => {
@@ -153,7 +153,7 @@ describe('people', () => {
     })
   })
 
-  test('a reason must be given', async () => {
+  test('a reason must be given', { tags: ['slow'] }, async () => {
     const message = 'must have at least 1 character'
     serve({
       ...inProject(),

@@ -109,7 +109,7 @@ describe('the project page', () => {
     expect(await screen.findByRole('heading', { name: 'Page not found' })).toBeVisible()
   })
 
-  test('axe finds nothing', async () => {
+  test('axe finds nothing', { tags: ['slow'] }, async () => {
     serve(
       inProject('producer', {
         'GET /v1/projects/p1/overview': anOverview({ builds: [build('482', 1, 0)] }),

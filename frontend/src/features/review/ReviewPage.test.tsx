@@ -149,7 +149,7 @@ describe('cutting', () => {
   })
 })
 
-test.each(['/shield', '/walk'])('axe finds nothing in %s', async (path) => {
+test.each(['/shield', '/walk'])('axe finds nothing in %s', { tags: ['slow'] }, async (path) => {
   await opened(path)
   const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
   expect(violations.map(({ id, nodes }) => [id, nodes[0]?.html])).toEqual([])

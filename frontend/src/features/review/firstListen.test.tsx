@@ -56,24 +56,28 @@ const sounds = async (count: number) => {
 }
 
 describe('an approval of what was not heard', () => {
-  test('plays it first, decides nothing, and is given when it is asked for again once it has played', async () => {
-    await openOne()
-    expect(verdict()).toHaveTextContent('You have not heard version 1 yet. Approve a plays it first.')
-    await userEvent.keyboard('a')
-    await sounds(1)
-    expect(verdict()).toHaveTextContent(
-      'version 1 is playing for the first time. Not approved yet: press Approve a again once it has played.',
-    )
-    await userEvent.keyboard('a')
-    expect(context.started).toHaveLength(1) // it goes on, and does not begin again
-    expect(decisions()).toEqual([])
-    playToEnd()
-    expect(await within(verdict()).findByText(/^Heard\./)).toBeVisible()
-    expect(decisions()).toEqual([])
-    await userEvent.keyboard('a')
-    await waitFor(() => expect(decisions()).toHaveLength(1))
-    expect(decisions()[0]?.body).toMatchObject({ kind: 'approve', heard: true })
-  })
+  test(
+    'plays it first, decides nothing, and is given when it is asked for again once it has played',
+    { tags: ['slow'] },
+    async () => {
+      await openOne()
+      expect(verdict()).toHaveTextContent('You have not heard version 1 yet. Approve a plays it first.')
+      await userEvent.keyboard('a')
+      await sounds(1)
+      expect(verdict()).toHaveTextContent(
+        'version 1 is playing for the first time. Not approved yet: press Approve a again once it has played.',
+      )
+      await userEvent.keyboard('a')
+      expect(context.started).toHaveLength(1) // it goes on, and does not begin again
+      expect(decisions()).toEqual([])
+      playToEnd()
+      expect(await within(verdict()).findByText(/^Heard\./)).toBeVisible()
+      expect(decisions()).toEqual([])
+      await userEvent.keyboard('a')
+      await waitFor(() => expect(decisions()).toHaveLength(1))
+      expect(decisions()[0]?.body).toMatchObject({ kind: 'approve', heard: true })
+    },
+  )
 
   test('is not given by a reason either', async () => {
     await openOne()

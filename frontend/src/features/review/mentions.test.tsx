@@ -60,7 +60,7 @@ async function opened() {
   await screen.findByRole('region', { name: 'Verdict' })
 }
 
-test('an @ offers people; arrows and Enter choose one, whose id is sent', async () => {
+test('an @ offers people; arrows and Enter choose one, whose id is sent', { tags: ['slow'] }, async () => {
   await opened()
   await userEvent.keyboard('cask @co')
   const list = await screen.findByRole('listbox', { name: 'People to mention' })

@@ -70,7 +70,7 @@ beforeEach(() => {
   localStorage.clear()
 })
 
-test('a link is made of what a filter gives now, and its address is shown', async () => {
+test('a link is made of what a filter gives now, and its address is shown', { tags: ['slow'] }, async () => {
   const asked = open('/projects/p1/sharing', {
     'POST /v1/projects/p1/guest-links': answer({ link: link('g2'), url: 'https://x.test/listen/secret' }, 201),
   })
@@ -123,36 +123,40 @@ test('a reviewer sees playlists and makes no links', async () => {
   expect(screen.queryByRole('region', { name: 'New playlist' })).toBeNull()
 })
 
-test('a playlist opens where one stopped; Alt and arrows, and buttons, put it in order', async () => {
-  const asked = open('/projects/p1/playlists/l1', {
-    'PATCH /v1/playlists/l1': ({ body }: Asked) => {
-      const { take_ids: order } = body as { take_ids: string[] }
-      return answer({
-        ...PLAYLIST,
-        edition: 5,
-        takes: order.map((id) => PLAYLIST.takes.find(({ take_id }) => take_id === id)),
-      })
-    },
-  })
-  const now = await screen.findByRole('region', { name: 'Now' })
-  expect(now).toHaveTextContent('door')
-  const names = () =>
-    within(screen.getByRole('list', { name: '3 sounds in order' }))
-      .getAllByRole('listitem')
-      .map((row) => row.textContent?.match(/laser|door|steps/)?.[0])
-  expect(names()).toEqual(['laser', 'door', 'steps'])
-  screen.getByRole('button', { name: /^steps/ }).focus()
-  await userEvent.keyboard('{Alt>}{ArrowUp}{/Alt}')
-  await waitFor(() => expect(names()).toEqual(['laser', 'steps', 'door']))
-  await userEvent.click(screen.getByRole('button', { name: 'Move laser down' }))
-  await waitFor(() => expect(names()).toEqual(['steps', 'laser', 'door']))
-  await waitFor(() => expect(wrote(asked, 'PATCH /v1/playlists/l1')).toHaveLength(2))
-  expect(wrote(asked, 'PATCH /v1/playlists/l1').map(({ body }) => body)).toEqual([
-    { edition: 4, take_ids: ['t1', 't3', 't2'] },
-    { edition: 5, take_ids: ['t3', 't1', 't2'] },
-  ])
-  await noViolations()
-})
+test(
+  'a playlist opens where one stopped; Alt and arrows, and buttons, put it in order',
+  { tags: ['slow'] },
+  async () => {
+    const asked = open('/projects/p1/playlists/l1', {
+      'PATCH /v1/playlists/l1': ({ body }: Asked) => {
+        const { take_ids: order } = body as { take_ids: string[] }
+        return answer({
+          ...PLAYLIST,
+          edition: 5,
+          takes: order.map((id) => PLAYLIST.takes.find(({ take_id }) => take_id === id)),
+        })
+      },
+    })
+    const now = await screen.findByRole('region', { name: 'Now' })
+    expect(now).toHaveTextContent('door')
+    const names = () =>
+      within(screen.getByRole('list', { name: '3 sounds in order' }))
+        .getAllByRole('listitem')
+        .map((row) => row.textContent?.match(/laser|door|steps/)?.[0])
+    expect(names()).toEqual(['laser', 'door', 'steps'])
+    screen.getByRole('button', { name: /^steps/ }).focus()
+    await userEvent.keyboard('{Alt>}{ArrowUp}{/Alt}')
+    await waitFor(() => expect(names()).toEqual(['laser', 'steps', 'door']))
+    await userEvent.click(screen.getByRole('button', { name: 'Move laser down' }))
+    await waitFor(() => expect(names()).toEqual(['steps', 'laser', 'door']))
+    await waitFor(() => expect(wrote(asked, 'PATCH /v1/playlists/l1')).toHaveLength(2))
+    expect(wrote(asked, 'PATCH /v1/playlists/l1').map(({ body }) => body)).toEqual([
+      { edition: 4, take_ids: ['t1', 't3', 't2'] },
+      { edition: 5, take_ids: ['t3', 't1', 't2'] },
+    ])
+    await noViolations()
+  },
+)
 
 test('labels distinguish alternates in the list and in the player', async () => {
   const takes = [take('t1', 'door', { label: 'longer' }), take('t2', 'door', { label: 'wild' }), take('t3', 'steps')]
@@ -269,7 +273,7 @@ test('who starts a session holds its keys, and the next key plays', async () => 
   )
 })
 
-test('a second tab of who holds the keys is silent, says so, and takes them over', async () => {
+test('a second tab of who holds the keys is silent, says so, and takes them over', { tags: ['slow'] }, async () => {
   const held = { ...LIVE, holder: people.producer, present: [people.producer] }
   const playing = { take_id: 't3', position_s: 0.2 }
   const asked = open('/projects/p1/playlists/l1', {

@@ -41,7 +41,7 @@ beforeEach(() => {
 })
 afterEach(() => vi.restoreAllMocks())
 
-test('what was not heard is marked and counted, and a key goes from one to the next', async () => {
+test('what was not heard is marked and counted, and a key goes from one to the next', { tags: ['slow'] }, async () => {
   open(THREE)
   expect(await screen.findByText('2 not heard yet')).toBeVisible()
   expect(sound(/^laser/)).toHaveTextContent('not heard yet')

@@ -131,7 +131,7 @@ describe('reverb beside the dry stem', () => {
     expect(await within(shown).findByRole('alert')).toHaveTextContent('Not an audio file or ZIP. Nothing was uploaded.')
   })
 
-  test('is without fault for those who listen to the page', async () => {
+  test('is without fault for those who listen to the page', { tags: ['slow'] }, async () => {
     server.on('GET /v1/takes/t1/check', beside({ verdict: 'reverb', rt60_s: 1.75, wet_db: -6.2 }))
     const shown = await section()
     const { violations } = await axe.run(shown)

@@ -184,7 +184,7 @@ test('a version that an NDA keeps closed leads to the NDA', async () => {
   await waitFor(() => expect(app.at()).toBe(`/projects/${PROJECT}/contracts/nda-1`))
 })
 
-test('the page is without fault for those who listen to it', async () => {
+test('the page is without fault for those who listen to it', { tags: ['slow'] }, async () => {
   await opened()
   await card('Fix')
   await card('Spectrum of the whole sound')

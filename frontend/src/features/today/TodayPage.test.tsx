@@ -123,7 +123,7 @@ describe('what waits', () => {
     expect(await screen.findByRole('heading', { name: 'Pick one of two for shield_hit' })).toBeVisible()
   })
 
-  test('axe finds nothing', async () => {
+  test('axe finds nothing', { tags: ['slow'] }, async () => {
     server.on(`GET ${TODAY}`, day({ questions: [question], placeholders: 2 }))
     await opened()
     const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })

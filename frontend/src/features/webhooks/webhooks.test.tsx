@@ -69,26 +69,30 @@ beforeEach(() => {
   }))
 })
 
-test('an address is added for some events of one project, and its secret is shown once', async () => {
-  const user = userEvent.setup()
-  openApp('/webhooks')
-  const form = await screen.findByRole('form', { name: 'Add an address' })
-  expect((await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })).violations).toEqual([])
-  await user.type(within(form).getByRole('textbox', { name: 'Address' }), 'https://chat.example/in')
-  await user.selectOptions(within(form).getByLabelText('Message'), 'slack')
-  await user.selectOptions(within(form).getByLabelText('Project'), 'p1')
-  await user.click(within(form).getByRole('checkbox', { name: 'A payment is recorded' }))
-  await user.click(within(form).getByRole('button', { name: 'Add the address' }))
-  expect(await screen.findByText('whsec_abc')).toBeVisible()
-  expect(wrote(asked, 'POST /v1/studios/s1/webhooks')[0]?.body).toEqual({
-    url: 'https://chat.example/in',
-    form: 'slack',
-    project_id: 'p1',
-    events: EVENTS.filter((event) => event !== 'payment.recorded'),
-  })
-  await user.click(screen.getByRole('button', { name: 'I’ve saved it' }))
-  expect(screen.queryByText('whsec_abc')).toBeNull()
-})
+test(
+  'an address is added for some events of one project, and its secret is shown once',
+  { tags: ['slow'] },
+  async () => {
+    const user = userEvent.setup()
+    openApp('/webhooks')
+    const form = await screen.findByRole('form', { name: 'Add an address' })
+    expect((await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })).violations).toEqual([])
+    await user.type(within(form).getByRole('textbox', { name: 'Address' }), 'https://chat.example/in')
+    await user.selectOptions(within(form).getByLabelText('Message'), 'slack')
+    await user.selectOptions(within(form).getByLabelText('Project'), 'p1')
+    await user.click(within(form).getByRole('checkbox', { name: 'A payment is recorded' }))
+    await user.click(within(form).getByRole('button', { name: 'Add the address' }))
+    expect(await screen.findByText('whsec_abc')).toBeVisible()
+    expect(wrote(asked, 'POST /v1/studios/s1/webhooks')[0]?.body).toEqual({
+      url: 'https://chat.example/in',
+      form: 'slack',
+      project_id: 'p1',
+      events: EVENTS.filter((event) => event !== 'payment.recorded'),
+    })
+    await user.click(screen.getByRole('button', { name: 'I’ve saved it' }))
+    expect(screen.queryByText('whsec_abc')).toBeNull()
+  },
+)
 
 test('a refused address stays in its field with the reason', async () => {
   const user = userEvent.setup()

@@ -185,32 +185,36 @@ test('who only reviews or designs is shown the way to their own work', async () 
   expect(wrote(asked, 'GET /v1/studios/s1/roster')).toEqual([])
 })
 
-test('an entry is changed with the revision that was read, and what was typed survives a refusal', async () => {
-  const { asked, answers } = served({
-    'GET /v1/roster/e1': anEntry(),
-    'GET /v1/roster/e1/postings': [],
-    'PUT /v1/roster/e1': refusal(409, 'roster-entry-changed', 'someone changed this entry since you read it'),
-  })
-  openApp('/roster/e1')
-  const credits = await screen.findByRole('textbox', { name: 'Credits' })
-  fireEvent.change(credits, { target: { value: 'Two shipped games' } })
-  await userEvent.click(screen.getByRole('checkbox', { name: 'Composes music' }))
-  await userEvent.click(screen.getByRole('button', { name: 'Save' }))
-  expect(await screen.findByText(/Someone changed this entry/)).toBeVisible()
-  expect(credits).toHaveValue('Two shipped games')
-  answers['PUT /v1/roster/e1'] = anEntry({ revision: 4, credits: 'Two shipped games', services: ['composes'] })
-  await userEvent.click(screen.getByRole('button', { name: 'Save' }))
-  await waitFor(() => expect(wrote(asked, 'PUT /v1/roster/e1')).toHaveLength(2))
-  expect(wrote(asked, 'PUT /v1/roster/e1')[1]?.body).toMatchObject({
-    revision: 3,
-    credits: 'Two shipped games',
-    services: ['composes'],
-    links: [{ title: 'Reel', url: 'https://reel.example/a' }],
-    rate: { amount_minor: 4500, currency: 'USD', unit: 'hour' },
-  })
-  const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
-  expect(violations.map(({ id }) => id)).toEqual([])
-})
+test(
+  'an entry is changed with the revision that was read, and what was typed survives a refusal',
+  { tags: ['slow'] },
+  async () => {
+    const { asked, answers } = served({
+      'GET /v1/roster/e1': anEntry(),
+      'GET /v1/roster/e1/postings': [],
+      'PUT /v1/roster/e1': refusal(409, 'roster-entry-changed', 'someone changed this entry since you read it'),
+    })
+    openApp('/roster/e1')
+    const credits = await screen.findByRole('textbox', { name: 'Credits' })
+    fireEvent.change(credits, { target: { value: 'Two shipped games' } })
+    await userEvent.click(screen.getByRole('checkbox', { name: 'Composes music' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Save' }))
+    expect(await screen.findByText(/Someone changed this entry/)).toBeVisible()
+    expect(credits).toHaveValue('Two shipped games')
+    answers['PUT /v1/roster/e1'] = anEntry({ revision: 4, credits: 'Two shipped games', services: ['composes'] })
+    await userEvent.click(screen.getByRole('button', { name: 'Save' }))
+    await waitFor(() => expect(wrote(asked, 'PUT /v1/roster/e1')).toHaveLength(2))
+    expect(wrote(asked, 'PUT /v1/roster/e1')[1]?.body).toMatchObject({
+      revision: 3,
+      credits: 'Two shipped games',
+      services: ['composes'],
+      links: [{ title: 'Reel', url: 'https://reel.example/a' }],
+      rate: { amount_minor: 4500, currency: 'USD', unit: 'hour' },
+    })
+    const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })
+    expect(violations.map(({ id }) => id)).toEqual([])
+  },
+)
 
 test('an audio lead sees no rate and sends none', async () => {
   const lead = anEntry({ may_see_rate: false, rate: null })
@@ -224,7 +228,7 @@ test('an audio lead sees no rate and sends none', async () => {
   await waitFor(() => expect(wrote(asked, 'PUT /v1/roster/e1')[0]?.body).toMatchObject({ rate: null }))
 })
 
-test('busy days are typed, and a calendar file is sent by its bytes', async () => {
+test('busy days are typed, and a calendar file is sent by its bytes', { tags: ['slow'] }, async () => {
   const { asked } = served({
     'GET /v1/roster/e1': anEntry(),
     'GET /v1/roster/e1/postings': [],

@@ -30,7 +30,7 @@ const deputies = (...named: (typeof DEPUTY)[]) => ({
   deputies: named,
 })
 
-test('a category gets its own approver, and undo gives it back', async () => {
+test('a category gets its own approver, and undo gives it back', { tags: ['slow'] }, async () => {
   const { asked } = serve({
     ...inProject(),
     'GET /v1/projects/p1/categories': CATEGORIES,

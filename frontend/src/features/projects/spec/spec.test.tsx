@@ -37,7 +37,7 @@ async function openToml(more: Answers = {}) {
 const type = (field: HTMLElement, value: string) => fireEvent.change(field, { target: { value } })
 
 describe('by form', () => {
-  test('shows what the tables say, and what a check does when the spec is silent', async () => {
+  test('shows what the tables say, and what a check does when the spec is silent', { tags: ['slow'] }, async () => {
     await openSpec()
     expect(screen.getByLabelText('True peak, dBTP')).toHaveValue('−1')
     const peak = screen.getByRole('group', { name: 'True peak: result' })
@@ -55,7 +55,7 @@ describe('by form', () => {
     expect(screen.getByText('no changes')).toBeVisible()
   })
 
-  test('a check that the server adds is there with its limit, and needs nothing else', async () => {
+  test('a check that the server adds is there with its limit, and needs nothing else', { tags: ['slow'] }, async () => {
     const { asked } = await openSpec({
       'GET /v1/checks': [
         ...someChecks,
@@ -87,7 +87,7 @@ describe('by form', () => {
     expect(wrote(asked, TRY).at(-1)?.body).toMatchObject({ tables: { limits: { crest_db: 12 } } })
   })
 
-  test('a change is tried as it is typed, and saved as tables with its note', async () => {
+  test('a change is tried as it is typed, and saved as tables with its note', { tags: ['slow'] }, async () => {
     const { asked, at } = await openSpec({ [SAVE_FORM]: aSpec({ version: 4 }) })
     const field = screen.getByLabelText('True peak, dBTP')
     for (const typed of ['−2', '−2,', '−2,5']) type(field, typed)
@@ -106,7 +106,7 @@ describe('by form', () => {
     })
   })
 
-  test('an emptied field takes the limit away', async () => {
+  test('an emptied field takes the limit away', { tags: ['slow'] }, async () => {
     const { asked } = await openSpec()
     await userEvent.clear(screen.getByLabelText('True peak, dBTP'))
     await screen.findByText('The spec is valid.')
@@ -114,7 +114,7 @@ describe('by form', () => {
     expect(JSON.stringify(wrote(asked, TRY).map(({ body }) => body))).not.toContain('true_peak_dbtp":"')
   })
 
-  test('what is not a number stays as typed, with the refusal at its field', async () => {
+  test('what is not a number stays as typed, with the refusal at its field', { tags: ['slow'] }, async () => {
     await openSpec({ [TRY]: badSpec('limits.true_peak_dbtp', 'wanted a number or "any", found "loud"') })
     type(screen.getByLabelText('True peak, dBTP'), 'loud')
     const field = screen.getByLabelText('True peak, dBTP')
@@ -124,7 +124,7 @@ describe('by form', () => {
     expect(field).toHaveFocus()
   })
 
-  test('a name is tried against the pattern, and so is the list', async () => {
+  test('a name is tried against the pattern, and so is the list', { tags: ['slow'] }, async () => {
     await openSpec({
       'GET /v1/projects/p1/sound-list': {
         revision: 1,
@@ -141,7 +141,7 @@ describe('by form', () => {
     expect(screen.getByText(/laser_2\.wav/).parentElement).toHaveTextContent('laser_2.wav fits.')
   })
 
-  test('targets are added, renamed where categories speak of them, and removed', async () => {
+  test('targets are added, renamed where categories speak of them, and removed', { tags: ['slow'] }, async () => {
     const { asked } = await openSpec({
       'GET /v1/projects/p1/spec': aSpec({
         tables: { ...TABLES, categories: { music: { targets: { game: { bit_depth: 24 } } } } },
@@ -167,7 +167,7 @@ describe('by form', () => {
     await waitFor(() => expect(screen.queryByRole('group', { name: /^Target target/ })).toBeNull())
   })
 
-  test('a codec asks for a quality in place of a depth, and Opus for its only rate', async () => {
+  test('a codec asks for a quality in place of a depth, and Opus for its only rate', { tags: ['slow'] }, async () => {
     const { asked } = await openSpec()
     const target = within(screen.getByRole('group', { name: /^Target game/ }))
     await userEvent.click(target.getByRole('combobox', { name: 'Format' }))
@@ -186,7 +186,7 @@ describe('by form', () => {
     expect(target.getByRole('combobox', { name: 'Dither' })).toBeVisible()
   })
 
-  test('a category is added from the list and says only what differs', async () => {
+  test('a category is added from the list and says only what differs', { tags: ['slow'] }, async () => {
     const { asked } = await openSpec()
     await userEvent.click(await screen.findByRole('button', { name: 'impact' }))
     await userEvent.click(screen.getByText('impact', { selector: 'summary span' }))
@@ -200,7 +200,7 @@ describe('by form', () => {
     )
   })
 
-  test('axe finds nothing', async () => {
+  test('axe finds nothing', { tags: ['slow'] }, async () => {
     await openSpec()
     const { violations } = await axe.run(document.body, {
       rules: { 'color-contrast': { enabled: false }, region: { enabled: false } },
@@ -217,7 +217,7 @@ describe('as TOML', () => {
     return toml.includes('true_peak ') ? badSpec('limits.true_peak', MESSAGE) : tried(toml)
   }
 
-  test('an unknown key is reported at its line, and corrected by one press', async () => {
+  test('an unknown key is reported at its line, and corrected by one press', { tags: ['slow'] }, async () => {
     const { text } = await openToml({ [TRY]: tryToml })
     type(text, WRONG)
     expect(await screen.findByText('limits.true_peak')).toBeVisible()
@@ -228,7 +228,7 @@ describe('as TOML', () => {
     expect(screen.getByText('no changes')).toBeVisible()
   })
 
-  test('what is not a spec cannot be shown as a form, and says so', async () => {
+  test('what is not a spec cannot be shown as a form, and says so', { tags: ['slow'] }, async () => {
     const { text } = await openToml({ [TRY]: tryToml })
     type(text, WRONG)
     await screen.findByText('limits.true_peak')
@@ -237,7 +237,7 @@ describe('as TOML', () => {
     expect(screen.getByLabelText('Spec as TOML')).toHaveValue(WRONG)
   })
 
-  test('warnings are shown, and the text is saved to the letter', async () => {
+  test('warnings are shown, and the text is saved to the letter', { tags: ['slow'] }, async () => {
     const next = TOML.replace('-1.0 ', '-2.0 ')
     const { asked, text, at } = await openToml({
       [TRY]: tried(next, TABLES, ['two targets make unchanged file']),
@@ -250,7 +250,7 @@ describe('as TOML', () => {
     expect(wrote(asked, SAVE)[0]?.body).toEqual({ toml: next, note: '', based_on_version: 3 })
   })
 
-  test('comments survive a look at the form', async () => {
+  test('comments survive a look at the form', { tags: ['slow'] }, async () => {
     const { text } = await openToml()
     const next = TOML.replace('# a warning', '# said twice')
     type(text, next)
@@ -274,7 +274,7 @@ describe('as TOML', () => {
     expect(wrote(asked, SAVE)[1]?.body).toEqual({ toml: TOML, note: 'As version 3', based_on_version: 4 })
   })
 
-  test('what was typed and not saved is there again', async () => {
+  test('what was typed and not saved is there again', { tags: ['slow'] }, async () => {
     const { text } = await openToml()
     type(text, `${TOML}# later\n`)
     await screen.findByText('The spec is valid.')
@@ -321,7 +321,7 @@ describe('when another person saved', () => {
     expect(screen.getByRole('button', { name: /Save version 5/ })).toBeDisabled()
   })
 
-  test('mine goes on over theirs', async () => {
+  test('mine goes on over theirs', { tags: ['slow'] }, async () => {
     const { asked, at } = await conflict()
     await userEvent.click(screen.getByRole('button', { name: 'Keep mine and replace version 4' }))
     await userEvent.click(screen.getByRole('button', { name: /Save version 5/ }))
@@ -329,7 +329,7 @@ describe('when another person saved', () => {
     expect(wrote(asked, SAVE).at(-1)?.body).toEqual({ toml: MINE, note: '', based_on_version: 4 })
   })
 
-  test('theirs is taken, and mine comes back by Undo', async () => {
+  test('theirs is taken, and mine comes back by Undo', { tags: ['slow'] }, async () => {
     await conflict()
     await userEvent.click(screen.getByRole('button', { name: 'Use version 4 and discard mine' }))
     expect(screen.getByLabelText('Spec as TOML')).toHaveValue(THEIRS)

@@ -332,7 +332,7 @@ describe('against another sound', () => {
   })
 })
 
-test('axe finds nothing', async () => {
+test('axe finds nothing', { tags: ['slow'] }, async () => {
   const { scene } = await openScene()
   await scene.findByRole('img', { name: aMasking.in_words })
   const { violations } = await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })

@@ -34,7 +34,7 @@ async function opened(part: 'team' | 'designer' = 'team') {
 
 const save = () => userEvent.click(screen.getByRole('button', { name: /Save columns/ }))
 
-test('a column is added with its choices, moved, and saved as one', async () => {
+test('a column is added with its choices, moved, and saved as one', { tags: ['slow'] }, async () => {
   const { put } = await opened()
   await userEvent.click(await screen.findByRole('button', { name: 'Add a column' }))
   const names = screen.getAllByRole('textbox', { name: 'Name' })

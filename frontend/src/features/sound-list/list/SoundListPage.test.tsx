@@ -26,7 +26,7 @@ const opened = async (server: ListServer) => {
 }
 
 describe('reading', () => {
-  test('every cue has its state and what stands; the palette comes first', async () => {
+  test('every cue has its state and what stands; the palette comes first', { tags: ['slow'] }, async () => {
     const server = three()
     server.revision = 7
     await opened(server)
@@ -43,7 +43,7 @@ describe('reading', () => {
     expect(screen.getByText('1 of 3 accepted; 3 files to review')).toBeInTheDocument()
   })
 
-  test('j and k move, Enter opens the cue, and the list finds its row again', async () => {
+  test('j and k move, Enter opens the cue, and the list finds its row again', { tags: ['slow'] }, async () => {
     const server = three()
     const app = await opened(server)
     await userEvent.keyboard('jj')
@@ -58,27 +58,31 @@ describe('reading', () => {
     await waitFor(async () => expect(await row('shield_hit')).toHaveAttribute('aria-current', 'true'))
   })
 
-  test('filters leave what matches, are said in the address, and Escape takes them away', async () => {
-    const server = three()
-    const app = await opened(server)
-    await userEvent.keyboard('f')
-    expect(screen.getByRole('button', { name: 'All 3' })).toHaveFocus()
-    await userEvent.keyboard('f{Enter}')
-    await waitFor(() => expect(app.search()).toEqual({ state: 'to_review' }))
-    expect(screen.queryByRole('link', { name: 'void_whale' })).not.toBeInTheDocument()
-    await userEvent.keyboard('{Escape}')
-    await row('void_whale')
-    await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Category' }), 'creature')
-    await waitFor(() => expect(screen.queryByRole('link', { name: 'shield_hit' })).not.toBeInTheDocument())
-    await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Category' }), '')
-    await userEvent.keyboard('{Escape}')
-    await userEvent.click(screen.getByRole('searchbox', { name: 'Filter the list' }))
-    await userEvent.keyboard('ufo')
-    expect(await screen.findByRole('heading', { name: 'No cue matches “ufo”.' })).toBeInTheDocument()
-    expect(app.search()).toEqual({ q: 'ufo' })
-    await userEvent.click(screen.getByRole('button', { name: 'Add a cue named ufo' }))
-    expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toHaveValue('ufo')
-  })
+  test(
+    'filters leave what matches, are said in the address, and Escape takes them away',
+    { tags: ['slow'] },
+    async () => {
+      const server = three()
+      const app = await opened(server)
+      await userEvent.keyboard('f')
+      expect(screen.getByRole('button', { name: 'All 3' })).toHaveFocus()
+      await userEvent.keyboard('f{Enter}')
+      await waitFor(() => expect(app.search()).toEqual({ state: 'to_review' }))
+      expect(screen.queryByRole('link', { name: 'void_whale' })).not.toBeInTheDocument()
+      await userEvent.keyboard('{Escape}')
+      await row('void_whale')
+      await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Category' }), 'creature')
+      await waitFor(() => expect(screen.queryByRole('link', { name: 'shield_hit' })).not.toBeInTheDocument())
+      await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Category' }), '')
+      await userEvent.keyboard('{Escape}')
+      await userEvent.click(screen.getByRole('searchbox', { name: 'Filter the list' }))
+      await userEvent.keyboard('ufo')
+      expect(await screen.findByRole('heading', { name: 'No cue matches “ufo”.' })).toBeInTheDocument()
+      expect(app.search()).toEqual({ q: 'ufo' })
+      await userEvent.click(screen.getByRole('button', { name: 'Add a cue named ufo' }))
+      expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toHaveValue('ufo')
+    },
+  )
 
   test('an empty list says what to do first', async () => {
     const server = new ListServer([])
@@ -100,7 +104,7 @@ describe('reading', () => {
     expect(await row('shield_hit')).toBeInTheDocument()
   })
 
-  test('a designer reads and asks, and cannot change anything', async () => {
+  test('a designer reads and asks, and cannot change anything', { tags: ['slow'] }, async () => {
     const server = three('designer')
     server.answers[`GET ${server.at}/desk`] = { came_back: [], unmatched: 0, checking: 0 }
     const asks = `/v1/cues/${server.cue('void_whale').id}/questions`
@@ -120,53 +124,61 @@ describe('reading', () => {
 })
 
 describe('adding', () => {
-  test('rows are typed like a table, refusals stand at their field, and nothing typed is lost', async () => {
-    const server = three()
-    const cues = `${server.at}/cues`
-    server.answers[`POST ${cues}`] = refusal(422, 'rows-invalid', 'nothing was saved', {
-      errors: [{ where: 'row 2: name', message: 'the file name "shield_hit" belongs to SW-002 already' }],
-    })
-    await opened(server)
-    await userEvent.keyboard('n')
-    await userEvent.keyboard('door_open{Enter}shield_hit')
-    await userEvent.type(screen.getByRole('textbox', { name: 'Length, s, row 1' }), '1,2')
-    await userEvent.click(screen.getByRole('button', { name: /^Add 2 cues/ }))
-    const wrong = await screen.findByRole('textbox', {
-      name: 'Name, row 2',
-      description: /belongs to SW-002 already\./,
-    })
-    expect(wrong).toBeInvalid()
-    expect(wrong).toHaveValue('shield_hit')
-    expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toBeValid()
-    expect(screen.getByRole('textbox', { name: 'Length, s, row 1' })).toHaveValue('1,2')
+  test(
+    'rows are typed like a table, refusals stand at their field, and nothing typed is lost',
+    { tags: ['slow'] },
+    async () => {
+      const server = three()
+      const cues = `${server.at}/cues`
+      server.answers[`POST ${cues}`] = refusal(422, 'rows-invalid', 'nothing was saved', {
+        errors: [{ where: 'row 2: name', message: 'the file name "shield_hit" belongs to SW-002 already' }],
+      })
+      await opened(server)
+      await userEvent.keyboard('n')
+      await userEvent.keyboard('door_open{Enter}shield_hit')
+      await userEvent.type(screen.getByRole('textbox', { name: 'Length, s, row 1' }), '1,2')
+      await userEvent.click(screen.getByRole('button', { name: /^Add 2 cues/ }))
+      const wrong = await screen.findByRole('textbox', {
+        name: 'Name, row 2',
+        description: /belongs to SW-002 already\./,
+      })
+      expect(wrong).toBeInvalid()
+      expect(wrong).toHaveValue('shield_hit')
+      expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toBeValid()
+      expect(screen.getByRole('textbox', { name: 'Length, s, row 1' })).toHaveValue('1,2')
 
-    server.answers[`POST ${cues}`] = () => {
-      const added = [aCue(4, 'door_open'), aCue(5, 'shield_hit_2')]
-      server.cues = [...server.cues, ...added]
-      return answer(added, 201)
-    }
-    await userEvent.type(wrong, '_2')
-    await userEvent.keyboard('{Control>}{Enter}{/Control}')
-    expect(await screen.findByText('2 cues added: SW-004 to SW-005.')).toBeInTheDocument()
-    expect(server.sent('POST', cues)[1]?.body).toMatchObject({
-      cues: [{ name: 'door_open', duration_s: 1.2, variations: 1, state: 'concept' }, { name: 'shield_hit_2' }],
-    })
-    expect(await row('door_open')).toBeInTheDocument()
-  })
+      server.answers[`POST ${cues}`] = () => {
+        const added = [aCue(4, 'door_open'), aCue(5, 'shield_hit_2')]
+        server.cues = [...server.cues, ...added]
+        return answer(added, 201)
+      }
+      await userEvent.type(wrong, '_2')
+      await userEvent.keyboard('{Control>}{Enter}{/Control}')
+      expect(await screen.findByText('2 cues added: SW-004 to SW-005.')).toBeInTheDocument()
+      expect(server.sent('POST', cues)[1]?.body).toMatchObject({
+        cues: [{ name: 'door_open', duration_s: 1.2, variations: 1, state: 'concept' }, { name: 'shield_hit_2' }],
+      })
+      expect(await row('door_open')).toBeInTheDocument()
+    },
+  )
 
-  test('a figure that cannot be read is said before anything is sent; closing keeps the rows', async () => {
-    const server = three()
-    await opened(server)
-    await userEvent.keyboard('ndoor_open')
-    await userEvent.type(screen.getByRole('textbox', { name: 'Length, s, row 1' }), 'long')
-    await userEvent.keyboard('{Control>}{Enter}{/Control}')
-    expect(await screen.findByText('Enter seconds such as 1.5 (found “long”).')).toBeInTheDocument()
-    expect(server.sent('POST', `${server.at}/cues`)).toEqual([])
-    await userEvent.keyboard('{Escape}')
-    expect(screen.queryByRole('textbox', { name: 'Name, row 1' })).not.toBeInTheDocument()
-    await userEvent.click(screen.getAllByRole('button', { name: /Add a cue/ })[0] as HTMLElement)
-    expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toHaveValue('door_open')
-  })
+  test(
+    'a figure that cannot be read is said before anything is sent; closing keeps the rows',
+    { tags: ['slow'] },
+    async () => {
+      const server = three()
+      await opened(server)
+      await userEvent.keyboard('ndoor_open')
+      await userEvent.type(screen.getByRole('textbox', { name: 'Length, s, row 1' }), 'long')
+      await userEvent.keyboard('{Control>}{Enter}{/Control}')
+      expect(await screen.findByText('Enter seconds such as 1.5 (found “long”).')).toBeInTheDocument()
+      expect(server.sent('POST', `${server.at}/cues`)).toEqual([])
+      await userEvent.keyboard('{Escape}')
+      expect(screen.queryByRole('textbox', { name: 'Name, row 1' })).not.toBeInTheDocument()
+      await userEvent.click(screen.getAllByRole('button', { name: /Add a cue/ })[0] as HTMLElement)
+      expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toHaveValue('door_open')
+    },
+  )
 
   test('what is pasted on the list opens the import with it', async () => {
     const server = three()
@@ -192,29 +204,33 @@ describe('editing', () => {
     return field
   }
 
-  test('only what was changed is sent, with the edition that was read; undo puts it back', async () => {
-    const server = three()
-    const { id } = server.cue('shield_hit')
-    server.answers[`PATCH /v1/cues/${id}`] = ({ body }: Asked) => {
-      const { edition, ...facts } = body as { edition: number }
-      Object.assign(server.cue('shield_hit'), facts, { edition: edition + 1 })
-      return server.cue('shield_hit')
-    }
-    await edited(server)
-    await put('Length, s', '0,9')
-    await userEvent.keyboard('{Control>}{Enter}{/Control}')
-    expect(await screen.findByText('shield_hit saved.')).toBeInTheDocument()
-    expect(within(await row('shield_hit')).getByText('0.90')).toBeInTheDocument()
-    await userEvent.keyboard('u')
-    await waitFor(() =>
-      expect(server.sent('PATCH', `/v1/cues/${id}`).map(({ body }) => body)).toEqual([
-        { edition: 1, duration_s: 0.9 },
-        { edition: 2, duration_s: 0.8 },
-      ]),
-    )
-  })
+  test(
+    'only what was changed is sent, with the edition that was read; undo puts it back',
+    { tags: ['slow'] },
+    async () => {
+      const server = three()
+      const { id } = server.cue('shield_hit')
+      server.answers[`PATCH /v1/cues/${id}`] = ({ body }: Asked) => {
+        const { edition, ...facts } = body as { edition: number }
+        Object.assign(server.cue('shield_hit'), facts, { edition: edition + 1 })
+        return server.cue('shield_hit')
+      }
+      await edited(server)
+      await put('Length, s', '0,9')
+      await userEvent.keyboard('{Control>}{Enter}{/Control}')
+      expect(await screen.findByText('shield_hit saved.')).toBeInTheDocument()
+      expect(within(await row('shield_hit')).getByText('0.90')).toBeInTheDocument()
+      await userEvent.keyboard('u')
+      await waitFor(() =>
+        expect(server.sent('PATCH', `/v1/cues/${id}`).map(({ body }) => body)).toEqual([
+          { edition: 1, duration_s: 0.9 },
+          { edition: 2, duration_s: 0.8 },
+        ]),
+      )
+    },
+  )
 
-  test('another person’s change is shown, and what was typed stays on top of it', async () => {
+  test('another person’s change is shown, and what was typed stays on top of it', { tags: ['slow'] }, async () => {
     const server = three()
     const { id } = server.cue('shield_hit')
     server.answers[`PATCH /v1/cues/${id}`] = refusal(409, 'cue-changed', 'someone else changed this cue meanwhile')
@@ -234,7 +250,7 @@ describe('editing', () => {
     )
   })
 
-  test('what the server refuses stands at its field; closing keeps what was typed', async () => {
+  test('what the server refuses stands at its field; closing keeps what was typed', { tags: ['slow'] }, async () => {
     const server = three()
     const { id } = server.cue('shield_hit')
     server.answers[`PATCH /v1/cues/${id}`] = refusal(422, 'rows-invalid', 'nothing was saved', {

@@ -79,7 +79,7 @@ describe('columns of the project’s own', () => {
     await screen.findByRole('columnheader', { name: 'Mood' })
   }
 
-  test('they are shown under Content, and a value is typed in the table', async () => {
+  test('they are shown under Content, and a value is typed in the table', { tags: ['slow'] }, async () => {
     const server = served()
     openApp(server.path)
     await row('shield_hit')

@@ -7,7 +7,7 @@ import { openApp } from '@/test/openApp'
 import { inProject } from '@/test/project'
 import { serve } from '@/test/server'
 
-test('each check of the server is a line of the form, and axe finds nothing', async () => {
+test('each check of the server is a line of the form, and axe finds nothing', { tags: ['slow'] }, async () => {
   serve(inProject())
   openApp('/projects/p1/spec')
   expect(await screen.findByLabelText('True peak, dBTP')).toHaveValue('−1')
