@@ -65,6 +65,7 @@ def test_a_route_shows_an_approved_sound_of_another_only_as_what_is_heard(house:
 
 
 @pytest.mark.both_databases
+@pytest.mark.slow
 @pytest.mark.parametrize("choice", DesignersHear)
 @pytest.mark.parametrize("state", TakeState)
 def test_which_states_are_heard(house: House, state: TakeState, choice: DesignersHear) -> None:

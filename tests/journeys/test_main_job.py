@@ -233,6 +233,7 @@ def test_the_server_and_the_command_line_say_the_same(server: RunningServer, tmp
     assert said == [(finding["code"], finding["severity"], finding["measured"]) for finding in on_server["findings"]]
 
 
+@pytest.mark.slow
 def test_real_recordings_go_all_the_way(server: RunningServer, real_masters: list[Path], tmp_path: Path):
     studio = Studio(server)
     producer, director, designer = studio.producer, studio.director, studio.designer

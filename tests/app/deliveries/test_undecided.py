@@ -56,6 +56,7 @@ def test_two_files_for_one_sound_are_named_until_somebody_decides(world: World) 
         deliver(world, name, sound(place), delivery_id=delivery_id)
         for place, name in enumerate(["steps_02.wav", "Steps 02 FINAL (2).wav", "steps_01.wav"])
     )
+    world.server.wait_for_jobs()
     [place] = undecided(world)
     assert (place["cue"]["id"], place["variation"], place["delivery_id"]) == (steps["id"], 2, delivery_id)
     assert [one["file_name"] for one in place["takes"]] == ["steps_02.wav", "Steps 02 FINAL (2).wav"]

@@ -105,6 +105,7 @@ def test_no_two_files_are_alike(files):
     assert len({hashlib.sha256(content).digest() for content in files.values()}) == len(SOUNDS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", SOUNDS)
 def test_its_length_is_near_the_request(figures, key):
     requested = next(seconds for stem, seconds in REQUESTED_S.items() if key.startswith(stem))
@@ -112,6 +113,7 @@ def test_its_length_is_near_the_request(figures, key):
     assert figures[key]["duration_s"] == pytest.approx(LOOPS.get(key, figures[key]["duration_s"]), abs=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", sorted(set(SOUNDS) - SHOWS_SOMETHING))
 def test_it_conforms(figures, key):
     found = figures[key]
@@ -130,6 +132,7 @@ def test_loops_have_no_seam(figures, key):
     assert figures[key]["seam_slope_db"] < 0
 
 
+@pytest.mark.slow
 def test_the_first_alternate_peaks_between_its_samples(figures):
     assert -1.0 < figures["shield_hit"]["sample_peak_dbfs"] <= -0.9
     assert figures["shield_hit"]["true_peak_dbtp"] == pytest.approx(-0.6, abs=0.049)
@@ -140,6 +143,7 @@ def test_the_first_alternate_peaks_between_its_samples(figures):
     ]
 
 
+@pytest.mark.slow
 def test_the_airlock_starts_late_and_is_too_loud(figures):
     found = figures["airlock_cycle"]
     assert found["head_silence_ms"] == pytest.approx(412, abs=0.5)
@@ -190,6 +194,7 @@ def test_only_the_swarm_and_the_oath_are_asked_about(files, tmp_path):
     assert set(found) - MISTAKEN == {("drone_swarm_loop", "upsampled"), ("vo_oath", "reversed")}
 
 
+@pytest.mark.slow
 def test_the_third_thruster_stands_out_of_its_set(figures):
     levels = [figures[f"thruster_burst_{number:02d}"]["max_momentary_lufs"] for number in range(1, 5)]
     others = [*levels[:2], levels[3]]
@@ -197,11 +202,13 @@ def test_the_third_thruster_stands_out_of_its_set(figures):
     assert max(others) - min(others) < 0.5
 
 
+@pytest.mark.slow
 def test_the_steps_are_a_set(figures):
     levels = [figures[f"foot_deck_walk_{number:02d}"]["short_loudness_lufs"] for number in range(1, 7)]
     assert max(levels) - min(levels) == pytest.approx(1.3, abs=0.1)
 
 
+@pytest.mark.slow
 def test_the_second_take_adds_a_clank(files):
     before, rate = decoded(files["suit_hit"])
     after, _ = decoded(files["suit_hit_take2"])
@@ -215,6 +222,7 @@ def test_the_second_take_adds_a_clank(files):
     assert strength(after) > 5 * strength(before)
 
 
+@pytest.mark.slow
 def test_it_is_written_under_its_name(tmp_path, files):
     path = SOUNDS["suit_hit_take2"].write(tmp_path)
     assert path == tmp_path / "suit_hit.wav"

@@ -35,7 +35,7 @@ def answered(value, kind=RETURNED, function=anything):
         (Finding("a:b", "found", "lower it", measured=math.nan), "Finding.measured is not"),
         (Finding("a:b", "found", "lower it", measured="loud"), "Finding.measured is not"),
         (Finding("a:b", "x" * (5 << 20), "lower it"), "5,242,880 characters"),
-        ([[]] * 3_000_000, "more than 2,000,000 values"),
+        pytest.param([[]] * 3_000_000, "more than 2,000,000 values", marks=pytest.mark.slow),
         (np.zeros(200_000), "an array of 200,000 numbers; 100,000 are allowed"),
     ],
 )
