@@ -102,7 +102,7 @@ firefox: setup .make/browser .make/postgresql  ## Walk the first minute of each 
 kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
 	$(BIN)/pytest -n 3 tests/kill --kill-runs 20
 
-planted-bugs: setup  ## Plant bugs in every room, one at a time, and name those that its tests miss (EACH=2, SEED=1)
+planted-bugs: setup  ## Plant bugs in every room, one at a time, and say which tests catch each (EACH=2, SEED=1)
 	@$(BIN)/python -m tests.planted_bugs --each $(or $(EACH),2) --seed $(or $(SEED),1)
 
 attack: setup .make/postgresql  ## Attack a real server and name what broke it (SECONDS=300, DATABASE=sqlite or postgres)

@@ -14,10 +14,15 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[1]
+FAST = "not slow and not lint"
+PARTS = {"test": FAST, "test-slow": "slow"}  # the command that catches a bug, by the marks of its tests
 TESTED_BY = {
     "app/accounts/rules.py": "tests/app/accounts/test_rules.py",
     "app/agreements/amounts.py": "tests/app/agreements/test_amounts.py",
@@ -118,12 +123,13 @@ def plant(node: ast.AST, how: str) -> str:
     return f"{before}  ->  {ast.unparse(node).splitlines()[0]}"
 
 
-def is_caught(copy: Path, tests: str) -> bool:
-    """Return whether the tests of `make test` fail on the copy."""
+def is_caught(copy: Path, tests: str, marked: str) -> bool:
+    """Return whether one of these tests, of those that are marked so, fails on the copy."""
     options = ["-n", "0", "-x", "-q", "-p", "no:cacheprovider", "--timeout", "900"]
-    command = [sys.executable, "-m", "pytest", *options, "-m", "not slow and not lint", *tests.split()]
+    command = [sys.executable, "-m", "pytest", *options, "-m", marked, *tests.split()]
     environment = os.environ | {"PYTHONPATH": str(copy)}
-    return subprocess.run(command, cwd=copy, env=environment, capture_output=True).returncode != 0
+    ended = subprocess.run(command, cwd=copy, env=environment, capture_output=True).returncode
+    return ended not in {0, pytest.ExitCode.NO_TESTS_COLLECTED}
 
 
 def main() -> None:
@@ -133,7 +139,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="", help="modules whose path has this")
     options = parser.parse_args()
-    caught = planted = 0
+    results = Counter[str]()
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "tree"
         left_out = shutil.ignore_patterns(".git", ".venv", "node_modules", "data", "build", "__pycache__")
@@ -143,7 +149,7 @@ def main() -> None:
         for name, tests in TESTED_BY.items():
             if options.only not in name:
                 continue
-            if is_caught(copy, tests):
+            if is_caught(copy, tests, FAST):
                 print(f"{tests} fails as it is; {name} is left out", flush=True)
                 continue
             source = (copy / name).read_text(encoding="utf-8")
@@ -154,11 +160,11 @@ def main() -> None:
                 node, how = list(places(tree))[chosen]
                 line, change = getattr(node, "lineno", 0), plant(node, how)
                 (copy / name).write_text(ast.unparse(ast.fix_missing_locations(tree)), encoding="utf-8")
-                found = is_caught(copy, tests)
+                result = next((part for part, marked in PARTS.items() if is_caught(copy, tests, marked)), "MISSED")
                 (copy / name).write_text(source, encoding="utf-8")
-                planted, caught = planted + 1, caught + found
-                print(f"{'caught' if found else 'MISSED'}  {name}:{line}  {change}", flush=True)
-    print(f"{caught} of {planted} caught")
+                results[result] += 1
+                print(f"{result:9}  {name}:{line}  {change}", flush=True)
+    print(f"of {results.total()} bugs: " + ", ".join(f"{part} {results[part]}" for part in [*PARTS, "MISSED"]))
 
 
 if __name__ == "__main__":
