@@ -190,6 +190,7 @@ JOB_MODULES = (
     "app.notifications.jobs",
     "app.notifications.mail_jobs",
     "app.notifications.notice_jobs",
+    "app.notifications.security_jobs",
     "app.webhooks.jobs",
 )
 PARSERS = (
@@ -283,6 +284,11 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "address.verification_asked": ("notifications.mail_link",),
     "sign_up.asked": ("notifications.mail_link",),
     "signing_code.asked": ("notifications.mail_link",),
+    "password.changed": ("notifications.notify_new_password",),
+    "device.signed_in": ("notifications.notify_new_device",),
+    "desk_token.made": ("notifications.notify_desk_token",),
+    "token.made": ("notifications.notify_token",),
+    "producer.named": ("notifications.notify_producer",),
     "mail.written": ("notifications.send_mail",),
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {

@@ -59,6 +59,7 @@ CHORES = (
     "agreements.seal_unsealed",
     "notifications.mail_heads",
     "notifications.remind_of_days",
+    "notifications.warn_of_token_ends",
     "notifications.notify_overdue_checks",
     "notifications.delete_old_notices",
     "webhooks.delete_old_calls",

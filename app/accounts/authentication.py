@@ -5,14 +5,17 @@ import hmac
 import secrets
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime, timedelta
 from urllib.parse import urlsplit
 from uuid import UUID
 
 from app.accounts import queries
-from app.accounts.errors import CsrfMismatch, NotSignedIn
-from app.accounts.rules import Actor
+from app.accounts.errors import CsrfMismatch, NotSignedIn, RecentSignInNeeded
+from app.accounts.rules import Actor, network_of
+from app.kit import clock
 from app.kit.db import Database
 from app.kit.http import SAFE_METHODS
+from app.kit.lru_cache import LRUCache
 from app.settings import Settings
 
 SESSION_COOKIE = "soundlist_session"
@@ -22,6 +25,9 @@ DEVICE_COOKIE = "soundlist_device"  # OWASP, device cookies: shows that this bro
 DEMO_COOKIE = "soundlist_demo_part"
 DEMO_PARTS = ("approver", "producer", "designer")  # the first is who comes in without choosing
 DEMO_SECRET = "demo"  # noqa: S105  what the demo's CSRF token is made from: it has no session
+RECENT_SIGN_IN = timedelta(minutes=30)
+# Holders by the hashes of their secrets; one that was dropped counts as its network until it is good again.
+_KNOWN_CALLERS: LRUCache[str, str] = LRUCache(20_000)
 LOOPBACK_HOSTS = frozenset({"127.0.0.1", "localhost", "[::1]"})
 LOOPBACK_CLIENTS = frozenset({"127.0.0.1", "::1"})
 FORWARDING_HEADERS = frozenset(
@@ -47,15 +53,28 @@ class AuthResult:
     secret: str | None = None
     demo_part: str | None = None
     unrecorded_sign_in_id: UUID | None = None  # of the sign-in whose use is to be noted
+    signed_in_at: datetime | None = None  # of a browser's sign-in; None: a token, or the demo
     desk_token_id: UUID | None = None
 
 
 def caller_key(credentials: RequestCredentials) -> str:
-    """Return a key for a caller who is not authenticated yet: a hash of the secret sent, or the address without one."""
+    """Return by whom a request is counted before it is authenticated: the person or project, or else the network.
+
+    A secret counts once it was good: anyone can send another one with each request, and a person has many.
+    """
     scheme, secret = _authorization(credentials)
     if not scheme:
         secret = credentials.cookies.get(SESSION_COOKIE, "")
-    return sha256_of(secret) if secret else credentials.client_host
+    known = _KNOWN_CALLERS.get(sha256_of(secret)) if secret else None
+    return known or f"network {network_of(credentials.client_host)}"
+
+
+def _remember(secret: str, auth: AuthResult) -> AuthResult:
+    """Let the next request with this secret count as its holder's."""
+    actor = auth.actor
+    whose = f"project {actor.token_project_id}" if actor.is_build else f"person {actor.person_id}"
+    _KNOWN_CALLERS.keep(sha256_of(secret), whose)
+    return auth
 
 
 def _authorization(credentials: RequestCredentials) -> tuple[str, str]:
@@ -129,16 +148,19 @@ def authenticate_request(
         if by_desk_token and scheme == "bearer":
             found_desk = queries.actor_for_desk_token(database, sha256_of(bearer))
             if found_desk is not None:
-                return AuthResult(found_desk[0], desk_token_id=found_desk[1])
+                return _remember(bearer, AuthResult(found_desk[0], desk_token_id=found_desk[1]))
         actor = queries.actor_for_token(database, sha256_of(bearer)) if scheme == "bearer" else None
         if actor is None:
-            raise NotSignedIn("this token is unknown or was revoked; ask the producer for a new one")
-        return AuthResult(actor)
+            _KNOWN_CALLERS.drop(sha256_of(bearer))
+            raise NotSignedIn(_why_refused(database, sha256_of(bearer)))
+        return _remember(bearer, AuthResult(actor))
     secret = credentials.cookies.get(SESSION_COOKIE)
-    if secret and (found := queries.actor_for_sign_in(database, sha256_of(secret))) is not None:
+    if secret and (signed_in := queries.actor_for_sign_in(database, sha256_of(secret))) is not None:
         _ensure_csrf_token(settings, credentials, secret)
-        actor, unnoted_id = found
-        return AuthResult(actor, secret, unrecorded_sign_in_id=unnoted_id)
+        actor, unnoted_id, signed_in_at = signed_in
+        return _remember(secret, AuthResult(actor, secret, unrecorded_sign_in_id=unnoted_id, signed_in_at=signed_in_at))
+    if secret:
+        _KNOWN_CALLERS.drop(sha256_of(secret))
     if is_demo_request(settings, credentials):
         wanted = credentials.cookies.get(DEMO_COOKIE, "")
         part = wanted if wanted in DEMO_PARTS else DEMO_PARTS[0]
@@ -148,6 +170,32 @@ def authenticate_request(
             _ensure_csrf_token(settings, credentials, DEMO_SECRET)
             return AuthResult(actor, DEMO_SECRET, part)
     raise NotSignedIn("you are not signed in; sign in to continue")
+
+
+def ensure_recent_sign_in(auth: AuthResult) -> None:
+    """Raise RecentSignInNeeded where the caller's browser signed in long ago: someone else may sit at it now.
+
+    The one rule of what asks for a password again; a further factor belongs to the sign-in, and so to this.
+    The demo has no passwords.
+    """
+    if auth.signed_in_at is not None and auth.signed_in_at < clock.now() - RECENT_SIGN_IN:
+        minutes = RECENT_SIGN_IN // timedelta(minutes=1)
+        raise RecentSignInNeeded(
+            f"this gives access to others, so it asks for a sign-in of the last {minutes} minutes; nothing was done",
+            fix="sign in again, then repeat it",
+        )
+
+
+def _why_refused(database: Database, secret_sha256: str) -> str:
+    token = queries.token_past_use(database, secret_sha256)
+    if token is None:
+        return "this token is unknown or was revoked; ask the producer for a new one"
+    revoked_at, expires_at = token
+    if revoked_at is not None and revoked_at < expires_at:
+        return "this token was revoked; ask the producer for a new one"
+    if expires_at > clock.now():
+        return "this is a token for soundlist desk, which does not work here; ask the producer for one"
+    return f"this token ended on {expires_at:%Y-%m-%d}; make a new one"
 
 
 def _ensure_csrf_token(settings: Settings, credentials: RequestCredentials, secret: str) -> None:

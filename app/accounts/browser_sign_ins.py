@@ -14,6 +14,8 @@ from app.accounts.authentication import (
 from app.accounts.models import Person
 from app.accounts.policies import client_address
 from app.accounts.rules import device_of
+from app.kit.events import publish
+from app.kit.http import runtime_of
 from app.settings import Settings
 
 DEVICE_LIFETIME = timedelta(days=365)
@@ -34,6 +36,25 @@ def sign_in_browser(session: Session, settings: Settings, request: Request, resp
     _set_cookie(response, settings, authentication.DEVICE_COOKIE, device, lifetime=DEVICE_LIFETIME)
     give_csrf_token(response, settings, secret)
     log.info("signed in", person_id=str(person.id), place=client_address(request))
+
+
+def is_known_device(request: Request, account: str) -> bool:
+    """Whether the asking browser has signed in to an account before."""
+    cookie = request.cookies.get(authentication.DEVICE_COOKIE, "")
+    return authentication.device_for(runtime_of(request).settings, cookie, account) is not None
+
+
+def publish_new_device(session: Session, request: Request, person: Person) -> None:
+    """Have a person told that a browser signed in for the first time."""
+    device = device_of(request.headers.get("user-agent", ""))
+    publish(
+        session,
+        "device.signed_in",
+        studio_id=None,
+        person_id=person.id,
+        device=device,
+        place=client_address(request) or "an unknown address",
+    )
 
 
 def _set_cookie(response: Response, settings: Settings, name: str, value: str, *, lifetime: timedelta) -> None:

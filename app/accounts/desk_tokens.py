@@ -12,6 +12,7 @@ from app.accounts.errors import DeskTokenNotFound, NotInDemo, TooManyDeskTokens
 from app.accounts.models import DeskToken, Person
 from app.accounts.rules import Actor
 from app.kit import clock
+from app.kit.events import publish
 
 PREFIX = "sld_"  # secret scanners find a leaked token by it
 LIFETIME = timedelta(days=365)
@@ -33,6 +34,7 @@ def create_desk_token(session: Session, actor: Actor, name: str) -> tuple[DeskTo
     )
     session.add(token)
     session.flush()
+    publish(session, "desk_token.made", studio_id=None, person_id=actor.person, name=name)
     return token, secret
 
 

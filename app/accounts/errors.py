@@ -39,6 +39,10 @@ class ScopeMissing(Forbidden):
     """The build's token lacks the scope for this."""
 
 
+class RecentSignInNeeded(Forbidden):
+    """The caller signed in too long ago for an act that gives access to others."""
+
+
 class CsrfMismatch(Forbidden):
     """The request carries our cookie, but does not come from our page."""
 

@@ -12,6 +12,7 @@ from app.accounts.errors import (
     DeskTokenNotFound,
     NotInDemo,
     PasswordTooWeak,
+    RecentSignInNeeded,
     SignInNotFound,
     TooManyAttempts,
     TooManyDeskTokens,
@@ -98,9 +99,11 @@ def list_my_desk_tokens(session: DbSession, actor: Actor = allows(Audience.PERSO
     return desk_tokens.desk_tokens_of(session, actor)
 
 
-@_unsaved_router.post("/me/desk-tokens", status_code=201, responses=problems(NotInDemo, TooManyDeskTokens))
+@_unsaved_router.post(
+    "/me/desk-tokens", status_code=201, responses=problems(NotInDemo, RecentSignInNeeded, TooManyDeskTokens)
+)
 def create_my_desk_token(
-    body: DeskTokenAdd, session: DbSession, actor: Actor = allows(Audience.PERSON)
+    body: DeskTokenAdd, session: DbSession, actor: Actor = allows(Audience.PERSON, recent_sign_in=True)
 ) -> DeskTokenMade:
     """Make a key for `soundlist desk`, which reads what the caller owes; its secret is shown this once."""
     token, secret = desk_tokens.create_desk_token(session, actor, body.name)

@@ -171,6 +171,8 @@ class Token(Base):
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_used_at: Mapped[datetime | None]
+    expires_at: Mapped[datetime] = mapped_column(index=True)
+    warned_at: Mapped[datetime | None]  # when its end was announced
     revoked_at: Mapped[datetime | None]
     creator: Mapped[Person] = relationship(lazy="raise")
 
@@ -187,6 +189,7 @@ class DeskToken(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_used_at: Mapped[datetime | None]
     expires_at: Mapped[datetime]
+    warned_at: Mapped[datetime | None]  # when its end was announced
 
 
 class Quota(Base):

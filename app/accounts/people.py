@@ -99,6 +99,7 @@ def reset_password(session: Session, secret: str, password: str) -> Person:
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id)
     queries.end_desk_tokens(session, person.id)
+    publish(session, "password.changed", studio_id=None, person_id=person.id)
     return person
 
 
@@ -114,3 +115,4 @@ def change_password(session: Session, actor: Actor, *, current: str, new: str, k
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id, except_sha256=sha256_of(kept_secret) if kept_secret else None)
     queries.end_desk_tokens(session, person.id)
+    publish(session, "password.changed", studio_id=None, person_id=person.id)

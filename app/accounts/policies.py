@@ -91,6 +91,8 @@ class Allowed(Authentication):
                 raise ScopeMissing(f"this token lacks the scope {self.policy.build}")
         if self.policy.audience is Audience.OPERATOR:
             _ensure_operator(database_of(request), actor)
+        if self.policy.recent_sign_in:
+            authentication.ensure_recent_sign_in(auth)
         set_reach(request, actor.reach)
         return auth
 
@@ -119,14 +121,22 @@ def _record_seen(database: Database, sign_in_id: UUID) -> None:
         queries.record_seen(session, sign_in_id)
 
 
-def allows(audience: Audience, *, build: Scope | None = None, desk_token: bool = False) -> Any:
+def ensure_recent_sign_in(request: Request) -> None:
+    """Raise RecentSignInNeeded for a caller who signed in long ago, where only some bodies ask for a recent one."""
+    authentication.ensure_recent_sign_in(authenticate(request))
+
+
+def allows(
+    audience: Audience, *, build: Scope | None = None, desk_token: bool = False, recent_sign_in: bool = False
+) -> Any:
     """Declare and enforce the policy of an endpoint, which receives the Actor as the default of its `actor` parameter.
 
-    Enforced here is what needs no object: sign-in, the origin of a browser's write, a build's scope, the operator. Who
+    Enforced here is what needs no object: sign-in, the origin of a browser's write, a build's scope, the operator, and
+    a recent sign-in where access is given to others. Who
     may see an object is part of its query and answers 404; the role in its studio or project is checked by the service,
     once the object is known to be visible. `tests/house/test_policies.py` asks every endpoint as every audience.
     """
-    return Depends(Allowed(Policy(audience, build, desk_token)))
+    return Depends(Allowed(Policy(audience, build, desk_token, recent_sign_in)))
 
 
 def demo_part_of(request: Request) -> tuple[str, tuple[str, ...]] | None:

@@ -1,10 +1,10 @@
 """Queries for people, studios, memberships and sessions."""
 
 from collections.abc import Collection, Sequence
-from datetime import timedelta
+from datetime import datetime, timedelta
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, bindparam, delete, or_, select, update
+from sqlalchemy import ColumnElement, bindparam, delete, null, or_, select, update
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import (
@@ -40,7 +40,7 @@ def actor_for_person(session: Session, person_id: UUID) -> Actor:
 
 # Built once: every request of a browser asks for it.
 _SIGNED_IN = (
-    select(SignIn.id, SignIn.person_id, SignIn.last_seen_at, Membership.studio_id, Membership.roles)
+    select(SignIn.id, SignIn.person_id, SignIn.created_at, SignIn.last_seen_at, Membership.studio_id, Membership.roles)
     .join(Membership, Membership.person_id == SignIn.person_id, isouter=True)
     .where(
         SignIn.secret_sha256 == bindparam("secret_sha256"),
@@ -50,10 +50,10 @@ _SIGNED_IN = (
 )
 
 
-def actor_for_sign_in(database: Database, secret_sha256: str) -> tuple[Actor, UUID | None] | None:
+def actor_for_sign_in(database: Database, secret_sha256: str) -> tuple[Actor, UUID | None, datetime] | None:
     """Return who holds this session cookie, None when it is unknown or over.
 
-    With them comes the sign-in's id where its use is to be noted (`record_seen`).
+    With them come the sign-in's id where its use is to be noted (`record_seen`), and when it began.
     """
     now = clock.now()
     values = {"secret_sha256": secret_sha256, "now": now, "idle_since": now - IDLE_FOR}
@@ -63,7 +63,7 @@ def actor_for_sign_in(database: Database, secret_sha256: str) -> tuple[Actor, UU
     roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
     first = rows[0]
     unnoted = first.id if first.last_seen_at < now - SEEN_RECORDED_EVERY else None
-    return Actor(person_id=first.person_id, roles=roles), unnoted
+    return Actor(person_id=first.person_id, roles=roles), unnoted, first.created_at
 
 
 def record_seen(session: Session, sign_in_id: UUID) -> None:
@@ -72,19 +72,35 @@ def record_seen(session: Session, sign_in_id: UUID) -> None:
 
 
 _TOKEN = select(Token.id, Token.studio_id, Token.project_id, Token.scopes).where(
-    Token.secret_sha256 == bindparam("secret_sha256"), Token.revoked_at.is_(None)
+    Token.secret_sha256 == bindparam("secret_sha256"),
+    Token.revoked_at.is_(None),
+    Token.expires_at > bindparam("now", type_=UtcDateTime()),
+)
+_TOKEN_PAST_USE = (
+    select(Token.revoked_at, Token.expires_at)
+    .where(Token.secret_sha256 == bindparam("secret_sha256"))
+    .union_all(
+        select(null(), DeskToken.expires_at).where(DeskToken.secret_sha256 == bindparam("secret_sha256")),
+    )
 )
 
 
 def actor_for_token(database: Database, secret_sha256: str) -> Actor | None:
-    """Return the build that holds this token, None when it is unknown or revoked."""
-    for token in database.read_autocommit(_TOKEN, {"secret_sha256": secret_sha256}):
+    """Return the build that holds this token, None when it is unknown, revoked or over."""
+    for token in database.read_autocommit(_TOKEN, {"secret_sha256": secret_sha256, "now": clock.now()}):
         return Actor(
             token_id=token.id,
             token_studio_id=token.studio_id,
             token_project_id=token.project_id,
             scopes=frozenset(map(Scope, token.scopes)),
         )
+    return None
+
+
+def token_past_use(database: Database, secret_sha256: str) -> tuple[datetime | None, datetime] | None:
+    """Return when a token that is refused was revoked and when it ends; None for an unknown one."""
+    for token in database.read_autocommit(_TOKEN_PAST_USE, {"secret_sha256": secret_sha256}):
+        return token.revoked_at, token.expires_at
     return None
 
 
@@ -330,6 +346,19 @@ def project_token(session: Session, project_id: UUID, token_id: UUID) -> Token |
     )
 
 
+def tokens_that_end_before(session: Session, before: datetime, now: datetime) -> Sequence[Token | DeskToken]:
+    """Return the tokens of builds and desks that end soon and whose end was not announced, locked."""
+    of_builds = select(Token).where(Token.revoked_at.is_(None), *_ends_unannounced(Token, before, now))
+    of_desks = select(DeskToken).where(*_ends_unannounced(DeskToken, before, now))
+    return [*session.scalars(of_builds.with_for_update()), *session.scalars(of_desks.with_for_update())]
+
+
+def _ends_unannounced(
+    table: type[Token] | type[DeskToken], before: datetime, now: datetime
+) -> tuple[ColumnElement[bool], ...]:
+    return table.expires_at > now, table.expires_at <= before, table.warned_at.is_(None)
+
+
 def live_tokens_of(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Token]:
     """Return the tokens that a person made in a studio and that work still, the oldest first."""
     return session.scalars(select(Token).where(*_live_tokens(studio_id, person_id)).order_by(Token.id)).all()
@@ -346,7 +375,8 @@ def hand_tokens_over(session: Session, studio_id: UUID, person_id: UUID, *, to: 
 
 
 def _live_tokens(studio_id: UUID, person_id: UUID) -> tuple[ColumnElement[bool], ...]:
-    return Token.studio_id == studio_id, Token.created_by == person_id, Token.revoked_at.is_(None)
+    works = Token.revoked_at.is_(None), Token.expires_at > clock.now()
+    return Token.studio_id == studio_id, Token.created_by == person_id, *works
 
 
 def holidays_of(session: Session, studio_ids: Collection[UUID]) -> Sequence[Holiday]:

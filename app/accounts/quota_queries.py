@@ -6,6 +6,7 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership, Quota, Token
+from app.kit import clock
 
 
 def own_limits(session: Session, studio_id: UUID) -> dict[str, int]:
@@ -21,4 +22,5 @@ def people_in(session: Session, studio_id: UUID) -> int:
 
 def tokens_of(session: Session, studio_id: UUID) -> int:
     """Return how many tokens of a studio work."""
-    return session.scalar(select(func.count()).where(Token.studio_id == studio_id, Token.revoked_at.is_(None))) or 0
+    works = (Token.studio_id == studio_id, Token.revoked_at.is_(None), Token.expires_at > clock.now())
+    return session.scalar(select(func.count()).where(*works)) or 0

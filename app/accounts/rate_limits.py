@@ -7,7 +7,6 @@ a separate bucket (`authentication.device_for`).
 """
 
 import hashlib
-import ipaddress
 import time
 from dataclasses import dataclass
 from functools import cache
@@ -41,22 +40,8 @@ MAILS_FROM_NETWORK = Limit("account mails asked for from one place", 30, 120)
 SIGNING_CODES_BY_PERSON = Limit("codes to sign with, mailed to a person", 5, 120)
 VERIFICATIONS_FROM_NETWORK = Limit("files verified from one place", 30, 10)
 GUEST_COMMENTS_FROM_NETWORK = Limit("comments of guests from one place", 60, 10)
+INVITATIONS_TO_MAILBOX = Limit("invitations to a mailbox, whoever sends them", 20, 720)
 INVITATIONS_BY_PERSON = Limit("invitations by a person", 60, 60)
-
-IPV6_NETWORK = 64  # what one subscriber is given
-
-
-def network_of(address: str) -> str:
-    """Return what counts as one place: an IPv4 address, or the /64 of an IPv6 one."""
-    try:
-        ip = ipaddress.ip_address(address)
-    except ValueError:
-        return address
-    if isinstance(ip, ipaddress.IPv6Address):
-        if ip.ipv4_mapped is not None:
-            return str(ip.ipv4_mapped)
-        return str(ipaddress.ip_network((ip, IPV6_NETWORK), strict=False))
-    return str(ip)
 
 
 def count_attempt(session: Session, limit: Limit, whom: str) -> None:

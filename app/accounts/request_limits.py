@@ -9,7 +9,7 @@ from fastapi import Depends, Request, Response
 from fastapi.responses import JSONResponse
 from sqlalchemy.orm import Session
 
-from app.accounts import authentication, rate_limits
+from app.accounts import authentication, rate_limits, rules
 from app.accounts.errors import (
     TooManyAttempts,
 )
@@ -41,7 +41,7 @@ DeferredSession = Annotated[Callable[[], AbstractContextManager[Session]], Depen
 
 def network_of(request: Request) -> str:
     """Return the place that tries are counted for."""
-    return rate_limits.network_of(client_address(request))
+    return rules.network_of(client_address(request))
 
 
 def ensure_within_limits(request: Request, *counted: tuple[rate_limits.Limit, str]) -> None:
@@ -78,10 +78,12 @@ def reset_attempts(session: Session, request: Request, account: str) -> None:
                 rate_limits.reset(session, limit, whom)
 
 
-def ensure_invitation_allowed(session: Session, actor: Actor) -> None:
-    """Count one invitation; raise TooManyAttempts for too many."""
+def ensure_invitation_allowed(session: Session, actor: Actor, address: str) -> None:
+    """Count one invitation, by its sender and to its mailbox; raise TooManyAttempts for too many."""
+    mailbox = rules.mailbox_of(rules.normalised_email(address))
     with bypass_row_policies(session):  # the counts are the server's own
         rate_limits.count_attempt(session, rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
+        rate_limits.count_attempt(session, rate_limits.INVITATIONS_TO_MAILBOX, mailbox)
 
 
 def ensure_signing_code_allowed(session: Session, actor: Actor) -> None:
@@ -91,11 +93,11 @@ def ensure_signing_code_allowed(session: Session, actor: Actor) -> None:
 
 
 def ensure_mail_allowed(request: Request, whom: str) -> None:
-    """Count one mail that anyone can request for an account; raise TooManyAttempts for too many."""
+    """Count one mail that anyone can request for an account, by its mailbox; raise TooManyAttempts for too many."""
     ensure_within_limits(
         request,
         (rate_limits.MAILS_FROM_NETWORK, network_of(request)),
-        (rate_limits.MAILS_TO_ADDRESS, whom),
+        (rate_limits.MAILS_TO_ADDRESS, rules.mailbox_of(whom)),
     )
 
 

@@ -1,8 +1,10 @@
 """Roles, scopes and policies, stated without a database."""
 
+import ipaddress
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from datetime import datetime, timedelta
 from enum import StrEnum
 from typing import Any
 from uuid import UUID
@@ -44,6 +46,15 @@ class Scope(StrEnum):
     RIGHTS_READ = "rights:read"
 
 
+MAX_TOKEN_DAYS = 365  # how long a token works at most
+TOKEN_WARNED_BEFORE = timedelta(days=14)  # or in the last half of a shorter life
+
+
+def is_end_near(created_at: datetime, expires_at: datetime, now: datetime) -> bool:
+    """Whether the end of a token is to be announced."""
+    return expires_at - min(TOKEN_WARNED_BEFORE, (expires_at - created_at) / 2) <= now
+
+
 class AddressProof(StrEnum):
     """How the address of an account was verified."""
 
@@ -58,6 +69,7 @@ PROOF_WORDS: Mapping[AddressProof | None, str] = {
 }
 MIN_PASSWORD_LENGTH = 10
 MAX_PASSWORD_LENGTH = 200
+IPV6_NETWORK = 64  # what one subscriber is given
 MEASURED_LENGTH = 40  # estimating 72 characters can take more than a second
 WEAKEST_SCORE = 3  # of zxcvbn's 0 to 4: 10^8 guesses or more
 PRODUCT_WORDS = ("soundlist", "sound", "studio", "password")
@@ -138,8 +150,23 @@ def _why_weak(password: str, address: str, names: Collection[str]) -> str | None
 
 def mailbox_of(address: str) -> str:
     """Return the mailbox behind an address: what follows a + before the @ does not make another one."""
-    name, _, domain = address.rpartition("@")
+    name, at, domain = address.rpartition("@")
+    if not at:
+        return address
     return f"{name.partition('+')[0]}@{domain}"
+
+
+def network_of(address: str) -> str:
+    """Return what counts as one place: an IPv4 address, or the /64 of an IPv6 one."""
+    try:
+        ip = ipaddress.ip_address(address)
+    except ValueError:
+        return address
+    if isinstance(ip, ipaddress.IPv6Address):
+        if ip.ipv4_mapped is not None:
+            return str(ip.ipv4_mapped)
+        return str(ipaddress.ip_network((ip, IPV6_NETWORK), strict=False))
+    return str(ip)
 
 
 def device_of(user_agent: str) -> str:
@@ -238,8 +265,9 @@ class Audience(StrEnum):
 
 @dataclass(frozen=True)
 class Policy:
-    """The policy of an endpoint: its audience, the scope that admits a build, and whether a desk token does."""
+    """The policy of an endpoint: its audience, what admits a machine, and whether a recent sign-in is needed."""
 
     audience: Audience
     build: Scope | None = None
     desk_token: bool = False
+    recent_sign_in: bool = False

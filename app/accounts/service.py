@@ -21,6 +21,7 @@ from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvita
 from app.accounts.quota_queries import people_in, tokens_of
 from app.accounts.quotas import QuotaKind, ensure_room
 from app.accounts.rules import (
+    MAX_TOKEN_DAYS,
     AccessKind,
     Actor,
     Role,
@@ -131,6 +132,8 @@ def change_roles(
     Raises LastProducer if no producer would be left, HandOverNeeded where another person must take over first.
     """
     membership = _membership_to_change(session, actor, studio_id, person_id, frozenset(roles))
+    if Role.PRODUCER in roles and Role.PRODUCER not in membership.roles:
+        publish(session, "producer.named", studio_id=studio_id, person_id=person_id)
     membership.roles = sorted(set(roles))
     _publish_change(session, actor, studio_id, person_id, membership.roles, hand_over_to, ())
     return membership
@@ -279,6 +282,8 @@ def accept_studio_invitation(
         invitation.accepted_by = person.id
         roles = {Role(role) for role in invitation.roles}
         place = queries.membership(session, invitation.studio_id, person.id)
+        if Role.PRODUCER in roles and (place is None or Role.PRODUCER not in place.roles):
+            publish(session, "producer.named", studio_id=invitation.studio_id, person_id=person.id)
         if place is None:
             add_member(session, invitation.studio_id, person.id, roles)
         else:
@@ -296,9 +301,16 @@ def accept_studio_invitation(
 
 
 def add_token(
-    session: Session, *, studio_id: UUID, project_id: UUID, created_by: UUID, name: str, scopes: Collection[Scope]
+    session: Session,
+    *,
+    studio_id: UUID,
+    project_id: UUID,
+    created_by: UUID,
+    name: str,
+    scopes: Collection[Scope],
+    days: int = MAX_TOKEN_DAYS,
 ) -> tuple[Token, str]:
-    """Make a key for a project's builds, and return it with its secret, which is kept nowhere."""
+    """Make a key for a project's builds that ends after so many days, and return it with its secret, kept nowhere."""
     ensure_room(session, studio_id, QuotaKind.TOKENS, tokens_of)
     secret = TOKEN_PREFIX + new_secret()
     token = Token(
@@ -308,7 +320,9 @@ def add_token(
         secret_sha256=sha256_of(secret),
         scopes=sorted(set(scopes)),
         creator=session.get_one(Person, created_by),
+        expires_at=clock.now() + timedelta(days=days),
     )
     session.add(token)
     session.flush()
+    publish(session, "token.made", studio_id=studio_id, token_id=token.id)
     return token, secret

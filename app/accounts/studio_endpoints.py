@@ -20,13 +20,14 @@ from app.accounts.errors import (
     NotInDemo,
     PasswordTooWeak,
     ProducerNeeded,
+    RecentSignInNeeded,
     SignInNeeded,
     StudioInvitationNotFound,
     StudioNotFound,
     TooManyAttempts,
 )
 from app.accounts.models import Membership, Person, Studio, StudioInvitation
-from app.accounts.policies import allows
+from app.accounts.policies import allows, ensure_recent_sign_in
 from app.accounts.request_limits import (
     DeferredSession,
     RateLimitedRoute,
@@ -34,7 +35,7 @@ from app.accounts.request_limits import (
     ensure_invitation_allowed,
     ensure_sign_in_allowed,
 )
-from app.accounts.rules import AccessKind, Actor, Audience
+from app.accounts.rules import AccessKind, Actor, Audience, Role
 from app.accounts.schemas import (
     InvitationAccept,
     JoinedStudio,
@@ -82,12 +83,27 @@ def list_people(studio_id: UUID, session: DbSession, actor: Actor = allows(Audie
 
 @router.put(
     "/studios/{studio_id}/people/{person_id}",
-    responses=problems(StudioNotFound, MemberNotFound, ProducerNeeded, LastProducer, HandOverNeeded, CannotTakeOver),
+    responses=problems(
+        StudioNotFound,
+        MemberNotFound,
+        ProducerNeeded,
+        RecentSignInNeeded,
+        LastProducer,
+        HandOverNeeded,
+        CannotTakeOver,
+    ),
 )
 def change_member_roles(
-    studio_id: UUID, person_id: UUID, body: RolesChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+    studio_id: UUID,
+    person_id: UUID,
+    body: RolesChange,
+    request: Request,
+    session: DbSession,
+    actor: Actor = allows(Audience.PRODUCER),
 ) -> MemberRead:
     """Change a member's roles in the studio, and end what the new ones no longer allow; it always keeps a producer."""
+    if Role.PRODUCER in body.roles:
+        ensure_recent_sign_in(request)
     return _member(
         service.change_roles(session, actor, studio_id, person_id, body.roles, hand_over_to=body.hand_over_to)
     )
@@ -122,17 +138,20 @@ def remove_member(
     "/studios/{studio_id}/invitations",
     status_code=201,
     response_model=StudioInvitationRead,
-    responses=problems(StudioNotFound, ProducerNeeded, AlreadyMember, BadAddress, TooManyAttempts),
+    responses=problems(StudioNotFound, ProducerNeeded, RecentSignInNeeded, AlreadyMember, BadAddress, TooManyAttempts),
 )
 def invite_member(
     studio_id: UUID,
     body: StudioInvitationAdd,
+    request: Request,
     session: DbSession,
     actor: Actor = allows(Audience.PRODUCER),
 ) -> StudioInvitation:
     """Mail an invitation to the studio; the answer does not reveal whether the address has an account."""
+    if Role.PRODUCER in body.roles:
+        ensure_recent_sign_in(request)
     service.ensure_producer_of(session, actor, studio_id)
-    ensure_invitation_allowed(session, actor)
+    ensure_invitation_allowed(session, actor, body.email)
     return service.invite_member(session, actor, studio_id, email=body.email, roles=body.roles)
 
 

@@ -16,6 +16,7 @@ def token(
     project: Annotated[UUID, typer.Argument(help="Id of the project.")],
     name: Annotated[str, typer.Option(help="What the token is for.")] = "CI",
     scope: Annotated[list[str] | None, typer.Option(help="A scope; repeat for several.")] = None,
+    days: Annotated[int, typer.Option(min=1, max=365, help="How long the token works.")] = 365,
 ) -> None:
     """Make a token for a project's build and print it, once."""
     from app.accounts.rules import Scope
@@ -24,7 +25,7 @@ def token(
     scopes = [Scope(each) for each in scope] if scope else [Scope.SPEC_READ, Scope.LIST_READ, Scope.CHECKS_WRITE]
     runtime = opened(read_settings_or_exit())
     with runtime.database.writing() as session:
-        typer.echo(issue_token(session, project, name=name, scopes=scopes))
+        typer.echo(issue_token(session, project, name=name, scopes=scopes, days=days))
     runtime.close()
 
 

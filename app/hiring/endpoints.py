@@ -6,7 +6,14 @@ from fastapi import APIRouter, Request, Response
 
 from app.accounts.authentication import sha256_of
 from app.accounts.browser_sign_ins import sign_in_browser
-from app.accounts.errors import BadAddress, NameNeeded, PasswordTooWeak, SignInNeeded, TooManyAttempts
+from app.accounts.errors import (
+    BadAddress,
+    NameNeeded,
+    PasswordTooWeak,
+    RecentSignInNeeded,
+    SignInNeeded,
+    TooManyAttempts,
+)
 from app.accounts.models import Person
 from app.accounts.policies import allows
 from app.accounts.request_limits import (
@@ -148,7 +155,7 @@ def invite_candidate(
 ) -> PostingRead:
     """Ask a person for a bid: by mail at once, or when the posting opens."""
     postings.posting_seen(session, actor, posting_id).ensure_team()
-    ensure_invitation_allowed(session, actor)
+    ensure_invitation_allowed(session, actor, body.email)
     postings.invite(session, actor, posting_id, body.email)
     return posting_read(session, actor, posting_id)
 
@@ -165,9 +172,16 @@ def withdraw_candidate(
     postings.withdraw_invitation(session, actor, posting_id, candidate_id)
 
 
-@_unsaved_router.post("/postings/{posting_id}/link", status_code=201, responses=problems(PostingNotFound, TeamNeeded))
+@_unsaved_router.post(
+    "/postings/{posting_id}/link",
+    status_code=201,
+    responses=problems(PostingNotFound, TeamNeeded, RecentSignInNeeded),
+)
 def make_posting_link(
-    posting_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.TEAM)
+    posting_id: UUID,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = allows(Audience.TEAM, recent_sign_in=True),
 ) -> PostingLink:
     """Make a link that shows the posting without an invitation; an earlier one stops working."""
     secret = postings.make_link(session, actor, posting_id)

@@ -22,7 +22,6 @@ from app.hiring.errors import (
     RosterInvalid,
 )
 from app.hiring.models import BusyRange, Posting, RosterEntry
-from app.hiring.postings import invite
 from app.hiring.roster_files import HORIZON, Range
 from app.hiring.roster_rules import MAX_ENTRIES, Busy, BusyKind, Known, RosterFilter, matches, tidy_values
 from app.kit import clock
@@ -259,12 +258,11 @@ def postings_to_ask_about(session: Session, actor: Actor, entry: RosterEntry) ->
     return found
 
 
-def invite_from_roster(session: Session, actor: Actor, posting_id: UUID, entry_ids: Sequence[UUID]) -> None:
-    """Ask people on file for a bid: all of them, or none where one is not on file."""
+def addresses_on_file(session: Session, actor: Actor, posting_id: UUID, entry_ids: Sequence[UUID]) -> list[str]:
+    """Return the addresses of people on file, to ask for a bid; raise RosterEntryNotFound where one is not on file."""
     posting = posting_for_team(session, actor, posting_id)
     roster_access(session, actor, posting.studio_id)
     entries = roster_queries.entries_by_id(session, posting.studio_id, entry_ids)
     if missing := set(entry_ids) - {entry.id for entry in entries}:
         raise RosterEntryNotFound(f"nobody on file under {min(missing)}")
-    for entry in entries:
-        invite(session, actor, posting_id, entry.email)
+    return [entry.email for entry in entries]

@@ -214,9 +214,9 @@ def list_postings_to_ask_about(roster_entry_id: UUID, session: DbSession, actor:
 def invite_from_roster(posting_id: UUID, body: RosterInvite, session: DbSession, actor: Actor = TEAM) -> PostingRead:
     """Ask people on file for a bid, each with a personal link: by mail at once, or when the posting opens."""
     postings.posting_seen(session, actor, posting_id).ensure_team()
-    for _ in body.entry_ids:
-        ensure_invitation_allowed(session, actor)
-    roster.invite_from_roster(session, actor, posting_id, body.entry_ids)
+    for address in roster.addresses_on_file(session, actor, posting_id, body.entry_ids):
+        ensure_invitation_allowed(session, actor, address)
+        postings.invite(session, actor, posting_id, address)
     return posting_read(session, actor, posting_id)
 
 

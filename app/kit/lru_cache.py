@@ -24,6 +24,11 @@ class LRUCache(Generic[Key, Value]):
                 self._values.move_to_end(key)
             return value
 
+    def drop(self, key: Key) -> None:
+        """Forget a value."""
+        with self._lock:
+            self._values.pop(key, None)
+
     def keep(self, key: Key, value: Value) -> Value:
         """Cache a value, and return it."""
         with self._lock:

@@ -2,13 +2,29 @@
 
 import asyncio
 from collections.abc import Mapping
+from email.headerregistry import HeaderRegistry, UnstructuredHeader
 from email.message import EmailMessage
+from email.policy import Policy, default
 from email.utils import make_msgid
 from urllib.parse import unquote, urlsplit
 
 import aiosmtplib
 
 TIMEOUT_S = 20.0
+
+
+class PlainHeader(UnstructuredHeader):
+    """A header on one line as it is: an address that is folded into encoded words is read by no mail program."""
+
+    def fold(self, *, policy: Policy) -> str:
+        """Return the header's line."""
+        return f"{self.name}: {self}{policy.linesep}"
+
+
+_HEADERS = HeaderRegistry()
+for _name in ("list-unsubscribe", "list-unsubscribe-post"):
+    _HEADERS.map_to_type(_name, PlainHeader)
+_POLICY = default.clone(header_factory=_HEADERS)
 
 
 class BadSmtpUrl(ValueError):
@@ -20,7 +36,7 @@ def build_mail(*, sender: str, recipient: str, subject: str, text: str, stop_url
 
     A POST to `stop_url` stops mails like this: mail programs offer that as one click (RFC 8058).
     """
-    message = EmailMessage()
+    message = EmailMessage(policy=_POLICY)
     message["From"] = sender
     message["To"] = recipient
     message["Subject"] = " ".join(subject.split())

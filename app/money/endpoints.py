@@ -5,6 +5,7 @@ from uuid import UUID
 
 from fastapi import APIRouter, Response
 
+from app.accounts.errors import RecentSignInNeeded
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.agreements import documents, plan
@@ -304,9 +305,14 @@ def log_work(
     estimates.log_work(session, actor, contract_id, cue_id=body.cue_id, minutes=body.minutes, worked_on=body.worked_on)
 
 
-@_unsaved_router.post("/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound))
+@_unsaved_router.post(
+    "/projects/{project_id}/calendar", status_code=201, responses=problems(ProjectNotFound, RecentSignInNeeded)
+)
 def make_calendar(
-    project_id: UUID, runtime: CurrentRuntime, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+    project_id: UUID,
+    runtime: CurrentRuntime,
+    session: DbSession,
+    actor: Actor = allows(Audience.PROJECT, recent_sign_in=True),
 ) -> schemas.CalendarLinkMade:
     """Make the secret address of the caller's calendar; an earlier one loses its worth."""
     secret = calendar.make_link(session, actor, project_id)

@@ -16,6 +16,7 @@ from app.kit import clock
 from app.kit.db import bypass_row_policies
 from app.kit.in_array import in_array
 from app.notifications.models import Mail, MailPreferences, Notice
+from app.notifications.rules import SECURITY_TOPICS
 from app.projects.approval import approval_rights
 from app.projects.models import Engagement, Project, ProjectInvitation
 from app.projects.queries import liaisons_of
@@ -163,7 +164,7 @@ def delete_unsent_news(session: Session, studio_id: UUID, address: str) -> None:
         delete(Mail).where(
             Mail.studio_id == studio_id,
             Mail.recipient == address,
-            Mail.news.is_not(None),
+            or_(Mail.news.is_not(None), *(Mail.topic.startswith(f"{kind}:") for kind in SECURITY_TOPICS)),
             Mail.sent_at.is_(None),
             or_(Mail.claimed_until.is_(None), Mail.claimed_until < clock.now()),
         )

@@ -13,6 +13,7 @@ from app.accounts.errors import (
     BadAddress,
     NameNeeded,
     PasswordTooWeak,
+    RecentSignInNeeded,
     SignInNeeded,
     StudioNotFound,
     TooManyAttempts,
@@ -200,7 +201,7 @@ def invite_approver(
 ) -> schemas.ApproverInvited:
     """Invite an address into the studio as this project's approver; a member becomes it at once."""
     service.project_access(session, actor, project_id).ensure_producer()
-    ensure_invitation_allowed(session, actor)
+    ensure_invitation_allowed(session, actor, body.email)
     is_named = approvers.invite_approver(session, actor, project_id, email=body.email)
     return schemas.ApproverInvited(email=body.email, is_named=is_named)
 
@@ -231,7 +232,7 @@ def invite_designer(
 ) -> ProjectInvitation:
     """Mail a designer a link that shows the list; the answer does not reveal whether the address has an account."""
     service.project_access(session, actor, project_id).ensure_may_speak()
-    ensure_invitation_allowed(session, actor)
+    ensure_invitation_allowed(session, actor, body.email)
     return engagements.invite_designer(
         session,
         actor,
@@ -320,13 +321,18 @@ def list_tokens(project_id: UUID, session: DbSession, actor: Actor = allows(Audi
 
 
 @_unsaved_router.post(
-    "/projects/{project_id}/tokens", status_code=201, responses=problems(ProjectNotFound, ProducerNeeded)
+    "/projects/{project_id}/tokens",
+    status_code=201,
+    responses=problems(ProjectNotFound, ProducerNeeded, RecentSignInNeeded),
 )
 def create_token(
-    project_id: UUID, body: schemas.TokenAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+    project_id: UUID,
+    body: schemas.TokenAdd,
+    session: DbSession,
+    actor: Actor = allows(Audience.PRODUCER, recent_sign_in=True),
 ) -> schemas.TokenMade:
     """Make a key for the project's builds; its secret is shown this once."""
-    token, secret = tokens.create_token(session, actor, project_id, name=body.name, scopes=body.scopes)
+    token, secret = tokens.create_token(session, actor, project_id, name=body.name, scopes=body.scopes, days=body.days)
     return schemas.TokenMade(**schemas.TokenRead.model_validate(token).model_dump(), secret=secret)
 
 

@@ -6,7 +6,7 @@ from uuid import UUID
 
 from pydantic import ConfigDict, Field, StringConstraints, model_validator
 
-from app.accounts.rules import Scope
+from app.accounts.rules import MAX_TOKEN_DAYS, Scope
 from app.accounts.schemas import Email, Line, MaybeLine, PersonBrief, PersonRead, Prose, StudioBrief
 from app.kit.http import LARGEST_NUMBER, Schema
 from app.projects.rules import DesignersHear, EngagementKind
@@ -352,6 +352,7 @@ class TokenAdd(Schema):
 
     name: Line
     scopes: list[Scope] = Field(min_length=1)
+    days: int = Field(MAX_TOKEN_DAYS, ge=1, le=MAX_TOKEN_DAYS, description="How long it works.")
 
 
 class TokenRead(Schema):
@@ -362,7 +363,8 @@ class TokenRead(Schema):
     scopes: list[Scope]
     creator: PersonBrief
     created_at: datetime
-    last_used_at: datetime | None
+    last_used_at: datetime | None = Field(description="To within a minute; null: never used.")
+    expires_at: datetime = Field(description="From then on its requests are refused.")
     revoked_at: datetime | None
 
 

@@ -7,7 +7,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Token
 from app.accounts.queries import project_token, project_tokens
-from app.accounts.rules import Actor, Scope
+from app.accounts.rules import MAX_TOKEN_DAYS, Actor, Scope
 from app.accounts.service import add_token
 from app.kit import clock
 from app.projects import queries
@@ -19,9 +19,9 @@ from app.projects.service import project_access
 
 
 def create_token(
-    session: Session, actor: Actor, project_id: UUID, *, name: str, scopes: Collection[Scope]
+    session: Session, actor: Actor, project_id: UUID, *, name: str, scopes: Collection[Scope], days: int
 ) -> tuple[Token, str]:
-    """Make a key for the project's builds; its secret is shown this once."""
+    """Make a key for the project's builds that ends after so many days; its secret is shown this once."""
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     return add_token(
@@ -31,10 +31,13 @@ def create_token(
         created_by=actor.person,
         name=name,
         scopes=scopes,
+        days=days,
     )
 
 
-def issue_token(session: Session, project_id: UUID, *, name: str, scopes: Collection[Scope]) -> str:
+def issue_token(
+    session: Session, project_id: UUID, *, name: str, scopes: Collection[Scope], days: int = MAX_TOKEN_DAYS
+) -> str:
     """Make a key for the project's builds from the server's own command line, and return its secret."""
     project = queries.project_by_id(session, project_id)
     if project is None:
@@ -46,6 +49,7 @@ def issue_token(session: Session, project_id: UUID, *, name: str, scopes: Collec
         created_by=queries.approver_of(session, project),  # who opened it may have left
         name=name,
         scopes=scopes,
+        days=days,
     )
     return secret
 

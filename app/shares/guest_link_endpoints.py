@@ -4,6 +4,7 @@ from uuid import UUID
 
 from fastapi import APIRouter
 
+from app.accounts.errors import RecentSignInNeeded
 from app.accounts.policies import allows
 from app.accounts.request_limits import UnsavedResponseRoute
 from app.accounts.rules import Actor, Audience
@@ -39,10 +40,16 @@ def list_guest_links(
 @_unsaved_router.post(
     "/projects/{project_id}/guest-links",
     status_code=201,
-    responses=problems(ProjectNotFound, TeamNeeded, GuestLinkInvalid, NothingToShare, PlaylistNotFound),
+    responses=problems(
+        ProjectNotFound, TeamNeeded, RecentSignInNeeded, GuestLinkInvalid, NothingToShare, PlaylistNotFound
+    ),
 )
 def add_guest_link(
-    project_id: UUID, body: GuestLinkAdd, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
+    project_id: UUID,
+    body: GuestLinkAdd,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = allows(Audience.TEAM, recent_sign_in=True),
 ) -> GuestLinkMade:
     """Make a link by which people without an account hear what it names as it is now."""
     link, secret = guest_links.make_link(session, actor, project_id, body, server_key=_key(runtime))

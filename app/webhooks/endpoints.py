@@ -3,8 +3,10 @@
 from datetime import datetime
 from uuid import UUID
 
-from app.accounts.errors import ProducerNeeded, StudioNotFound
-from app.accounts.policies import allows
+from fastapi import Request
+
+from app.accounts.errors import ProducerNeeded, RecentSignInNeeded, StudioNotFound
+from app.accounts.policies import allows, ensure_recent_sign_in
 from app.accounts.rules import Actor, Audience
 from app.kit import clock
 from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
@@ -31,6 +33,7 @@ from app.webhooks.schemas import (
 
 router = Router(prefix="/v1", tags=["webhooks"], route_class=Route)
 PRODUCER: Actor = allows(Audience.PRODUCER)
+RECENTLY_SIGNED_IN_PRODUCER: Actor = allows(Audience.PRODUCER, recent_sign_in=True)
 PAGE = 50
 
 
@@ -70,10 +73,16 @@ def list_webhooks(
 @router.post(
     "/studios/{studio_id}/webhooks",
     status_code=201,
-    responses=problems(StudioNotFound, ProducerNeeded, ProjectNotFound, WebhookAddressRefused, WebhooksFull),
+    responses=problems(
+        StudioNotFound, ProducerNeeded, RecentSignInNeeded, ProjectNotFound, WebhookAddressRefused, WebhooksFull
+    ),
 )
 def add_webhook(
-    studio_id: UUID, body: WebhookAdd, session: DbSession, runtime: CurrentRuntime, actor: Actor = PRODUCER
+    studio_id: UUID,
+    body: WebhookAdd,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = RECENTLY_SIGNED_IN_PRODUCER,
 ) -> WebhookSecretRead:
     """Add an address that is called for events; its secret is shown this once."""
     webhook = service.add(
@@ -89,11 +98,18 @@ def add_webhook(
     return _read_with_secret(webhook, runtime)
 
 
-@router.patch("/webhooks/{webhook_id}", responses=problems(WebhookNotFound, WebhookAddressRefused))
+@router.patch("/webhooks/{webhook_id}", responses=problems(WebhookNotFound, RecentSignInNeeded, WebhookAddressRefused))
 def change_webhook(
-    webhook_id: UUID, body: WebhookChange, session: DbSession, runtime: CurrentRuntime, actor: Actor = PRODUCER
+    webhook_id: UUID,
+    body: WebhookChange,
+    request: Request,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = PRODUCER,
 ) -> WebhookRead:
     """Change the address or the events of a webhook, disable it, or let it be called again."""
+    if body.url is not None:
+        ensure_recent_sign_in(request)
     webhook = service.change(
         session,
         actor,
@@ -112,9 +128,9 @@ def delete_webhook(webhook_id: UUID, session: DbSession, actor: Actor = PRODUCER
     service.remove(session, actor, webhook_id)
 
 
-@router.post("/webhooks/{webhook_id}/secret", responses=problems(WebhookNotFound))
+@router.post("/webhooks/{webhook_id}/secret", responses=problems(WebhookNotFound, RecentSignInNeeded))
 def rotate_webhook_secret(
-    webhook_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = PRODUCER
+    webhook_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = RECENTLY_SIGNED_IN_PRODUCER
 ) -> WebhookSecretRead:
     """Return a new secret, shown this once; messages are signed by the old one too for a day."""
     return _read_with_secret(service.rotate_secret(session, actor, webhook_id), runtime)

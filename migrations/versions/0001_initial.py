@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_de186d1e"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_2bb81350"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -111,6 +111,7 @@ def upgrade() -> None:
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("last_used_at", sa.DateTime(timezone=True)),
         sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("warned_at", sa.DateTime(timezone=True)),
         sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_desk_tokens_person_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_desk_tokens")),
         sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_desk_tokens_secret_sha256")),
@@ -259,12 +260,15 @@ def upgrade() -> None:
         sa.Column("created_by", sa.Uuid(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("last_used_at", sa.DateTime(timezone=True)),
+        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("warned_at", sa.DateTime(timezone=True)),
         sa.Column("revoked_at", sa.DateTime(timezone=True)),
         sa.ForeignKeyConstraint(["created_by"], ["accounts_people.id"], name=op.f("fk_accounts_tokens_created_by")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_tokens_studio_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_tokens")),
         sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_tokens_secret_sha256")),
     )
+    op.create_index(op.f("ix_accounts_tokens_expires_at"), "accounts_tokens", ["expires_at"])
     op.create_index(op.f("ix_accounts_tokens_project_id"), "accounts_tokens", ["project_id"])
     op.create_index(op.f("ix_accounts_tokens_studio_id"), "accounts_tokens", ["studio_id"])
     op.create_table(

@@ -1,10 +1,15 @@
 """Who may do what, asked of every endpoint there is: the table of routes writes this test."""
 
+import json
 import sqlite3
 from collections import Counter
 from collections.abc import Callable, Iterable
 from contextlib import closing
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
+from typing import Any, cast
+from uuid import UUID, uuid4
 
 import pytest
 from fastapi.testclient import TestClient
@@ -191,6 +196,51 @@ def test_callers_without_credentials_are_asked_to_sign_in(house: SharedHouse) ->
 def test_for_strangers_it_does_not_exist(house: SharedHouse) -> None:
     callers = (house.stranger, house.other_designer)
     assert house.wrong(those(is_about_something), callers, is_refused(404)) == []
+
+
+@dataclass(frozen=True)
+class WithoutAnything:
+    """The house, where no id leads to anything."""
+
+    house: House
+
+    @cached_property
+    def ids(self) -> dict[str, Any]:
+        return {name: uuid4() if isinstance(id_, UUID) else id_ for name, id_ in self.house.ids.items()}
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.house, name)
+
+
+def words_of(answer: Response, house: House | WithoutAnything) -> tuple[int, Any]:
+    """Return what an answer says, with names in place of the ids that were sent."""
+    text = answer.text
+    for name, id_ in house.ids.items():
+        text = text.replace(str(id_), name) if isinstance(id_, UUID) else text
+    said = json.loads(text) if text else {}
+    return answer.status_code, {key: said.get(key) for key in ("code", "detail", "fix", "errors")}
+
+
+def test_what_is_not_seen_is_answered_as_what_is_not_there(house: SharedHouse) -> None:
+    """Neither status nor words tell that there is something, or what it belongs to."""
+    nothing = WithoutAnything(house)
+    about_something = those(is_about_something)
+    asked = [
+        *((house.stranger, operation) for operation in about_something),
+        *((house.rival, operation) for operation in about_something if names_in(operation) & ONE_DESIGNERS),
+        *((house.designer, operation) for operation in about_something if names_in(operation) & STUDIOS),
+        *((house.reviewer, operation) for operation in about_something if names_in(operation) & CONTRACTS),
+        *((house.build(house.foreign_secret), operation) for operation in about_something if operation.policy.build),
+    ]
+    telling = []
+    for client, operation in asked:
+        answer = house.answer(client, operation)
+        if answer.status_code != 404 or operation.method == "HEAD":
+            continue
+        said, missing = words_of(answer, house), words_of(ask(client, cast(House, nothing), operation), nothing)
+        if said != missing:
+            telling.append(f"{operation.name}: {said} for what is there, {missing} for what is not")
+    assert telling == []
 
 
 def test_a_build_does_not_do_what_people_do(house: SharedHouse) -> None:

@@ -4,7 +4,7 @@ import { serverReturns } from './connection'
 import { earlyAnswer } from './early'
 import { ApiProblem, lineLost, problemOf } from './problem'
 import type { paths } from './schema.gen'
-import { signedInAgain, signInsSoFar } from './signIn'
+import { signedInAgain, type SignInReason, signInsSoFar } from './signIn'
 
 const CSRF_COOKIE = /(?:^|; )(?:__Host-)?soundlist_csrf=([^;]*)/ // the prefix is there over TLS
 const SAFE = new Set(['GET', 'HEAD', 'OPTIONS'])
@@ -57,22 +57,28 @@ async function isBusy(response: Response): Promise<boolean> {
   return code !== undefined && code !== 'database-away'
 }
 
-const hasNoSession = async (response: Response) =>
-  response.status === 401 && (await codeOf(response)) === 'not-signed-in'
+/** Why the server wants the person to sign in before it answers; null where it does not. */
+async function reasonToSignIn(response: Response): Promise<SignInReason | null> {
+  if (response.status !== 401 && response.status !== 403) return null
+  const code = await codeOf(response)
+  if (code === 'not-signed-in') return 'ended'
+  return code === 'recent-sign-in-needed' ? 'recent' : null
+}
 
 /**
  * Send a request. What only reads waits while the server is away, so that pages keep what they show; a write is refused
- * at once, with what was typed still there. Either is sent again after signing in where the session has ended.
+ * at once, with what was typed still there. Either is sent again after signing in, where the server asks for that.
  */
 export async function send(request: Request): Promise<Response> {
   for (;;) {
     const sentAfter = signInsSoFar()
     const response = await fetchOnce(request.clone())
+    const reason = response && (await reasonToSignIn(response))
     if (response === null) {
       const back = serverReturns()
       if (!SAFE.has(request.method)) throw lineLost()
       await back
-    } else if ((await hasNoSession(response)) && (await signedInAgain(sentAfter))) {
+    } else if (reason !== null && (await signedInAgain(sentAfter, reason))) {
       const token = csrfToken()
       if (!SAFE.has(request.method) && token !== undefined) request.headers.set('X-CSRF-Token', token)
     } else return response

@@ -1,11 +1,13 @@
-/** Signs the person in again, in place; false where they would rather leave. */
-type SignInAgain = () => Promise<boolean>
+/** Why a person signs in again: the session has ended, or what they do asks for a recent sign-in. */
+export type SignInReason = 'ended' | 'recent'
+/** Signs the person in again, in place; false where they would rather not. */
+type SignInAgain = (reason: SignInReason) => Promise<boolean>
 
 let ask: SignInAgain | null = null
 let asking: Promise<boolean> | null = null
 let signIns = 0
 
-/** What is done while a page of a signed-in person is open, when the server says that their session has ended. */
+/** What is done while a page of a signed-in person is open, when the server asks them to sign in again. */
 export function onSessionEnd(handler: SignInAgain): () => void {
   ask = handler
   return () => {
@@ -21,11 +23,11 @@ export function leaveSession(): void {
 /** The number of sign-ins on this page: requests sent before the last one are repeated without asking. */
 export const signInsSoFar = (): number => signIns
 
-/** The session has ended: whether a refused request may be sent again, since the same person has signed in. */
-export async function signedInAgain(sentAfter = signIns): Promise<boolean> {
+/** Whether a refused request may be sent again, since the same person has signed in. */
+export async function signedInAgain(sentAfter = signIns, reason: SignInReason = 'ended'): Promise<boolean> {
   if (sentAfter !== signIns) return true
   if (ask === null) return false
-  asking ??= ask()
+  asking ??= ask(reason)
     .then((again) => {
       if (again) signIns += 1
       return again

@@ -17,11 +17,12 @@ from app.accounts.authentication import (
     device_for,
 )
 from app.accounts.errors import TooManyAttempts
-from app.accounts.rate_limits import Limit, network_of
+from app.accounts.rate_limits import Limit
+from app.accounts.rules import network_of
 from app.kit.db import Database
 from app.main import create_app
-from tests.app.accounts.test_sign_in import address, sign_in, sign_up
-from tests.support.server import RunningServer
+from tests.app.accounts.test_sign_in import address, sign_in, sign_up, with_csrf
+from tests.support.server import RunningServer, World
 
 PROXY = "10.9.0.2"
 
@@ -173,25 +174,49 @@ def test_evidence_of_a_sign_in_names_the_visitor_and_not_the_proxy(server: Runni
     assert current["place"] == "198.51.100.30"
 
 
-@pytest.mark.parametrize(
-    ("headers", "cookies", "same"),
-    [
-        ({}, {SESSION_COOKIE: "secret"}, True),
-        ({}, {SESSION_COOKIE: "secret", "other": "1"}, True),
-        ({"cookie": "other=1"}, {SESSION_COOKIE: "secret"}, True),
-        ({"authorization": "Bearer secret"}, {}, True),
-        ({"authorization": "bEARER   secret "}, {SESSION_COOKIE: "other"}, True),
-        ({}, {SESSION_COOKIE: "other"}, False),
-        ({}, {}, False),
-    ],
-)
-def test_a_caller_has_one_turn_however_the_request_is_spelt(
-    headers: dict[str, str], cookies: dict[str, str], same: bool
-) -> None:
-    key = caller_key(RequestCredentials("GET", {}, {SESSION_COOKIE: "secret"}, "192.0.2.1"))
-    assert (caller_key(RequestCredentials("GET", headers, cookies, "192.0.2.2")) == key) is same
+def key_of(browser: TestClient | None = None, *, cookie: str = "", bearer: str = "", address: str = "192.0.2.1") -> str:
+    """Return by whom a request counts: with a browser's cookie, another cookie, a token, or nothing."""
+    secret = browser.cookies[SESSION_COOKIE] if browser else cookie
+    headers = {"authorization": f"bEARER  {bearer} "} if bearer else {}
+    return caller_key(RequestCredentials("GET", headers, {SESSION_COOKIE: secret}, address))
 
 
-def test_strangers_are_distinguished_by_their_address() -> None:
-    keys = {caller_key(RequestCredentials("GET", {}, {}, place)) for place in ("192.0.2.1", "192.0.2.1", "192.0.2.2")}
-    assert keys == {"192.0.2.1", "192.0.2.2"}
+def test_a_person_has_one_turn_in_all_their_browsers_and_from_everywhere(server: RunningServer, account: str) -> None:
+    browsers = [server.browser() for _ in range(3)]
+    for browser in browsers:
+        assert sign_in(browser, account).status_code == 200
+        assert browser.get("/v1/me").status_code == 200
+    keys = {key_of(browser, address=address) for browser in browsers for address in ("192.0.2.1", "198.51.100.1")}
+    assert len(keys) == 1
+    assert keys.pop().startswith("person ")
+    other = server.browser()
+    assert sign_up(other, address()).status_code == 201
+    assert other.get("/v1/me").status_code == 200
+    assert key_of(other) != key_of(browsers[0])
+
+
+def test_who_sends_another_secret_each_time_counts_as_their_network() -> None:
+    keys = {key_of(cookie=f"made up {number}") for number in range(20)}
+    keys |= {key_of(bearer=f"slt_made_up_{number}") for number in range(20)}
+    assert keys == {key_of()} == {"network 192.0.2.1"}
+    assert key_of(address="198.51.100.1") != key_of()
+    assert key_of(address="2001:db8:1:2::1") == key_of(cookie="made up", address="2001:db8:1:2:ffff::9")
+
+
+def test_a_secret_that_is_good_no_more_counts_as_its_network(server: RunningServer, account: str) -> None:
+    browser, elsewhere = server.browser(), server.browser()
+    assert sign_in(browser, account).status_code == sign_in(elsewhere, account).status_code == 200
+    assert browser.get("/v1/me").status_code == 200
+    with_csrf(elsewhere).delete("/v1/me/sign-ins")
+    assert browser.get("/v1/me").status_code == 401
+    assert key_of(browser) == key_of()
+
+
+def test_the_builds_of_a_project_have_one_turn(world: World) -> None:
+    tokens = f"/v1/projects/{world.project_id}/tokens"
+    body = {"name": "CI", "scopes": ["spec:read"]}
+    secrets = [world.producer.post(tokens, json=body).json()["secret"] for _ in range(2)]
+    for secret in secrets:
+        headers = {"Authorization": f"Bearer {secret}"}
+        assert world.nobody.get(f"/v1/projects/{world.project_id}/spec", headers=headers).status_code == 200
+    assert {key_of(bearer=secret) for secret in secrets} == {f"project {world.project_id}"}

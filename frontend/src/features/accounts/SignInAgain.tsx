@@ -2,32 +2,34 @@ import { useQueryClient } from '@tanstack/react-query'
 import { useRouter } from '@tanstack/react-router'
 import { useEffect, useState } from 'react'
 
-import { onSessionEnd } from '@/api'
+import { onSessionEnd, type SignInReason } from '@/api'
 import type { Me } from '@/api/me'
 import { LazyDialog } from '@/app/LazyDialog'
 
 const loadDialog = () => import('./SignInAgainDialog').then(({ SignInAgainDialog }) => SignInAgainDialog)
 
-/** Opens where the session has ended: the same person signs in without leaving the page. */
+/** Opens where the server asks for a sign-in: the same person signs in without leaving the page. */
 export function SignInAgain({ me }: { me: Me }) {
   const client = useQueryClient()
   const router = useRouter()
-  const [answer, setAnswer] = useState<((again: boolean) => void) | null>(null)
-  useEffect(() => onSessionEnd(() => new Promise((resolve) => setAnswer(() => resolve))), [])
+  const [asked, setAsked] = useState<{ reason: SignInReason; answer: (again: boolean) => void } | null>(null)
+  useEffect(() => onSessionEnd((reason) => new Promise((answer) => setAsked({ reason, answer }))), [])
   const goOn = (personId: string) => {
     if (personId !== me.person.id) {
       globalThis.location.reload() // nothing of one person is shown to another
       return
     }
-    answer?.(true)
-    setAnswer(null)
+    asked?.answer(true)
+    setAsked(null)
   }
   const leave = () => {
     const next = router.state.location.href
-    answer?.(false)
-    setAnswer(null)
+    asked?.answer(false)
+    setAsked(null)
+    if (asked?.reason === 'recent') return // still signed in; only the act is not done
     client.clear()
     void router.navigate({ to: '/sign-in', search: { next } })
   }
-  return <LazyDialog load={loadDialog} opened={answer !== null} onClose={leave} given={{ me, onSignedIn: goOn }} />
+  const given = { me, reason: asked?.reason ?? 'ended', onSignedIn: goOn }
+  return <LazyDialog load={loadDialog} opened={asked !== null} onClose={leave} given={given} />
 }

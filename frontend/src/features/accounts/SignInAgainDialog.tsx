@@ -1,4 +1,4 @@
-import { answered, api, useMutation } from '@/api'
+import { answered, api, type SignInReason, useMutation } from '@/api'
 import type { Me } from '@/api/me'
 import { Dialog } from '@/app/Dialog'
 import type { OpenedProps } from '@/app/LazyDialog'
@@ -7,24 +7,30 @@ import { Field, Form } from '@/app/Form'
 
 interface SignInAgainDialogProps extends OpenedProps {
   me: Me
+  reason: SignInReason
   onSignedIn: (personId: string) => void
 }
 
-export function SignInAgainDialog({ me, opened, onClose, onSignedIn }: SignInAgainDialogProps) {
+export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: SignInAgainDialogProps) {
   const signIn = useMutation({
     mutationFn: (body: { email: string; password: string }) => answered(api.POST('/v1/sign-in', { body })),
     onSuccess: ({ id }) => onSignedIn(id),
   })
+  const isRecent = reason === 'recent'
   return (
-    <Dialog title="Sign in to go on" opened={opened} onClose={onClose}>
-      <p className="mid">Your session has ended. What you typed is kept.</p>
+    <Dialog title={isRecent ? 'Confirm your password' : 'Sign in to go on'} opened={opened} onClose={onClose}>
+      <p className="mid">
+        {isRecent
+          ? 'This gives access to others, and you signed in a while ago. What you typed is kept.'
+          : 'Your session has ended. What you typed is kept.'}
+      </p>
       <Form
-        action="Sign in"
+        action={isRecent ? 'Confirm' : 'Sign in'}
         busy={signIn.isPending}
         error={signIn.error}
         onSubmit={(value) => signIn.mutate({ email: value('email'), password: value('password') })}
       >
-        <Field name="email" label="Email" type="email" autoComplete="username" defaultValue={me.email} />
+        <Field name="email" label="Email" type="email" autoComplete="username" defaultValue={me.email} readOnly={isRecent} />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
       </Form>
     </Dialog>

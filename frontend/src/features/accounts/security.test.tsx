@@ -89,6 +89,46 @@ describe('the security of an account', () => {
     await waitFor(() => expect(server.asked.some(({ method }) => method === 'DELETE')).toBe(true))
   })
 
+  test('where the sign-in is old, the password is asked for in place, and what was done is repeated', async () => {
+    let isRecent = false
+    const made = {
+      id: 'd2',
+      name: 'My computer',
+      created_at: '2026-11-20T09:00:00Z',
+      last_used_at: null,
+      expires_at: '2126-11-20T09:00:00Z',
+      secret: 'sld_secret',
+    }
+    const server = serve(
+      asPerson(DESIGNER, {
+        'GET /v1/me/desk-tokens': [],
+        'POST /v1/me/desk-tokens': () =>
+          isRecent ? made : refusal(403, 'recent-sign-in-needed', 'this gives access; nothing was done'),
+        'POST /v1/sign-in': () => {
+          isRecent = true
+          return { ...DESIGNER.person, email: DESIGNER.email, email_verified_at: null }
+        },
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Desk tokens' }))
+    await user.click(await card.findByRole('button', { name: 'Create token' }))
+    const declined = await screen.findByRole('dialog', { name: 'Confirm your password' })
+    await user.click(within(declined).getByRole('button', { name: 'Close' }))
+    expect(await card.findByText(/nothing was done/)).toBeVisible()
+    await user.click(card.getByRole('button', { name: 'Create token' }))
+    const dialog = within(await screen.findByRole('dialog', { name: 'Confirm your password' }))
+    expect(dialog.getByLabelText('Email')).toHaveValue(DESIGNER.email)
+    expect(dialog.getByLabelText('Email')).toHaveAttribute('readonly')
+    await user.type(dialog.getByLabelText('Password'), 'a few words of mine')
+    await user.click(dialog.getByRole('button', { name: 'Confirm' }))
+    expect(await card.findByText('sld_secret')).toBeInTheDocument()
+    expect(server.asked.filter(({ path }) => path === '/v1/sign-in').map(({ body }) => body)).toEqual([
+      { email: DESIGNER.email, password: 'a few words of mine' },
+    ])
+  })
+
   test('a changed password says that the desk tokens have ended, and none is listed any more', async () => {
     let tokens = [
       {

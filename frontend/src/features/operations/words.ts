@@ -25,6 +25,7 @@ const JOBS: Partial<Record<string, string>> = {
   'deliveries.unpack_archive': 'Unpack a ZIP',
   'notifications.mail_link': 'Write an email with a link',
   'notifications.remind_of_days': 'Remind of days that contracts name',
+  'notifications.warn_of_token_ends': 'Announce tokens that end soon',
   'notifications.send_mail': 'Send an email',
   'notifications.notify_answer': 'Notify about an answer',
   'notifications.notify_approval': 'Notify about an approval',

@@ -50,6 +50,7 @@ describe('builds', () => {
       creator: people.producer,
       created_at: '2026-11-20T10:00:00Z',
       last_used_at: null,
+      expires_at: '2126-11-20T10:00:00Z',
       revoked_at: null,
     }
     const { asked } = serve({
@@ -62,11 +63,13 @@ describe('builds', () => {
     const name = screen.getByLabelText('Token name')
     await press.clear(name)
     await press.type(name, 'Nightly')
+    await press.selectOptions(screen.getByLabelText('Works for'), '90 days')
     await press.click(screen.getByRole('button', { name: 'Create token' }))
     expect(await screen.findByText('slt_once')).toBeVisible()
     expect(wrote(asked, 'POST /v1/projects/p1/tokens')[0]?.body).toEqual({
       name: 'Nightly',
       scopes: ['spec:read', 'list:read', 'checks:write', 'manifest:read'],
+      days: 90,
     })
     await press.click(screen.getByRole('button', { name: 'Copy secret' }))
     expect(await navigator.clipboard.readText()).toBe('slt_once')
@@ -87,6 +90,28 @@ describe('builds', () => {
     })
   })
 
+  test('a token that has ended says so, and is not to be revoked', async () => {
+    const token = {
+      id: 't1',
+      name: 'Nightly',
+      scopes: ['spec:read'],
+      creator: people.producer,
+      created_at: '2025-01-01T10:00:00Z',
+      last_used_at: null,
+      expires_at: '2025-03-01T10:00:00Z',
+      revoked_at: null,
+    }
+    serve({
+      ...withBuilds(),
+      'GET /v1/projects/p1/builds': { items: [build('482', 2, 0)], next: null },
+      'GET /v1/projects/p1/tokens': [token],
+    })
+    openApp('/projects/p1/builds')
+    expect(await screen.findByText('Ended')).toBeVisible()
+    expect(screen.getByText(/ended Saturday 1 March 2025/)).toBeVisible()
+    expect(screen.queryByRole('button', { name: 'Revoke Nightly' })).toBeNull()
+  })
+
   test('a token is revoked only after it was said what that does', async () => {
     const token = {
       id: 't1',
@@ -95,6 +120,7 @@ describe('builds', () => {
       creator: people.producer,
       created_at: '2026-11-20T10:00:00Z',
       last_used_at: null,
+      expires_at: '2126-11-20T10:00:00Z',
       revoked_at: null,
     }
     const { asked, answers } = serve({

@@ -1,4 +1,4 @@
-import { Checkbox, TextInput } from '@mantine/core'
+import { Checkbox, NativeSelect, TextInput } from '@mantine/core'
 import { type FormEvent, useState } from 'react'
 
 import { Button } from '@/ui/Button'
@@ -11,7 +11,7 @@ import { State } from '@/ui/State'
 import { type Scope, type Token, type TokenMade, useMakeToken, useRevokeToken, useTokens } from './api'
 import classes from './Builds.module.css'
 import { Refusal } from './Refusal'
-import { ago } from '@/ui/format'
+import { ago, day } from '@/ui/format'
 
 import { against, listed } from './words'
 
@@ -26,6 +26,13 @@ const SCOPE_WORDS: Record<Scope, string> = {
 /** What the lines for CI need, and the pack that a build may fetch. */
 const FOR_CI: Scope[] = ['spec:read', 'list:read', 'checks:write', 'manifest:read']
 
+const LIFETIMES = [
+  { value: '30', label: '30 days' },
+  { value: '90', label: '90 days' },
+  { value: '180', label: '180 days' },
+  { value: '365', label: 'A year' },
+]
+
 /** Make a key for the game's CI. Its secret is shown once, here. */
 export function TokenMaker({ projectId }: { projectId: string }) {
   const make = useMakeToken(projectId)
@@ -36,7 +43,11 @@ export function TokenMaker({ projectId }: { projectId: string }) {
     const form = new FormData(event.currentTarget)
     const name = form.get('name')
     make.mutate(
-      { name: typeof name === 'string' ? name : '', scopes: form.has('rights') ? [...FOR_CI, 'rights:read'] : FOR_CI },
+      {
+        name: typeof name === 'string' ? name : '',
+        scopes: form.has('rights') ? [...FOR_CI, 'rights:read'] : FOR_CI,
+        days: Number(form.get('days')),
+      },
       {
         onSuccess: (token) => {
           setMade(token)
@@ -66,6 +77,13 @@ export function TokenMaker({ projectId }: { projectId: string }) {
         name="rights"
         label="Also reads contracts and sources of approved sounds"
         description="For soundlist why; CI does not need it."
+      />
+      <NativeSelect
+        name="days"
+        label="Works for"
+        data={LIFETIMES}
+        defaultValue="365"
+        description="The producers are told two weeks before it ends."
       />
       <div className="row wrap">
         <Button type="submit" variant="primary" aria-busy={make.isPending}>
@@ -129,24 +147,26 @@ export function TokensCard({ projectId }: { projectId: string }) {
 }
 
 function TokenRow({ token, onRevoke }: { token: Token; onRevoke: () => void }) {
-  const { name, scopes, creator, created_at, last_used_at, revoked_at } = token
+  const { name, scopes, creator, created_at, last_used_at, expires_at, revoked_at } = token
+  const isOver = new Date(expires_at) <= new Date()
+  const works = revoked_at === null && !isOver
   const [sure, setSure] = useState(false)
   return (
     <Row className={classes.token}>
       <div className="grow">
-        <p className={revoked_at ? 'struck' : 'strong'}>{name}</p>
+        <p className={works ? 'strong' : 'struck'}>{name}</p>
         <p className="small mid">{listed(scopes.map((scope) => SCOPE_WORDS[scope]))}</p>
         <p className="small dim">
-          {`created by ${creator.name} ${ago(created_at)}; ${last_used_at ? `used ${ago(last_used_at)}` : 'never used'}`}
+          {`created by ${creator.name} ${ago(created_at)}; ${last_used_at ? `used ${ago(last_used_at)}` : 'never used'}; ${isOver ? 'ended' : 'ends'} ${day(expires_at)}`}
         </p>
       </div>
-      {revoked_at !== null && <State kind="cut">Revoked</State>}
-      {revoked_at === null && !sure && (
+      {!works && <State kind="cut">{revoked_at === null ? 'Ended' : 'Revoked'}</State>}
+      {works && !sure && (
         <Button variant="quiet" aria-label={`Revoke ${name}`} onClick={() => setSure(true)}>
           Revoke
         </Button>
       )}
-      {revoked_at === null && sure && (
+      {works && sure && (
         <div className="row wrap">
           <span className="small">Builds that use it stop working immediately.</span>
           <Button onClick={onRevoke}>{`Revoke “${name}”`}</Button>
