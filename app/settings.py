@@ -86,6 +86,9 @@ class Settings(BaseSettings):
     sign_up: Literal["open", "invited"] = Field(
         "invited", description="Whether anyone may open an account and a studio, or only invited people."
     )
+    studios_per_account: int = Field(
+        10, ge=1, le=100_000, description="How many studios one account may open; each has quotas of its own."
+    )
     trusted_proxies: Annotated[tuple[str, ...], NoDecode] = Field(
         (), description="Networks, with commas between, of proxies whose X-Forwarded-For says who visits."
     )

@@ -10,12 +10,12 @@ from app.accounts import queries
 from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import DeskTokenNotFound, NotInDemo, TooManyDeskTokens
 from app.accounts.models import DeskToken, Person
-from app.accounts.rules import Actor
+from app.accounts.rules import MAX_TOKEN_DAYS, Actor
 from app.kit import clock
 from app.kit.events import publish
 
 PREFIX = "sld_"  # secret scanners find a leaked token by it
-LIFETIME = timedelta(days=365)
+LIFETIME = timedelta(days=MAX_TOKEN_DAYS)
 MAX_TOKENS = 20
 
 

@@ -99,6 +99,10 @@ class DeskTokenNotFound(NotFound):
     """No such desk token of the caller."""
 
 
+class TooManyStudios(Conflict):
+    """The account has opened as many studios as one may on this server."""
+
+
 class TooManyDeskTokens(Conflict):
     """The caller has as many desk tokens as a person may have."""
 

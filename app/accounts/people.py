@@ -17,7 +17,13 @@ from app.kit.reach import Reach
 
 
 def create_person(
-    session: Session, *, email: str, name: str, password: str | None = None, demo_part: str | None = None
+    session: Session,
+    *,
+    email: str,
+    name: str,
+    password: str | None = None,
+    studio_name: str = "",
+    demo_part: str | None = None,
 ) -> Person:
     """Make an account; raise AddressTaken when the address has one. Without a password only the demo lets it in."""
     address = ensure_address(email)
@@ -29,7 +35,7 @@ def create_person(
         )
     password_hash = None
     if password is not None:
-        password_hash = passwords.hash_of(ensure_strong_password(password, address, name))
+        password_hash = passwords.hash_of(ensure_strong_password(password, address, name, studio_name))
     person = Person(email=address, name=name, password_hash=password_hash, demo_part=demo_part)
     session.add(person)
     session.flush()
@@ -45,7 +51,14 @@ def person_with_password(database: Database, email: str, password: str) -> UUID 
 
 
 def person_by_link(
-    session: Session, actor: Actor, address: str, link: MailedLink, *, name: str | None, password: str | None
+    session: Session,
+    actor: Actor,
+    address: str,
+    link: MailedLink,
+    *,
+    name: str | None,
+    password: str | None,
+    studio_name: str = "",
 ) -> Person:
     """Return whose address an invitation is for: the account's holder, or a new account's.
 
@@ -57,7 +70,7 @@ def person_by_link(
         if not name:
             message = "enter your name"
             raise NameNeeded(message, errors=[{"where": "name", "message": message}])
-        person = create_person(session, email=address, name=name, password=password or "")
+        person = create_person(session, email=address, name=name, password=password or "", studio_name=studio_name)
     elif actor.person_id != person.id and not (password and passwords.matches(password, person.password_hash)):
         raise SignInNeeded(
             f"{address} has an account; this link is for its holder",
@@ -92,7 +105,7 @@ def reset_password(session: Session, secret: str, password: str) -> Person:
         raise ResetNotFound("this link was used already or is older than an hour", fix="ask for a new one")
     widen_reach(session, Reach(person_id=reset.person_id))
     person = session.get_one(Person, reset.person_id)
-    person.password_hash = passwords.hash_of(ensure_strong_password(password, person.email, person.name))
+    person.password_hash = passwords.hash_of(_strong(session, person, password))
     reset.used_at = clock.now()
     session.flush()
     verify(session, person, account_proof(reset))
@@ -111,8 +124,14 @@ def change_password(session: Session, actor: Actor, *, current: str, new: str, k
     if not passwords.matches(current, person.password_hash):
         message = "this is not your current password"
         raise WrongPassword(message, errors=[{"where": "current", "message": message}])
-    person.password_hash = passwords.hash_of(ensure_strong_password(new, person.email, person.name))
+    person.password_hash = passwords.hash_of(_strong(session, person, new))
     queries.drop_resets(session, person.id)
     queries.end_sign_ins(session, person.id, except_sha256=sha256_of(kept_secret) if kept_secret else None)
     queries.end_desk_tokens(session, person.id)
     publish(session, "password.changed", studio_id=None, person_id=person.id)
+
+
+def _strong(session: Session, person: Person, password: str) -> str:
+    with bypass_row_policies(session):  # names of their studios alone
+        studios = queries.names_of_studios(session, person.id)
+    return ensure_strong_password(password, person.email, person.name, *studios)

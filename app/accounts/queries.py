@@ -76,12 +76,11 @@ _TOKEN = select(Token.id, Token.studio_id, Token.project_id, Token.scopes).where
     Token.revoked_at.is_(None),
     Token.expires_at > bindparam("now", type_=UtcDateTime()),
 )
-_TOKEN_PAST_USE = (
-    select(Token.revoked_at, Token.expires_at)
-    .where(Token.secret_sha256 == bindparam("secret_sha256"))
-    .union_all(
-        select(null(), DeskToken.expires_at).where(DeskToken.secret_sha256 == bindparam("secret_sha256")),
-    )
+_TOKENS_PAST_USE = (
+    select(Token.revoked_at, Token.expires_at).where(Token.secret_sha256 == bindparam("secret_sha256")),
+    select(null().label("revoked_at"), DeskToken.expires_at).where(
+        DeskToken.secret_sha256 == bindparam("secret_sha256")
+    ),
 )
 
 
@@ -99,8 +98,9 @@ def actor_for_token(database: Database, secret_sha256: str) -> Actor | None:
 
 def token_past_use(database: Database, secret_sha256: str) -> tuple[datetime | None, datetime] | None:
     """Return when a token that is refused was revoked and when it ends; None for an unknown one."""
-    for token in database.read_autocommit(_TOKEN_PAST_USE, {"secret_sha256": secret_sha256}):
-        return token.revoked_at, token.expires_at
+    for statement in _TOKENS_PAST_USE:
+        for token in database.read_autocommit(statement, {"secret_sha256": secret_sha256}):
+            return token.revoked_at, token.expires_at
     return None
 
 
@@ -272,6 +272,13 @@ def open_reset(session: Session, secret_sha256: str) -> PasswordReset | None:
 def drop_resets(session: Session, person_id: UUID) -> None:
     """Revoke a person's unused reset links."""
     session.execute(delete(PasswordReset).where(PasswordReset.person_id == person_id, PasswordReset.used_at.is_(None)))
+
+
+def names_of_studios(session: Session, person_id: UUID) -> Sequence[str]:
+    """Return the names of the studios that a person belongs to."""
+    return session.scalars(
+        select(Studio.name).join(Membership, Membership.studio_id == Studio.id).where(Membership.person_id == person_id)
+    ).all()
 
 
 def studio_locked(session: Session, studio_id: UUID) -> Studio | None:

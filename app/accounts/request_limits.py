@@ -4,6 +4,7 @@ from collections.abc import Callable, Coroutine
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from typing import Annotated, Any
+from uuid import UUID
 
 from fastapi import Depends, Request, Response
 from fastapi.responses import JSONResponse
@@ -84,6 +85,36 @@ def ensure_invitation_allowed(session: Session, actor: Actor, address: str) -> N
     with bypass_row_policies(session):  # the counts are the server's own
         rate_limits.count_attempt(session, rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
         rate_limits.count_attempt(session, rate_limits.INVITATIONS_TO_MAILBOX, mailbox)
+
+
+def ensure_webhook_message_allowed(session: Session, studio_id: UUID) -> None:
+    """Count one message that a producer sends by hand; raise TooManyAttempts for too many."""
+    with bypass_row_policies(session):  # the counts are the server's own
+        rate_limits.count_attempt(session, rate_limits.WEBHOOK_MESSAGES_OF_STUDIO, str(studio_id))
+
+
+def ensure_guest_visit_allowed(request: Request) -> None:
+    """Count one visit of a guest; raise TooManyAttempts for too many."""
+    ensure_within_limits(request, (rate_limits.GUEST_VISITS_FROM_NETWORK, network_of(request)))
+
+
+def ensure_guest_guess_allowed(request: Request, link: str) -> None:
+    """Count one guess at a guest link's password; raise TooManyAttempts for too many.
+
+    Each network counts by itself, so that who guesses makes nobody else wait.
+    """
+    place = network_of(request)
+    ensure_within_limits(
+        request,
+        (rate_limits.SIGN_INS_FROM_NETWORK, place),
+        (rate_limits.GUESSES_AT_LINK_FROM_NETWORK, f"{link} {place}"),
+    )
+
+
+def reset_guest_guesses(session: Session, request: Request, link: str) -> None:
+    """Forget a network's guesses at a guest link's password, now that one was right."""
+    with bypass_row_policies(session):  # the counts are the server's own
+        rate_limits.reset(session, rate_limits.GUESSES_AT_LINK_FROM_NETWORK, f"{link} {network_of(request)}")
 
 
 def ensure_signing_code_allowed(session: Session, actor: Actor) -> None:

@@ -9,6 +9,7 @@ from enum import StrEnum
 from typing import Any
 from uuid import UUID
 
+from app.accounts.common_passwords import is_common
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak, PersonNeeded
 from app.kit.reach import Reach
 
@@ -71,11 +72,11 @@ MIN_PASSWORD_LENGTH = 10
 MAX_PASSWORD_LENGTH = 200
 IPV6_NETWORK = 64  # what one subscriber is given
 MEASURED_LENGTH = 40  # estimating 72 characters can take more than a second
-WEAKEST_SCORE = 3  # of zxcvbn's 0 to 4: 10^8 guesses or more
+FEWEST_GUESSES = 10**10  # by zxcvbn's estimate
 PRODUCT_WORDS = ("soundlist", "sound", "studio", "password")
 WEAKNESS_MESSAGES = {
     "passwords": "it is, or contains, one of the most common passwords",
-    "user_inputs": "it contains your email, your name or the name of this product",
+    "user_inputs": "it contains your email, your name, your studio's or the name of this product",
     "spatial": "it follows neighbouring keys",
     "repeat": "it repeats itself",
     "sequence": "it is a sequence such as abcd or 6543",
@@ -139,10 +140,12 @@ def _why_weak(password: str, address: str, names: Collection[str]) -> str | None
     from zxcvbn import zxcvbn  # its lists take 0.2 s to load, which the command line need not wait for
 
     known = [word for text in (address, *names) for word in (text, *re.split(r"[^\w]+", text)) if len(word) > 2]
-    found = zxcvbn(password[:MEASURED_LENGTH], user_inputs=[*PRODUCT_WORDS, *known])
-    if found["score"] >= WEAKEST_SCORE:
+    if is_common(password):
+        return WEAKNESS_MESSAGES["passwords"]
+    estimate = zxcvbn(password[:MEASURED_LENGTH], user_inputs=[*PRODUCT_WORDS, *known])
+    if estimate["guesses"] >= FEWEST_GUESSES:
         return None
-    longest = max(found["sequence"], key=lambda match: len(match["token"]))
+    longest = max(estimate["sequence"], key=lambda match: len(match["token"]))
     return WEAKNESS_MESSAGES.get(
         longest.get("dictionary_name") or longest["pattern"], "it is made of common words or names"
     )

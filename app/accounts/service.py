@@ -6,7 +6,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts import addresses, people, queries
+from app.accounts import addresses, people, queries, quota_queries
 from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import (
     AlreadyMember,
@@ -16,6 +16,7 @@ from app.accounts.errors import (
     SignUpNotFound,
     StudioInvitationNotFound,
     StudioNotFound,
+    TooManyStudios,
 )
 from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvitation, Token
 from app.accounts.quota_queries import people_in, tokens_of
@@ -32,6 +33,7 @@ from app.accounts.rules import (
 from app.kit import clock
 from app.kit.db import bypass_row_policies
 from app.kit.events import publish
+from app.kit.plural import counted
 from app.settings import Settings
 
 INVITATION_LIFETIME = timedelta(days=30)
@@ -40,7 +42,7 @@ TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it
 
 def sign_up(session: Session, *, email: str, name: str, password: str, studio_name: str) -> Person:
     """Make an account and the studio it produces for."""
-    person = people.create_person(session, email=email, name=name, password=password)
+    person = people.create_person(session, email=email, name=name, password=password, studio_name=studio_name)
     create_studio(session, studio_name, person)
     return person
 
@@ -79,9 +81,20 @@ def finish_sign_up(session: Session, secret: str, *, name: str, password: str, s
     return person
 
 
+def ensure_may_open_studio(session: Session, person: Person, maximum: int) -> None:
+    """Raise TooManyStudios where a person has opened as many as one may: each has quotas of its own."""
+    with bypass_row_policies(session):  # they may have left some
+        opened = quota_queries.studios_opened_by(session, person.id)
+    if opened >= maximum:
+        raise TooManyStudios(
+            f"you have opened {counted(opened, 'studio', 'studios')}, as many as one account may on this server",
+            fix="ask its operator to raise SOUNDLIST_STUDIOS_PER_ACCOUNT",
+        )
+
+
 def create_studio(session: Session, name: str, person: Person, *, is_demo: bool = False) -> Studio:
     """Make a studio with its first producer."""
-    studio = Studio(name=name, is_demo=is_demo)
+    studio = Studio(name=name, is_demo=is_demo, opened_by=person.id)
     with bypass_row_policies(session):  # the new studio has no members yet
         session.add(studio)
         session.flush()
@@ -276,7 +289,9 @@ def accept_studio_invitation(
 ) -> tuple[Person, Studio]:
     """Join the studio that a link invites to, with the account of its address, made now if there is none."""
     invitation = studio_invitation_by_secret(session, secret)
-    person = people.person_by_link(session, actor, invitation.email, invitation, name=name, password=password)
+    person = people.person_by_link(
+        session, actor, invitation.email, invitation, name=name, password=password, studio_name=invitation.studio.name
+    )
     with bypass_row_policies(session):  # the joining person cannot see the studio yet
         invitation.accepted_at = clock.now()
         invitation.accepted_by = person.id

@@ -25,6 +25,7 @@ from app.accounts.errors import (
     StudioInvitationNotFound,
     StudioNotFound,
     TooManyAttempts,
+    TooManyStudios,
 )
 from app.accounts.models import Membership, Person, Studio, StudioInvitation
 from app.accounts.policies import allows, ensure_recent_sign_in
@@ -55,12 +56,15 @@ router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
 _unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
 
 
-@router.post("/studios", status_code=201, response_model=StudioBrief, responses=problems(NotInDemo))
-def create_studio(body: StudioAdd, session: DbSession, actor: Actor = allows(Audience.PERSON)) -> Studio:
+@router.post("/studios", status_code=201, response_model=StudioBrief, responses=problems(NotInDemo, TooManyStudios))
+def create_studio(
+    body: StudioAdd, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PERSON)
+) -> Studio:
     """Open a further studio, with the caller as its producer."""
     person = session.get_one(Person, actor.person)
     if person.demo_part is not None:
         raise NotInDemo("the people of the demo have the demo's studio only")
+    service.ensure_may_open_studio(session, person, runtime.settings.studios_per_account)
     return service.create_studio(session, body.name, person)
 
 

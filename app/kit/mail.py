@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Mapping
-from email.headerregistry import HeaderRegistry, UnstructuredHeader
+from email.headerregistry import BaseHeader, HeaderRegistry, UnstructuredHeader
 from email.message import EmailMessage
 from email.policy import Policy, default
 from email.utils import make_msgid
@@ -13,7 +13,7 @@ import aiosmtplib
 TIMEOUT_S = 20.0
 
 
-class PlainHeader(UnstructuredHeader):
+class PlainHeader(UnstructuredHeader, BaseHeader):
     """A header on one line as it is: an address that is folded into encoded words is read by no mail program."""
 
     def fold(self, *, policy: Policy) -> str:

@@ -116,11 +116,8 @@ async def _post_in_time(
     async with asyncio.timeout(TIMEOUT_S):
         target = httpx.URL(url)
         port = target.port or (443 if target.scheme == "https" else 80)
-        addresses = await asyncio.to_thread(resolver, target.host, port)
         is_local = may_be_localhost and target.host in LOCALHOST
-        for address in addresses:
-            if not (ipaddress.ip_address(address).is_loopback if is_local else is_public(address)):
-                raise AddressRefused(f"{target.host} is {address}, which is not a public address")
+        addresses = await _addresses_of(resolver, target.host, port, is_local=is_local)
         context = trusted or httpx.create_ssl_context(trust_env=False)
         async with httpx.AsyncClient(verify=context, trust_env=False, timeout=None) as client:  # noqa: S113  bounded above
             for last, address in enumerate(addresses, start=1):
@@ -136,7 +133,22 @@ async def _post_in_time(
                 except httpx.ConnectError:
                     if last == len(addresses):
                         raise
-        raise RequestFailed(f"{target.host} has no address")
+        raise AssertionError("there is an address")
+
+
+async def _addresses_of(resolver: Resolver, host: str, port: int, *, is_local: bool) -> Sequence[str]:
+    """Return the addresses of a host; raise AddressRefused unless it has some, all public.
+
+    The words are the same for a name that is unknown and for one that leads inside: they are shown to people outside.
+    """
+    try:
+        addresses = await asyncio.to_thread(resolver, host, port)
+    except (OSError, UnicodeError):
+        addresses = []
+    is_allowed = [ipaddress.ip_address(each).is_loopback if is_local else is_public(each) for each in addresses]
+    if not is_allowed or not all(is_allowed):
+        raise AddressRefused(f"{host} has no public address")
+    return addresses
 
 
 async def _answer(client: httpx.AsyncClient, request: httpx.Request) -> Answer:

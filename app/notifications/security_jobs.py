@@ -22,7 +22,7 @@ def notify_new_password(runtime: Runtime, payload: Payload) -> None:
     """Tell a person that their password was changed."""
     line = f"The password of your account was changed, and its other sign-ins were ended. {NOT_YOU}"
     with runtime.database.writing() as session:
-        _tell_person(runtime, session, payload, "Your password was changed", line, page="forgot-password")
+        _tell_person(runtime, session, payload, "Your password was changed", line, page="forgotten-password")
 
 
 @job("notifications.notify_new_device")

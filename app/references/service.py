@@ -143,7 +143,10 @@ def version_seen(session: Session, actor: Actor, version_id: UUID) -> ReferenceV
     version = queries.version_by_id(session, version_id)
     if version is None:
         raise ReferenceNotFound(f"no version {version_id} of a reference")
-    _reference_seen(session, actor, version)
+    try:
+        project_access(session, actor, version.project_id)
+    except ProjectNotFound:
+        raise ReferenceNotFound(f"no version {version_id} of a reference") from None
     return version
 
 

@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
+from app.deliveries.errors import TakeNotFound
 from app.deliveries.models import Take
 from app.deliveries.service import take_for
 from app.kit import clock
@@ -177,5 +178,8 @@ def _comment_for(session: Session, actor: Actor, comment_id: UUID) -> tuple[Comm
     comment = queries.comment_by_id(session, comment_id)
     if comment is None:
         raise CommentNotFound(f"no comment {comment_id}")
-    take, _ = take_for(session, actor, comment.take_id)
+    try:
+        take, _ = take_for(session, actor, comment.take_id)
+    except TakeNotFound:
+        raise CommentNotFound(f"no comment {comment_id}") from None
     return comment, take

@@ -11,10 +11,11 @@ from app.accounts.rate_limits import GUEST_COMMENTS_FROM_NETWORK
 from app.accounts.request_limits import (
     DeferredSession,
     UnsavedResponseRoute,
-    ensure_sign_in_allowed,
+    ensure_guest_guess_allowed,
+    ensure_guest_visit_allowed,
     ensure_within_limits,
     network_of,
-    reset_attempts,
+    reset_guest_guesses,
 )
 from app.accounts.rules import Actor, Audience
 from app.kit.blob_response import WHILE_ASKED, blob_response
@@ -66,15 +67,16 @@ def open_guest_link(
     begin: DeferredSession,
     _actor: Actor = ANYONE,
 ) -> GuestVisitMade:
-    """Open a link under a name; guesses at its password are limited as those at an account's."""
+    """Open a link under a name; visits and guesses at its password are limited for each network by itself."""
+    ensure_guest_visit_allowed(request)
     password_hash = guests.password_hash_of(runtime.database, secret)
-    account = f"guest link {sha256_of(secret)}"
+    link = sha256_of(secret)
     if password_hash is not None:
-        ensure_sign_in_allowed(request, account)
+        ensure_guest_guess_allowed(request, link)
     guests.ensure_password(password_hash, body.password)
     with begin() as session:
         if password_hash is not None:
-            reset_attempts(session, request, account)
+            reset_guest_guesses(session, request, link)
         opened = guests.open_link(session, secret, body.guest_name)
     return GuestVisitMade(visit=opened.secret, room=opened.room)
 

@@ -4,7 +4,7 @@ from uuid import UUID
 
 from fastapi import APIRouter
 
-from app.accounts.errors import RecentSignInNeeded
+from app.accounts.errors import PasswordTooWeak, RecentSignInNeeded
 from app.accounts.policies import allows
 from app.accounts.request_limits import UnsavedResponseRoute
 from app.accounts.rules import Actor, Audience
@@ -41,7 +41,13 @@ def list_guest_links(
     "/projects/{project_id}/guest-links",
     status_code=201,
     responses=problems(
-        ProjectNotFound, TeamNeeded, RecentSignInNeeded, GuestLinkInvalid, NothingToShare, PlaylistNotFound
+        ProjectNotFound,
+        TeamNeeded,
+        RecentSignInNeeded,
+        GuestLinkInvalid,
+        PasswordTooWeak,
+        NothingToShare,
+        PlaylistNotFound,
     ),
 )
 def add_guest_link(

@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts import passwords
 from app.accounts.authentication import sha256_of
-from app.accounts.rules import AccessKind, Actor, MemberChange
+from app.accounts.rules import AccessKind, Actor, MemberChange, ensure_strong_password
 from app.accounts.schemas import PersonBrief
 from app.kit import clock
 from app.kit.db import new_id
@@ -32,6 +32,8 @@ def make_link(
     access.ensure_may_speak()
     if body.expires_at is not None and body.expires_at <= clock.now():
         raise _invalid("expires_at", "this is over already; choose a later day")
+    if body.password is not None:
+        ensure_strong_password(body.password, "", body.title)
     take_ids = _chosen(session, access, body)
     link_id = new_id()
     secret = link_secret(server_key, link_id)

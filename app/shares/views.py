@@ -7,6 +7,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.kit.errors import FieldProblem
+from app.projects.errors import ProjectNotFound
 from app.projects.service import project_access
 from app.shares import queries
 from app.shares.errors import SavedViewInvalid, SavedViewNotFound
@@ -57,6 +58,9 @@ def delete_view(session: Session, actor: Actor, view_id: UUID) -> None:
     is_shared = view.page is ViewedPage.REVIEW_QUEUE and bool(actor.roles_in(view.studio_id))
     if view.person_id != actor.person and not is_shared:
         raise SavedViewNotFound(f"no view {view_id}")
-    project_access(session, actor, view.project_id)
+    try:
+        project_access(session, actor, view.project_id)
+    except ProjectNotFound:
+        raise SavedViewNotFound(f"no view {view_id}") from None
     session.delete(view)
     session.flush()

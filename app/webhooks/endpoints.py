@@ -5,11 +5,12 @@ from uuid import UUID
 
 from fastapi import Request
 
-from app.accounts.errors import ProducerNeeded, RecentSignInNeeded, StudioNotFound
+from app.accounts.errors import ProducerNeeded, RecentSignInNeeded, StudioNotFound, TooManyAttempts
 from app.accounts.policies import allows, ensure_recent_sign_in
+from app.accounts.request_limits import RateLimitedRoute, ensure_webhook_message_allowed
 from app.accounts.rules import Actor, Audience
 from app.kit import clock
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Router, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound
 from app.webhooks import service
 from app.webhooks.errors import (
@@ -31,7 +32,7 @@ from app.webhooks.schemas import (
     WebhooksRead,
 )
 
-router = Router(prefix="/v1", tags=["webhooks"], route_class=Route)
+router = Router(prefix="/v1", tags=["webhooks"], route_class=RateLimitedRoute)
 PRODUCER: Actor = allows(Audience.PRODUCER)
 RECENTLY_SIGNED_IN_PRODUCER: Actor = allows(Audience.PRODUCER, recent_sign_in=True)
 PAGE = 50
@@ -136,11 +137,16 @@ def rotate_webhook_secret(
     return _read_with_secret(service.rotate_secret(session, actor, webhook_id), runtime)
 
 
-@router.post("/webhooks/{webhook_id}/test", status_code=202, responses=problems(WebhookNotFound, WebhookDisabled))
+@router.post(
+    "/webhooks/{webhook_id}/test",
+    status_code=202,
+    responses=problems(WebhookNotFound, WebhookDisabled, TooManyAttempts),
+)
 def send_webhook_test(
     webhook_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = PRODUCER
 ) -> WebhookCallRead:
     """Send a message that says that it is a test."""
+    ensure_webhook_message_allowed(session, service.webhook_for(session, actor, webhook_id).studio_id)
     call = service.send_test(session, actor, webhook_id, runtime.settings.base_url)
     return WebhookCallRead.model_validate(call)
 
@@ -159,8 +165,10 @@ def list_webhook_calls(
 @router.post(
     "/webhook-calls/{webhook_call_id}/replay",
     status_code=202,
-    responses=problems(WebhookCallNotFound, WebhookDisabled),
+    responses=problems(WebhookCallNotFound, WebhookDisabled, TooManyAttempts),
 )
 def replay_webhook_call(webhook_call_id: UUID, session: DbSession, actor: Actor = PRODUCER) -> WebhookCallRead:
     """Send a message again, with the same body and id."""
-    return WebhookCallRead.model_validate(service.replay(session, actor, webhook_call_id))
+    call = service.replay(session, actor, webhook_call_id)
+    ensure_webhook_message_allowed(session, call.studio_id)
+    return WebhookCallRead.model_validate(call)

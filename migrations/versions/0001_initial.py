@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_2bb81350"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_8838c778"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -49,15 +49,6 @@ def upgrade() -> None:
         sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_sign_ups_secret_sha256")),
     )
     op.create_index(op.f("ix_accounts_sign_ups_email"), "accounts_sign_ups", ["email"])
-    op.create_table(
-        "accounts_studios",
-        sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("name", sa.String(), nullable=False),
-        sa.Column("is_demo", sa.Boolean(), nullable=False),
-        sa.Column("time_zone", sa.String(), nullable=False),
-        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_studios")),
-    )
     op.create_table(
         "kit_changed_rooms",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -131,6 +122,73 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_accounts_email_verifications_person_id"), "accounts_email_verifications", ["person_id"])
     op.create_table(
+        "accounts_operators",
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("named_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_operators_person_id")),
+        sa.PrimaryKeyConstraint("person_id", name=op.f("pk_accounts_operators")),
+    )
+    op.create_table(
+        "accounts_password_resets",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("used_at", sa.DateTime(timezone=True)),
+        sa.Column("secret_sha256", sa.String()),
+        sa.Column("is_sent_by_mail_only", sa.Boolean(), nullable=False),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_password_resets_person_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_password_resets")),
+        sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_password_resets_secret_sha256")),
+    )
+    op.create_index(op.f("ix_accounts_password_resets_person_id"), "accounts_password_resets", ["person_id"])
+    op.create_table(
+        "accounts_pictures",
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("sha256", sa.String(), nullable=False),
+        sa.Column("content", sa.LargeBinary(), nullable=False),
+        sa.Column("saved_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_pictures_person_id"), ondelete="CASCADE"),
+        sa.PrimaryKeyConstraint("person_id", name=op.f("pk_accounts_pictures")),
+    )
+    op.create_table(
+        "accounts_sign_ins",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("secret_sha256", sa.String(), nullable=False),
+        sa.Column("device", sa.String(), nullable=False),
+        sa.Column("place", sa.String(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("last_seen_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_sign_ins_person_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_sign_ins")),
+        sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_sign_ins_secret_sha256")),
+    )
+    op.create_index(op.f("ix_accounts_sign_ins_person_id"), "accounts_sign_ins", ["person_id"])
+    op.create_table(
+        "accounts_studios",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("name", sa.String(), nullable=False),
+        sa.Column("is_demo", sa.Boolean(), nullable=False),
+        sa.Column("time_zone", sa.String(), nullable=False),
+        sa.Column("opened_by", sa.Uuid()),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["opened_by"], ["accounts_people.id"], name=op.f("fk_accounts_studios_opened_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_studios")),
+    )
+    op.create_index(op.f("ix_accounts_studios_opened_by"), "accounts_studios", ["opened_by"])
+    op.create_table(
+        "notifications_mail_preferences",
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("cadences", JSON, nullable=False),
+        sa.Column("time_zone", sa.String(), nullable=False),
+        sa.Column("daily_at", sa.Time(), nullable=False),
+        sa.Column("quiet_from", sa.Time()),
+        sa.Column("quiet_until", sa.Time()),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_notifications_mail_preferences_person_id")),
+        sa.PrimaryKeyConstraint("person_id", name=op.f("pk_notifications_mail_preferences")),
+    )
+    op.create_table(
         "accounts_holidays",
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("day", sa.Date(), nullable=False),
@@ -175,35 +233,6 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_accounts_memberships_person_id"), "accounts_memberships", ["person_id"])
     op.create_table(
-        "accounts_operators",
-        sa.Column("person_id", sa.Uuid(), nullable=False),
-        sa.Column("named_at", sa.DateTime(timezone=True), nullable=False),
-        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_operators_person_id")),
-        sa.PrimaryKeyConstraint("person_id", name=op.f("pk_accounts_operators")),
-    )
-    op.create_table(
-        "accounts_password_resets",
-        sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("person_id", sa.Uuid(), nullable=False),
-        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("used_at", sa.DateTime(timezone=True)),
-        sa.Column("secret_sha256", sa.String()),
-        sa.Column("is_sent_by_mail_only", sa.Boolean(), nullable=False),
-        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_password_resets_person_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_password_resets")),
-        sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_password_resets_secret_sha256")),
-    )
-    op.create_index(op.f("ix_accounts_password_resets_person_id"), "accounts_password_resets", ["person_id"])
-    op.create_table(
-        "accounts_pictures",
-        sa.Column("person_id", sa.Uuid(), nullable=False),
-        sa.Column("sha256", sa.String(), nullable=False),
-        sa.Column("content", sa.LargeBinary(), nullable=False),
-        sa.Column("saved_at", sa.DateTime(timezone=True), nullable=False),
-        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_pictures_person_id"), ondelete="CASCADE"),
-        sa.PrimaryKeyConstraint("person_id", name=op.f("pk_accounts_pictures")),
-    )
-    op.create_table(
         "accounts_quotas",
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("kind", sa.String(), nullable=False),
@@ -212,21 +241,6 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_quotas_studio_id")),
         sa.PrimaryKeyConstraint("studio_id", "kind", name=op.f("pk_accounts_quotas")),
     )
-    op.create_table(
-        "accounts_sign_ins",
-        sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("person_id", sa.Uuid(), nullable=False),
-        sa.Column("secret_sha256", sa.String(), nullable=False),
-        sa.Column("device", sa.String(), nullable=False),
-        sa.Column("place", sa.String(), nullable=False),
-        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("last_seen_at", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
-        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_sign_ins_person_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_sign_ins")),
-        sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_sign_ins_secret_sha256")),
-    )
-    op.create_index(op.f("ix_accounts_sign_ins_person_id"), "accounts_sign_ins", ["person_id"])
     op.create_table(
         "accounts_studio_invitations",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -361,17 +375,6 @@ def upgrade() -> None:
         sa.UniqueConstraint("studio_id", "email", name=op.f("uq_hiring_roster_entries_studio_id_email")),
     )
     op.create_index(op.f("ix_hiring_roster_entries_studio_id"), "hiring_roster_entries", ["studio_id"])
-    op.create_table(
-        "notifications_mail_preferences",
-        sa.Column("person_id", sa.Uuid(), nullable=False),
-        sa.Column("cadences", JSON, nullable=False),
-        sa.Column("time_zone", sa.String(), nullable=False),
-        sa.Column("daily_at", sa.Time(), nullable=False),
-        sa.Column("quiet_from", sa.Time()),
-        sa.Column("quiet_until", sa.Time()),
-        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_notifications_mail_preferences_person_id")),
-        sa.PrimaryKeyConstraint("person_id", name=op.f("pk_notifications_mail_preferences")),
-    )
     op.create_table(
         "notifications_mails",
         sa.Column("id", sa.Uuid(), nullable=False),

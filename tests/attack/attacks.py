@@ -9,19 +9,26 @@ import time
 import zipfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from datetime import timedelta
 from functools import cache
 from typing import Any
 
 import httpx
 import numpy as np
+from sqlalchemy import update
 
-from app.accounts.authentication import CSRF_HEADER
+from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, sha256_of
+from app.accounts.models import SignIn
+from app.accounts.rate_limits import GUEST_VISITS_FROM_NETWORK, MAILS_TO_ADDRESS, WEBHOOK_MESSAGES_OF_STUDIO
+from app.kit import clock
+from app.settings import Settings
 from tests.attack.hostile_requests import hostile_requests
 from tests.attack.target import ANSWER_WITHIN_S, NO_ANSWER, ODD, Target, sent, sent_raw
 from tests.house.routes import operations
 from tests.support.mutants import mutant
 
 SLOW_LINES, SLOW_FOR_S = 20, 1.0
+KNOCKS, SIGN_INS = 60, 30
 AT_ONCE = 4  # comparisons of one person
 AS_MANY_AS_ASKED = httpx.Limits(max_connections=None, max_keepalive_connections=None)
 ENDS = {"sign_out", "end_my_other_sign_ins", "end_my_sign_in"}  # of attackers themselves
@@ -296,6 +303,102 @@ def hostile_zips(target: Target) -> Iterator[int]:
         archive.writestr("bomb.wav", bytes(50_000_000))
     yield from delivered(target, "bomb.zip", made.getvalue())
     yield from delivered(target, "half.zip", made.getvalue()[: len(made.getvalue()) // 2])
+
+
+# Access, and what is sent for others.
+
+
+@attack("secrets: another cookie and another token with every request")
+def made_up_secrets(target: Target) -> Iterator[int]:
+    with httpx.Client(base_url=target.world.nobody.base_url, limits=AS_MANY_AS_ASKED) as client:
+
+        def knock(number: int) -> int:
+            secret = f"made-up-{target.numbers.getrandbits(64)}-{number}"
+            by_token = {"Authorization": f"Bearer slt_{secret}"}
+            headers = by_token if number % 2 else {"Cookie": f"{SESSION_COOKIE}={secret}"}
+            return sent(client, "GET", f"{target.project}/sound-list", headers=headers)
+
+        with ThreadPoolExecutor(KNOCKS) as pool:
+            yield from pool.map(knock, range(KNOCKS))
+
+
+@attack("secrets: one person with thirty sign-ins")
+def many_sign_ins(target: Target) -> Iterator[int]:
+    world = target.world
+    browsers = [world.signed_in(world.reviewer_id) for _ in range(SIGN_INS)]
+    with ThreadPoolExecutor(SIGN_INS) as pool:
+        asked = [pool.submit(sent, browser, "GET", f"{target.project}/sound-list") for browser in browsers * 3]
+        yield from (answer.result() for answer in asked)
+
+
+@attack("access: tokens, links and producers by a sign-in of an hour ago")
+def old_sign_in(target: Target) -> Iterator[int]:
+    world = target.world
+    browser = world.signed_in(world.producer_id)
+    secret_sha256 = sha256_of(browser.cookies[SESSION_COOKIE])
+    aged = update(SignIn).where(SignIn.secret_sha256 == secret_sha256)
+    with world.server.runtime.database.writing() as session:
+        session.execute(aged.values(created_at=clock.now() - timedelta(hours=1)))
+    studio = f"/v1/studios/{world.studio_id}"
+    for path, body in (
+        (f"{target.project}/tokens", {"name": "CI", "scopes": ["list:read"]}),
+        ("/v1/me/desk-tokens", {"name": "Mine"}),
+        (f"{studio}/webhooks", {"url": "https://hooks.example.com/in", "events": ["take.approved"]}),
+        (f"{target.project}/guest-links", {"kind": "approved", "title": "All of it"}),
+        (f"{target.project}/calendar", None),
+        (f"{studio}/invitations", {"email": "mallory@elsewhere.example", "roles": ["producer"]}),
+    ):
+        status = sent(browser, "POST", path, json=body)
+        assert status == 403, f"{path} answered {status}"
+        yield status
+
+
+@attack("mails: sign-ups and resets to one mailbox under many names")
+def one_mailbox(target: Target) -> Iterator[int]:
+    statuses = [
+        sent(target.world.nobody, "POST", "/v1/password-resets", json={"email": f"victim+{number}@example.test"})
+        for number in range(MAILS_TO_ADDRESS.burst + 2)
+    ]
+    assert statuses.count(202) <= MAILS_TO_ADDRESS.burst, statuses
+    yield from statuses
+
+
+@attack("webhooks: a name that leads inside, and tests without end")
+def webhook_flood(target: Target) -> Iterator[int]:
+    world = target.world
+    body = {"url": "https://localtest.invalid/in", "events": ["take.approved"]}
+    made = world.producer.post(f"/v1/studios/{world.studio_id}/webhooks", json=body, timeout=ANSWER_WITHIN_S)
+    yield made.status_code
+    if made.status_code == 201:
+        path = f"/v1/webhooks/{made.json()['id']}"
+        limit, begun_s = WEBHOOK_MESSAGES_OF_STUDIO, time.monotonic()
+        statuses = [sent(world.producer, "POST", f"{path}/test") for _ in range(limit.burst + 5)]
+        most = limit.burst + (time.monotonic() - begun_s) / limit.interval_s + 1  # some pass while they are sent
+        yield from statuses
+        yield sent(world.producer, "DELETE", path)
+        assert statuses.count(202) <= most, statuses
+
+
+@attack("guest links: passwords guessed, and visits without end")
+def guest_flood(target: Target) -> Iterator[int]:
+    weak = {"kind": "cues", "title": "Mine", "cue_ids": [target.cue_ids[0]], "password": "x"}
+    status = sent(target.world.producer, "POST", f"{target.project}/guest-links", json=weak)
+    assert status in (422, 429), status
+    yield status
+    for number in range(GUEST_VISITS_FROM_NETWORK.burst + 5):
+        body = {"guest_name": "Mallory", "password": f"guess {number}"}
+        yield sent(target.world.nobody, "POST", "/v1/guest-access/none/visits", json=body)
+
+
+@attack("studios: one account opens as many as it can")
+def many_studios(target: Target) -> Iterator[int]:
+    most = Settings.model_fields["studios_per_account"].default
+    statuses = [
+        sent(target.world.other_designer, "POST", "/v1/studios", json={"name": f"Studio {number}"})
+        for number in range(most + 2)
+    ]
+    assert statuses.count(201) <= most, statuses
+    yield from statuses
 
 
 # What all share.

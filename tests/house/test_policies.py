@@ -3,7 +3,7 @@
 import json
 import sqlite3
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from contextlib import closing
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,12 +14,16 @@ from uuid import UUID, uuid4
 import pytest
 from fastapi.testclient import TestClient
 from httpx import Response
+from sqlalchemy import delete, update
+from sqlalchemy.orm import Session
 
 from app import rooms
+from app.accounts.models import Membership
 from app.accounts.rules import Audience, Scope
 from app.kit.fastapi_internals import Router
 from app.kit.http import SAFE_METHODS
 from app.kit.single_thread_route import SingleThreadRoute
+from app.projects.models import Engagement
 from tests.house.objects import House
 from tests.house.routes import Operation, api_routes, ask, document, operations, policy_of
 from tests.support.server import RunningServer
@@ -94,9 +98,14 @@ class SharedHouse(House):
         self._folder = server.runtime.settings.data_dir
         self._files = {path: path.read_bytes() for path in self._files_now()}
         self._database = str(server.runtime.database.engine.url.database)
-        self._copy = sqlite3.connect(":memory:")
+        self.saved = self.copy_of_database()
+
+    def copy_of_database(self) -> sqlite3.Connection:
+        """Return a copy of the database as it is now."""
+        copy = sqlite3.connect(":memory:")
         with closing(sqlite3.connect(self._database)) as database:
-            database.backup(self._copy)
+            database.backup(copy)
+        return copy
 
     def _files_now(self) -> list[Path]:
         """Return the files of sounds and uploads."""
@@ -105,7 +114,7 @@ class SharedHouse(House):
     def put_back(self) -> None:
         """Put the database and the files back as they were when the house was new."""
         with closing(sqlite3.connect(self._database)) as database:
-            self._copy.backup(database)
+            self.saved.backup(database)
         for path in set(self._files_now()) - self._files.keys():
             path.unlink()
         for path, content in self._files.items():
@@ -199,20 +208,24 @@ def test_for_strangers_it_does_not_exist(house: SharedHouse) -> None:
 
 
 @dataclass(frozen=True)
-class WithoutAnything:
-    """The house, where no id leads to anything."""
+class EmptyHouse:
+    """The house, where some ids lead to nothing."""
 
     house: House
+    hidden: Collection[str] | None = None  # None: all of them
 
     @cached_property
     def ids(self) -> dict[str, Any]:
-        return {name: uuid4() if isinstance(id_, UUID) else id_ for name, id_ in self.house.ids.items()}
+        return {
+            name: uuid4() if isinstance(id_, UUID) and (self.hidden is None or name in self.hidden) else id_
+            for name, id_ in self.house.ids.items()
+        }
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.house, name)
 
 
-def words_of(answer: Response, house: House | WithoutAnything) -> tuple[int, Any]:
+def words_of(answer: Response, house: House | EmptyHouse) -> tuple[int, Any]:
     """Return what an answer says, with names in place of the ids that were sent."""
     text = answer.text
     for name, id_ in house.ids.items():
@@ -221,26 +234,53 @@ def words_of(answer: Response, house: House | WithoutAnything) -> tuple[int, Any
     return answer.status_code, {key: said.get(key) for key in ("code", "detail", "fix", "errors")}
 
 
-def test_what_is_not_seen_is_answered_as_what_is_not_there(house: SharedHouse) -> None:
-    """Neither status nor words tell that there is something, or what it belongs to."""
-    nothing = WithoutAnything(house)
-    about_something = those(is_about_something)
-    asked = [
-        *((house.stranger, operation) for operation in about_something),
-        *((house.rival, operation) for operation in about_something if names_in(operation) & ONE_DESIGNERS),
-        *((house.designer, operation) for operation in about_something if names_in(operation) & STUDIOS),
-        *((house.reviewer, operation) for operation in about_something if names_in(operation) & CONTRACTS),
-        *((house.build(house.foreign_secret), operation) for operation in about_something if operation.policy.build),
-    ]
-    telling = []
-    for client, operation in asked:
+def telling_answers(
+    house: SharedHouse, client: TestClient, asked: Iterable[Operation], hidden: Collection[str] | None = None
+) -> list[str]:
+    """Return the answers that refuse what a caller does not see in other words than what is not there."""
+    empty, telling = EmptyHouse(house, hidden), []
+    for operation in asked:
         answer = house.answer(client, operation)
         if answer.status_code != 404 or operation.method == "HEAD":
             continue
-        said, missing = words_of(answer, house), words_of(ask(client, cast(House, nothing), operation), nothing)
+        said, missing = words_of(answer, house), words_of(ask(client, cast(House, empty), operation), empty)
         if said != missing:
             telling.append(f"{operation.name}: {said} for what is there, {missing} for what is not")
-    assert telling == []
+    return telling
+
+
+def test_what_is_not_seen_is_answered_as_what_is_not_there(house: SharedHouse) -> None:
+    """Neither status nor words tell that there is something, or what it belongs to."""
+    about_something = those(is_about_something)
+    telling = telling_answers(house, house.stranger, about_something)
+    of_builds = [operation for operation in about_something if operation.policy.build]
+    telling += telling_answers(house, house.build(house.foreign_secret), of_builds)
+    for client, hidden in ((house.rival, ONE_DESIGNERS), (house.designer, STUDIOS), (house.reviewer, CONTRACTS)):
+        asked = [operation for operation in about_something if names_in(operation) & hidden]
+        telling += telling_answers(house, client, asked, hidden)
+    assert not telling, "\n".join(telling)
+
+
+@pytest.mark.slow
+def test_who_lost_their_place_is_answered_as_what_is_not_there(house: SharedHouse) -> None:
+    """What a person made stays theirs by id, and tells them nothing of what it belongs to."""
+    about_something = those(is_about_something)
+
+    def leave(session: Session) -> None:
+        of_designer = update(Engagement).where(Engagement.designer_id == house.designer_id)
+        session.execute(of_designer.values(designer_id=house.stranger_id))
+        session.execute(delete(Membership).where(Membership.person_id == house.producer_id))
+
+    as_it_was = house.saved
+    house.server.in_database(leave)
+    house.saved = house.copy_of_database()
+    try:
+        telling = [line for client in (house.designer, house.producer)
+                   for line in telling_answers(house, client, about_something)]  # fmt: skip
+    finally:
+        house.saved = as_it_was
+        house.put_back()
+    assert not telling, "\n".join(telling)
 
 
 def test_a_build_does_not_do_what_people_do(house: SharedHouse) -> None:

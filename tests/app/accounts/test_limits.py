@@ -3,6 +3,7 @@
 import dataclasses
 import time
 from types import SimpleNamespace
+from uuid import uuid4
 
 import pytest
 from fastapi.testclient import TestClient
@@ -220,3 +221,28 @@ def test_the_builds_of_a_project_have_one_turn(world: World) -> None:
         headers = {"Authorization": f"Bearer {secret}"}
         assert world.nobody.get(f"/v1/projects/{world.project_id}/spec", headers=headers).status_code == 200
     assert {key_of(bearer=secret) for secret in secrets} == {f"project {world.project_id}"}
+
+
+def test_mails_are_counted_for_the_mailbox_behind_an_address(server: RunningServer) -> None:
+    reset, name = "/v1/password-resets", uuid4().hex
+    statuses = [
+        server.browser().post(reset, json={"email": f"{name}+{number}@studio.example"}).status_code
+        for number in range(rate_limits.MAILS_TO_ADDRESS.burst + 1)
+    ]
+    assert statuses == [202] * rate_limits.MAILS_TO_ADDRESS.burst + [429]
+    assert server.browser().post(reset, json={"email": f"{name}x@studio.example"}).status_code == 202
+
+
+def test_invitations_are_counted_for_the_mailbox_whoever_sends_them(world: World) -> None:
+    name, most = uuid4().hex, rate_limits.INVITATIONS_TO_MAILBOX.burst
+    senders = (
+        (world.producer, f"/v1/studios/{world.studio_id}/invitations", {"roles": ["reviewer"]}),
+        (world.approver, f"/v1/projects/{world.project_id}/invitations", {"kind": "contract"}),
+    )
+    statuses = []
+    for number in range(most + 1):
+        by, path, body = senders[number % 2]
+        statuses.append(by.post(path, json={**body, "email": f"{name}+{number}@studio.example"}).status_code)
+    assert statuses == [201] * most + [429]
+    by, path, body = senders[0]
+    assert by.post(path, json={**body, "email": f"{name}x@studio.example"}).status_code == 201

@@ -3,6 +3,7 @@ from typing import Any
 import pytest
 import zxcvbn
 
+from app.accounts import common_passwords
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak
 from app.accounts.rules import Role, ensure_address, ensure_producer_remains, ensure_strong_password
 
@@ -66,7 +67,14 @@ def test_text_that_is_not_an_address_is_refused_with_a_reason(typed: str) -> Non
         ("ababababcbab", False),
         ("Name.Surname@studio.example", False),
         ("name.surname", False),
-        ("correct horse battery staple", True),
+        ("correct horse battery", True),
+        ("correct horse battery staple", False),  # a common one, however it is spelt
+        ("Correct-Horse-Battery-Staple!", False),
+        ("correcthorsebatterystaple2026", False),
+        ("welcome2026now", False),
+        ("letmein2026please", False),
+        ("iloveyou123456", False),
+        ("Glasshouse2026!", False),  # the studio's name
         ("x9" * 20, False),  # two different characters
         ("a quiet room, four chairs. " * 7, True),
         ("a quiet room, four chairs. " * 8, False),
@@ -77,8 +85,14 @@ def test_passwords(password: str | None, is_good: bool) -> None:
         assert ensure_strong_password(password, "name.surname@studio.example") == password
         return
     with pytest.raises(PasswordTooWeak) as refused:
-        ensure_strong_password(password, "name.surname@studio.example", "Ada Surname")
+        ensure_strong_password(password, "name.surname@studio.example", "Ada Surname", "Glasshouse Audio")
     assert refused.value.errors[0]["where"] == "password"
+
+
+def test_the_list_holds_the_most_common_hundred_thousand() -> None:
+    assert common_passwords._listed().count(b"\n") > 100_000
+    assert common_passwords.is_common("ThisIsAPassword")
+    assert not common_passwords.is_common("thisisapasswor")
 
 
 def test_names_of_three_letters_count_as_known_and_shorter_ones_do_not(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -90,7 +104,7 @@ def test_names_of_three_letters_count_as_known_and_shorter_ones_do_not(monkeypat
         return guess(password, user_inputs=user_inputs)
 
     monkeypatch.setattr(zxcvbn, "zxcvbn", recorded)
-    ensure_strong_password("correct horse battery staple", "jo@studio.example", "Bo", "Ada")
+    ensure_strong_password("four chairs in a quiet room", "jo@studio.example", "Bo", "Ada")
     assert "Ada" in known
     assert {"Bo", "jo"}.isdisjoint(known)
 

@@ -2,9 +2,11 @@ from datetime import timedelta
 from uuid import UUID, uuid4
 
 import pytest
-from sqlalchemy import select
+from sqlalchemy import delete, select
+from sqlalchemy.orm import Session
 
-from app.accounts.models import Membership, StudioInvitation
+from app.accounts.authentication import CSRF_COOKIE, CSRF_HEADER
+from app.accounts.models import Membership, Person, StudioInvitation
 from app.kit import clock
 from tests.support.links import mailed_links, secret_for
 from tests.support.server import RunningServer, World
@@ -200,3 +202,23 @@ def test_a_person_opens_a_further_studio(world: World) -> None:
     answer = world.designer.post("/v1/studios", json={"name": "Own studio"})
     assert answer.status_code == 201
     assert world.designer.get(f"/v1/studios/{answer.json()['id']}/people").json()[0]["roles"] == ["producer"]
+
+
+def test_one_account_opens_a_bounded_number_of_studios_also_after_leaving_some(server: RunningServer) -> None:
+    owner, email = server.browser(), address()
+    body = {"email": email, "name": "Owner", "password": PASSWORD, "studio_name": "Night Studio"}
+    assert owner.post("/v1/sign-up", json=body).status_code == 201
+    owner.headers[CSRF_HEADER] = owner.cookies[CSRF_COOKIE]
+    most = server.runtime.settings.studios_per_account
+    for number in range(most - 1):
+        assert owner.post("/v1/studios", json={"name": f"Studio {number}"}).status_code == 201
+
+    def leave_all(session: Session) -> None:
+        person_id = session.scalars(select(Person.id).where(Person.email == email)).one()
+        session.execute(delete(Membership).where(Membership.person_id == person_id))
+
+    server.in_database(leave_all)
+    refused = owner.post("/v1/studios", json={"name": "One more"})
+    assert (refused.status_code, refused.json()["code"]) == (409, "too-many-studios")
+    assert f"{most} studios" in refused.json()["detail"]
+    assert "SOUNDLIST_STUDIOS_PER_ACCOUNT" in refused.json()["fix"]

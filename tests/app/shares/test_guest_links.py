@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 from sqlalchemy.orm import Session
 
+from app.accounts.rate_limits import GUEST_VISITS_FROM_NETWORK
 from app.deliveries.models import Take
 from app.kit import clock
 from app.renders.models import Picture
 from app.shares.models import GuestLink
 from audio_checks import true_peak_dbtp
+from tests.app.accounts.test_limits import behind_proxy
 from tests.app.renders.making import deliver_sound
 from tests.app.shares.making import approve, links, made, make, open_link, opened, play, sound
 from tests.support.server import World
@@ -141,11 +143,14 @@ def test_the_password_opens_it_and_guesses_are_limited_by_network(world: World) 
     assert world.nobody.get(f"/v1/guest-access/{secret}").json() == {"needs_password": True}
     statuses = [open_link(world, secret, password=f"guess {at}").status_code for at in range(11)]
     assert statuses == [403] * 10 + [429]
+    elsewhere = behind_proxy(world.server, "198.51.100.77")  # who guesses shuts nobody else out
+    body = {"guest_name": "Ada", "password": "four unrelated words"}
+    assert elsewhere.post(f"/v1/guest-access/{secret}/visits", json=body).status_code == 201
     world.server.forget_tries()
     refused = open_link(world, secret)
     assert (refused.status_code, refused.json()["code"]) == (403, "guest-password-wrong")
     opened(world, secret, password="four unrelated words")
-    assert links(world)[0]["openings"] == 1
+    assert links(world)[0]["openings"] == 2
 
     def stored(session: Session) -> str:
         return str(session.get_one(GuestLink, UUID(link["id"])).password_hash)
@@ -298,6 +303,27 @@ def test_what_cannot_be_is_refused_by_its_field(world: World, body: dict[str, ob
     refused = make(world, **body)
     assert (refused.status_code, refused.json()["code"]) == (422, "guest-link-invalid")
     assert [error["where"] for error in refused.json()["errors"]] == [where]
+
+
+@pytest.mark.parametrize("password", ["x", "sesame", "1234567890", "For the composer"])
+def test_a_password_that_is_easily_guessed_protects_no_link(world: World, password: str) -> None:
+    cue_ids = ["0197f8f0-0000-7000-8000-000000000000"]
+    refused = make(world, cue_ids=cue_ids, password=password)  # its title is "For the composer"
+    assert (refused.status_code, refused.json()["code"]) == (422, "password-too-weak")
+    assert [error["where"] for error in refused.json()["errors"]] == ["password"]
+
+
+def test_visits_from_one_place_are_limited_and_other_places_go_on(world: World) -> None:
+    world.server.forget_tries()
+    limit = GUEST_VISITS_FROM_NETWORK
+    path = "/v1/guest-access/unknown/visits"
+    statuses = {world.nobody.post(path, json={"guest_name": "Ada"}).status_code for _ in range(limit.burst)}
+    assert statuses == {404}
+    answer = world.nobody.post(path, json={"guest_name": "Ada"})
+    assert (answer.status_code, int(answer.headers["Retry-After"]) <= limit.interval_s) == (429, True)
+    elsewhere = behind_proxy(world.server, "198.51.100.78")
+    assert elsewhere.post(path, json={"guest_name": "Ada"}).status_code == 404
+    world.server.forget_tries()
 
 
 @pytest.mark.slow

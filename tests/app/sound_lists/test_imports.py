@@ -256,6 +256,8 @@ def wild_rows() -> list[dict[str, Any]]:
         {"name": "Tür", "file_name": "tür.wav", "category": "foley", "duration_s": 0.1, "length_locked": True,
          "frame_rate_fps": 29.97, "loop": True, "reverb": "designed-tail", "variations": 12, "state": "locked",
          "playback_priority": 3, "placeholder": True, "palette": True},
+        {"name": "＝1＋1", "file_name": "wide", "description": "＋2", "use": "－3", "trigger": "＠home",
+         "extra": {"Mood": "＝HYPERLINK(\"https://elsewhere.example\")", "＠mood": "calm"}},  # full-width
         {"name": "Plain", "duration_s": 3, "state": "concept", "reverb": "dry"},
     ]  # fmt: skip
 
@@ -270,7 +272,7 @@ def test_the_export_comes_back_as_it_went(world: World, server: Any) -> None:
     before = cues(world)
     for match in ("number", "name"):
         reported = send(world, text, match=match)
-        assert (reported["errors"], reported["same"], reported["added"], reported["changed"]) == ([], 4, 0, 0)
+        assert (reported["errors"], reported["same"], reported["added"], reported["changed"]) == ([], 5, 0, 0)
     assert cues(world) == before
     elsewhere = World(server)
     assert send(elsewhere, text.encode())["imported"]
@@ -307,7 +309,7 @@ def test_no_cell_of_the_export_is_a_formula(world: World) -> None:
     add(world, *wild_rows())
     text = world.designer.get(f"/v1/projects/{world.project_id}/sound-list.csv").text
     cells = [cell for row in csv.reader(io.StringIO(text)) for cell in row]
-    assert not [cell for cell in cells if cell.startswith(("=", "+", "-", "@", "\t", "\r"))]
+    assert not [cell for cell in cells if cell.startswith(tuple("=+-@\t\r\n＝＋－＠"))]
 
 
 @pytest.mark.slow

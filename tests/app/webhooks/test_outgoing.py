@@ -1,5 +1,7 @@
 """Requests to addresses that people typed go to public hosts alone, and end."""
 
+import socket
+
 import pytest
 
 from app.kit import outgoing
@@ -26,11 +28,24 @@ def test_addresses_outside_are(address: str):
     assert is_public(address)
 
 
+NO_ADDRESS = "hooks.example.com has no public address"
+
+
 @pytest.mark.parametrize("address", INSIDE)
 def test_a_name_that_leads_inside_is_refused_before_anything_is_sent(address: str):
     # One public address beside it does not help.
-    with pytest.raises(AddressRefused, match="not a public address"):
+    with pytest.raises(AddressRefused, match=NO_ADDRESS):
         post("https://hooks.example.com/in", b"{}", {}, resolver=lambda _host, _port: ["93.184.215.14", address])
+
+
+def test_the_words_do_not_tell_a_name_that_leads_inside_from_an_unknown_one():
+    def unknown(_host: str, _port: int) -> list[str]:
+        raise socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+
+    for resolver in (unknown, lambda _host, _port: [], lambda _host, _port: ["10.0.0.5"]):
+        with pytest.raises(AddressRefused) as refused:
+            post("https://hooks.example.com/in", b"{}", {}, resolver=resolver)
+        assert str(refused.value) == NO_ADDRESS
 
 
 @pytest.mark.parametrize(

@@ -4,14 +4,17 @@ import base64
 import hashlib
 import hmac
 import json
+import time
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from typing import Any
 from uuid import UUID
 
 import pytest
-from sqlalchemy import Select, select
+from sqlalchemy import Select, select, update
 
+from app.accounts.models import RateLimit
+from app.accounts.rate_limits import WEBHOOK_MESSAGES_OF_STUDIO
 from app.kit import clock
 from app.webhooks import jobs, queries, sending
 from app.webhooks.bodies import Message, body_of
@@ -304,7 +307,7 @@ def test_addresses_inside_are_refused_when_saved_and_when_sent(world: World):
     world.server.in_database(lambda session: _due(session, str(call_id)))
     sending.send(world.server.runtime, call_id, UUID(int=9), resolver=lambda *_: ["169.254.169.254"])
     (call,) = calls(world, webhook)
-    assert call["problem"] == "hooks.example.com is 169.254.169.254, which is not a public address"
+    assert call["problem"] == "hooks.example.com has no public address"
     assert call["status"] is None
 
 
@@ -354,3 +357,21 @@ def test_calls_leave_the_log_after_thirty_days(world: World, target: Receiver, m
             found = queries.calls_of(session, UUID(webhook["id"]), before=None, limit=5)
             attempts = session.scalars(attempts_at(call["id"])).all()
         assert (len(found), len(attempts)) == (left, left)
+
+
+def test_tests_and_repeated_messages_have_a_limit_for_each_studio(world: World, target: Receiver) -> None:
+    webhook = add(world, f"{target.url}/hook")
+    path = f"/v1/webhooks/{webhook['id']}/test"
+    key = hashlib.sha256(f"{WEBHOOK_MESSAGES_OF_STUDIO.name}\0{world.studio_id}".encode()).hexdigest()
+    used_up = time.time() + WEBHOOK_MESSAGES_OF_STUDIO.burst * WEBHOOK_MESSAGES_OF_STUDIO.interval_s
+    world.server.in_database(lambda session: session.add(RateLimit(key=key, free_at_s=used_up)))
+    assert world.producer.post(path).status_code == 429
+    assert calls(world, webhook) == []
+    world.server.forget_tries()
+    assert world.producer.post(path).status_code == 202
+    world.server.wait_for_jobs()
+    [call] = calls(world, webhook)
+    world.server.in_database(lambda session: session.execute(update(RateLimit).values(free_at_s=used_up)))
+    answer = world.producer.post(f"/v1/webhook-calls/{call['id']}/replay")
+    assert (answer.status_code, "Retry-After" in answer.headers) == (429, True)
+    world.server.forget_tries()
