@@ -30,7 +30,14 @@ export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: S
         error={signIn.error}
         onSubmit={(value) => signIn.mutate({ email: value('email'), password: value('password') })}
       >
-        <Field name="email" label="Email" type="email" autoComplete="username" defaultValue={me.email} readOnly={isRecent} />
+        <Field
+          name="email"
+          label="Email"
+          type="email"
+          autoComplete="username"
+          defaultValue={me.email}
+          readOnly={isRecent}
+        />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
       </Form>
     </Dialog>
