@@ -13,7 +13,7 @@ from typing import Any, Literal
 CLAUSE = "silence"  # its key in the library
 SATURDAY, DAYS_OF_WEEK = 5, 7
 ONE_DAY = timedelta(days=1)
-PausedBy = Literal["question", "change_order"]
+PausedBy = Literal["question", "change_order", "undecided_versions"]
 
 
 def working_days(after: date, upto: date) -> int:

@@ -15,6 +15,7 @@ from app.agreements.rules import ContractState, Party
 from app.agreements.signing import people_to_sign
 from app.kit import clock
 from app.kit.money import money
+from app.kit.plural import counted
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.money.days import called_work
@@ -168,9 +169,13 @@ def notify_reminder(runtime: Runtime, payload: Payload) -> None:
         cue = session.get_one(Cue, UUID(payload["cue_id"]))
         project = session.get_one(Project, cue.project_id)
         last_day = date.fromisoformat(payload["last_day"])
-        line = (
-            f"{cue_label(project, cue)} needs your review. "
-            f"Without a response it is accepted automatically after {in_words(last_day)}, as agreed in its contract."
+        undecided = payload.get("undecided") or []
+        line = f"{cue_label(project, cue)} needs your review. " + (
+            f"One delivery has {'; '.join(undecided)} for the same place: approve the one that you mean. "
+            "Until somebody chooses, it is not accepted automatically."
+            if undecided
+            else f"Without a response it is accepted automatically after {in_words(last_day)}, "
+            "as agreed in its contract."
         )
         approver = queries.address_of(session, UUID(payload["approver_id"]))
         notifier = Notifier(runtime, session, project, payload["event_id"])
@@ -184,8 +189,9 @@ def notify_deemed_acceptance(runtime: Runtime, payload: Payload) -> None:
         cue = session.get_one(Cue, UUID(payload["cue_id"]))
         project = session.get_one(Project, cue.project_id)
         contract = session.get_one(Contract, UUID(payload["contract_id"]))
+        days = counted(int(payload["days"]), "working day")
         line = (
-            f"{cue_label(project, cue)} was accepted automatically: no response within {payload['days']} working days, "
+            f"{cue_label(project, cue)} was accepted automatically: no response within {days}, "
             f"as agreed in {contract.title}. It is paid like any other accepted cue."
         )
         people = {

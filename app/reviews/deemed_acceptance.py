@@ -7,6 +7,7 @@ from sqlalchemy import true
 from sqlalchemy.orm import Session
 
 from app.deliveries.models import Take
+from app.deliveries.rules import shown_name
 from app.kit import clock
 from app.kit.db import insert_if_absent, new_id
 from app.kit.events import publish
@@ -29,18 +30,20 @@ def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
     return [
         one.cue.id
         for one in waiting
-        if one.wait.is_over(now)
-        or ((number := one.wait.reminders(now)) and (one.cue.id, one.wait.since, number) not in sent)
+        if one.is_over(now) or ((number := one.reminders(now)) and (one.cue.id, one.wait.since, number) not in sent)
     ]
 
 
 def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
-    """Accept a cue whose days are over, or remind those who may approve it; do nothing after a decision."""
+    """Accept a cue whose days are over, or remind those who may approve it; do nothing after a decision.
+
+    A cue with two files of one delivery for one place is not accepted: the reminder names them.
+    """
     queries.lock_cue(session, cue_id)
     for one in deemed_cues(session, Take.cue_id == cue_id):
-        if one.wait.is_over(now):
+        if one.is_over(now):
             _accept(session, one, now)
-        elif number := one.wait.reminders(now):
+        elif number := one.reminders(now):
             _remind(session, one, number, now)
 
 
@@ -85,4 +88,5 @@ def _remind(session: Session, one: DeemedCue, number: int, now: datetime) -> Non
             cue_id=one.cue.id,
             approver_id=person_id,
             last_day=last_day.isoformat(),
+            undecided=[" and ".join(shown_name(take.file_name) for take in group) for group in one.undecided],
         )

@@ -15,9 +15,11 @@ from app.agreements.models import Contract
 from app.agreements.plan_queries import agreed_terms
 from app.agreements.terms import MoneyTerms, SourcesNeeded
 from app.deliveries.models import Take
+from app.deliveries.rules import undecided_groups
 from app.deliveries.source_queries import source_statements
 from app.deliveries.source_rules import open_points
 from app.deliveries.sources import sources_in
+from app.deliveries.tray import open_take_of
 from app.kit import clock
 from app.kit.in_array import in_array
 from app.projects.models import Project
@@ -35,6 +37,19 @@ class DeemedCue:
     contract: Contract
     picks: Sequence[Take]
     wait: Wait
+    undecided: Sequence[Sequence[Take]] = ()  # files of one delivery for one place, between which nobody chose
+
+    def paused_by(self, now: datetime) -> PausedBy | None:
+        """Return what stops the acceptance at a moment; None where nothing does."""
+        return "undecided_versions" if self.undecided else self.wait.paused_by(now)
+
+    def is_over(self, now: datetime) -> bool:
+        """Whether the cue counts as accepted; nobody's silence chooses between two files."""
+        return not self.undecided and self.wait.is_over(now)
+
+    def reminders(self, now: datetime) -> int:
+        """Return the number of reminders due by now, one more where only a choice between files is missing."""
+        return self.wait.reminders(now) + (bool(self.undecided) and self.wait.is_over(now))
 
 
 @dataclass(frozen=True)
@@ -54,6 +69,7 @@ class _Waiting:
     contract: Contract
     terms: _Terms
     picks: Sequence[Take]
+    undecided: Sequence[Sequence[Take]]
 
 
 def deemed_cues(session: Session, reach: ColumnElement[bool]) -> list[DeemedCue]:
@@ -61,7 +77,8 @@ def deemed_cues(session: Session, reach: ColumnElement[bool]) -> list[DeemedCue]
 
     The newest version of each variation counts, and the cue waits since the last of them does, or since it was agreed:
     a new delivery restarts the studio's days. Approved versions are not picked again. A cue whose sources the contract
-    wants first waits since they were stated.
+    wants first waits since they were stated. One with two files of a delivery for one place is not accepted while
+    nobody chose between them.
     """
     by_cue: dict[UUID, list[Take]] = {}
     contracts: dict[UUID, tuple[Contract, Project]] = {}
@@ -85,8 +102,14 @@ def deemed_cues(session: Session, reach: ColumnElement[bool]) -> list[DeemedCue]
         missing = missing_variations(cue.variations, approved.get(cue_id, []))
         picks = [newest[variation] for variation in missing if variation in newest]
         if missing and len(picks) == len(missing):
-            waiting.append(_Waiting(cue, project, contract, terms, picks))
+            waiting.append(_Waiting(cue, project, contract, terms, picks, _undecided(takes, missing)))
     return _with_waits(session, waiting)
+
+
+def _undecided(takes: Sequence[Take], variations: Collection[int]) -> list[list[Take]]:
+    """Return the files of a cue between which nobody chose, of the variations that are not approved."""
+    by_id = {take.id: take for take in takes if take.variation in variations}
+    return [[by_id[take.id] for take in group] for group in undecided_groups(map(open_take_of, by_id.values()))]
 
 
 def _terms_of(session: Session, contract: Contract) -> _Terms | None:
@@ -113,7 +136,7 @@ def _with_waits(session: Session, waiting: Sequence[_Waiting]) -> list[DeemedCue
             since = max(one.contract.agreed_at, *moments)
             calendar = calendars.get(one.project.studio_id, WorkCalendar())
             wait = Wait.under(one.terms.silence, since, calendar, pauses.get(one.cue.id, ()))
-            found.append(DeemedCue(one.cue, one.project, one.contract, one.picks, wait))
+            found.append(DeemedCue(one.cue, one.project, one.contract, one.picks, wait, one.undecided))
     return found
 
 
@@ -159,6 +182,6 @@ def last_days(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, LastDay
     if not owed:
         return {}
     return {
-        one.cue.id: LastDay(one.wait.last_day(now), one.wait.paused_by(now))
+        one.cue.id: LastDay(one.wait.last_day(now), one.paused_by(now))
         for one in deemed_cues(session, in_array(Take.cue_id, owed))
     }

@@ -186,6 +186,7 @@ export const byWhom = ({ by, on_behalf_of: absent }: { by: Named | null; on_beha
 const PAUSED_BY = {
   question: 'the designer’s question is open',
   change_order: 'a change order is open',
+  undecided_versions: 'one delivery has several files for the same place, and nobody chose',
 } as const
 
 /** The day after which silence accepts; while something is open its days do not count. */

@@ -193,6 +193,30 @@ def test_a_set_is_accepted_whole_and_waits_since_its_last_variation(moved: Moved
 
 
 @pytest.mark.slow
+def test_of_two_files_between_which_nobody_chose_none_is_accepted_until_somebody_does(moved: MovedClock) -> None:
+    agreed, world = moved.agreed, moved.agreed.world
+    cue = agreed.cue()
+    first = agreed.take(cue, file_name="steps_02.wav")
+    second = agreed.take(cue, file_name="Steps 02 FINAL (2).wav")
+    moved.agree(cue, first, second)
+    for _ in range(2):
+        moved.apply_deemed(FRIDAY + days(30))
+    assert agreed.owed() == []
+    assert agreed.states(first, second) == ["conforming", "conforming"]
+    ((_, subject, text),) = moved.mails()
+    assert subject == "Shield Wing: sounds to review soon"
+    assert "steps_02.wav and Steps 02 FINAL (2).wav" in text
+    assert "not accepted automatically" in text
+    assert moved.entries() == ["planned", "reminded"]
+    assert [item["silence_paused_by"] for item in agreed.queue()] == ["undecided_versions"]
+
+    discarded = world.designer.post(f"/v1/projects/{world.project_id}/takes/discard", json={"take_ids": [str(first)]})
+    assert discarded.status_code in (200, 201), discarded.text
+    moved.apply_deemed(FRIDAY + days(30))
+    assert agreed.states(second) == ["approved"]
+
+
+@pytest.mark.slow
 def test_another_version_restarts_the_studios_days(moved: MovedClock) -> None:
     cue = moved.agreed.cue()
     first = moved.agreed.take(cue)
