@@ -23,5 +23,6 @@ router = Router(prefix="/v1", tags=["postings"], route_class=Route)
 )
 def award_posting(bid_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> PostingAwarded:
     """Award a posting to a bid: its designer is engaged, a draft contract is opened, and the others are thanked."""
-    contract = award(session, actor, bid_id)
-    return PostingAwarded(contract_id=contract.id, project_id=contract.project_id)
+    awarded = award(session, actor, bid_id)
+    contract = awarded.contract
+    return PostingAwarded(contract_id=contract.id, project_id=contract.project_id, is_on_roster=awarded.is_on_roster)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 from uuid import UUID
 
@@ -27,11 +28,19 @@ from app.projects.engagements import engage
 from app.projects.rules import EngagementKind
 
 
-def award(session: Session, actor: Actor, bid_id: UUID) -> Contract:
+@dataclass(frozen=True)
+class Award:
+    """The draft contract of an award, and whether the designer is on the studio's roster now."""
+
+    contract: Contract
+    is_on_roster: bool
+
+
+def award(session: Session, actor: Actor, bid_id: UUID) -> Award:
     """Award a posting: engage the designer, keep them on the roster, begin a draft with the bid's lines."""
     bid = award_bid(session, actor, bid_id)
     posting = bid.posting
-    keep_on_roster(session, actor, posting.studio_id, bid.designer_id)
+    is_on_roster = keep_on_roster(session, actor, posting.studio_id, bid.designer_id)
     kind = EngagementKind.ADVISORY if posting.phase is PostingPhase.ADVISORY else EngagementKind.CONTRACT
     engagement = engage(
         session, studio_id=posting.studio_id, project_id=posting.project_id, designer=bid.designer, kind=kind
@@ -48,7 +57,7 @@ def award(session: Session, actor: Actor, bid_id: UUID) -> Contract:
     save_plan(session, actor, contract.id, _plan(session, contract, posting, bid))
     record_contract(session, posting, contract.id)
     publish(session, "posting.awarded", studio_id=posting.studio_id, project_id=posting.project_id, bid_id=bid.id)
-    return contract
+    return Award(contract, is_on_roster)
 
 
 def _plan(session: Session, contract: Contract, posting: Posting, bid: Bid) -> list[PlannedMilestone]:

@@ -14,7 +14,7 @@ from app.hiring import bids, comparison, queries
 from app.hiring.access import PostingAccess, today_of
 from app.hiring.models import Bid, Candidate, Posting, Score
 from app.hiring.postings import posting_seen
-from app.hiring.roster import entries_of_bidders
+from app.hiring.roster import entries_of_bidders, is_full
 from app.hiring.roster_rules import Busy, clashes
 from app.hiring.rules import amount_minor, concept_minor, hourly_rate_minor, missing_lines, takes_bids, total_minor
 from app.hiring.samples import samples_read
@@ -245,6 +245,7 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
         awarded_bid_id=posting.awarded_bid_id,
         contract_id=posting.contract_id,
         may_award=comparison.may_award(session, actor, posting),
+        is_roster_full=is_full(session, posting.studio_id),
         pending=[
             one.person.name if one.person else one.email
             for one in queries.candidates_of(session, posting_id)

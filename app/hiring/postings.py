@@ -1,7 +1,7 @@
 """Postings: written, opened, closed, and who is asked."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date, timedelta
 from typing import Any
 from uuid import UUID
@@ -32,9 +32,12 @@ from app.kit import clock
 from app.kit.db import bypass_row_policies
 from app.kit.errors import FieldProblem
 from app.kit.events import publish
+from app.projects.budget_queries import latest_budget_currency
+from app.projects.models import Project
 from app.projects.service import project_access
 from app.sound_lists.models import Cue
 
+DEFAULT_CURRENCY = "USD"  # of a studio that has named none
 LINK_LIFETIME = timedelta(days=90)
 
 
@@ -45,7 +48,7 @@ class PostingFields:
     title: str
     text: str
     phase: PostingPhase
-    currency: str
+    currency: str | None  # None: as it is; of a new posting the usual one of its project
     price_minor: int | None
     budget_minor: int | None
     is_budget_shown: bool
@@ -75,15 +78,30 @@ def create_posting(session: Session, actor: Actor, project_id: UUID, fields: Pos
     posting = Posting(
         studio_id=access.project.studio_id, project_id=project_id, state=PostingState.DRAFT, created_by=actor.person
     )
+    if fields.currency is None:
+        fields = replace(fields, currency=usual_currency(session, access.project))
     _put(session, posting, fields)
     session.add(posting)
     session.flush()
     return posting.id
 
 
+def usual_currency(session: Session, project: Project) -> str:
+    """Return the currency of a project's budget, else the last one of its postings, else the studio's, else USD."""
+    return (
+        latest_budget_currency(session, project.studio_id, project.id)
+        or queries.last_currency(session, project.studio_id, project.id)
+        or latest_budget_currency(session, project.studio_id)
+        or queries.last_currency(session, project.studio_id)
+        or DEFAULT_CURRENCY
+    )
+
+
 def change_posting(session: Session, actor: Actor, posting_id: UUID, fields: PostingFields, *, revision: int) -> None:
     """Change a posting; what bids are made on is fixed once it is open."""
     posting = posting_for_team(session, actor, posting_id)
+    if fields.currency is None:
+        fields = replace(fields, currency=posting.currency)
     if posting.revision != revision:
         raise PostingChanged("someone changed this posting since you read it", fix="read it again, then save yours")
     if posting.state is PostingState.AWARDED:

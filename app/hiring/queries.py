@@ -5,7 +5,7 @@ from datetime import datetime
 from typing import NamedTuple
 from uuid import UUID
 
-from sqlalchemy import exists, func, or_, select
+from sqlalchemy import exists, func, or_, select, true
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.rules import Actor
@@ -63,6 +63,13 @@ def postings_in(session: Session, project_id: UUID) -> Sequence[Posting]:
     """Return the postings of a project, newest first."""
     found = select(Posting).where(Posting.project_id == project_id).options(_WITH_PROJECT)
     return session.scalars(found.order_by(Posting.id.desc()).limit(MAX_POSTINGS)).all()
+
+
+def last_currency(session: Session, studio_id: UUID, project_id: UUID | None = None) -> str | None:
+    """Return the currency of the newest posting of a project, or of any project of a studio."""
+    of_project = Posting.project_id == project_id if project_id else true()
+    currencies = select(Posting.currency).where(Posting.studio_id == studio_id, of_project)
+    return session.scalar(currencies.order_by(Posting.id.desc()).limit(1))
 
 
 def postings_of_candidate(session: Session, person_id: UUID) -> Sequence[Posting]:

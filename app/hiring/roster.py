@@ -98,7 +98,7 @@ def add_entry(session: Session, actor: Actor, studio_id: UUID, facts: Mapping[st
     """Put a designer on file; `facts` are the columns that people write, without a rate for all but producers."""
     access = roster_access(session, actor, studio_id)
     roster_queries.lock_roster(session, studio_id)
-    if roster_queries.entries_count(session, studio_id) >= MAX_ENTRIES:
+    if is_full(session, studio_id):
         raise RosterFull(f"a roster has {MAX_ENTRIES:,} people at most", fix="remove those whom you will not ask again")
     entry = RosterEntry(studio_id=studio_id, added_by=actor.person, revision=1)
     _put(session, access, entry, facts)
@@ -144,15 +144,22 @@ def put_facts(entry: RosterEntry, facts: Mapping[str, Any]) -> None:
     entry.changed_at = clock.now()
 
 
-def keep_on_roster(session: Session, actor: Actor, studio_id: UUID, designer_id: UUID) -> None:
-    """Put a designer on file under the name and address of their account; one who is there, or a full roster, stays."""
+def is_full(session: Session, studio_id: UUID) -> bool:
+    """Whether a roster has as many people as a studio may keep."""
+    return roster_queries.entries_count(session, studio_id) >= MAX_ENTRIES
+
+
+def keep_on_roster(session: Session, actor: Actor, studio_id: UUID, designer_id: UUID) -> bool:
+    """Put a designer on file under the name and address of their account, and return whether they are on file.
+
+    One who is there stays as they are; a full roster takes nobody.
+    """
     designer = session.get_one(Person, designer_id)
     roster_queries.lock_roster(session, studio_id)
-    if (
-        roster_queries.has_address(session, studio_id, designer.email)
-        or roster_queries.entries_count(session, studio_id) >= MAX_ENTRIES
-    ):
-        return
+    if roster_queries.has_address(session, studio_id, designer.email):
+        return True
+    if is_full(session, studio_id):
+        return False
     entry = RosterEntry(
         studio_id=studio_id,
         name=designer.name,
@@ -166,6 +173,7 @@ def keep_on_roster(session: Session, actor: Actor, studio_id: UUID, designer_id:
     )
     session.add(entry)
     session.flush()
+    return True
 
 
 def _put(session: Session, access: RosterAccess, entry: RosterEntry, facts: Mapping[str, Any]) -> None:

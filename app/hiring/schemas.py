@@ -47,7 +47,9 @@ class PostingAdd(Schema):
     title: Line
     text: Prose = ""
     phase: PostingPhase = PostingPhase.PRODUCTION
-    currency: Currency = "USD"
+    currency: Currency | None = Field(
+        default=None, description="Null: as it is; for a new posting that of the project's budget, else the last used."
+    )
     price_minor: Minor | None = Field(default=None, description="Of an advisory phase: what the studio pays for it.")
     budget_minor: Minor | None = None
     is_budget_shown: bool = Field(default=False, description="Whether candidates see the budget.")
@@ -386,6 +388,7 @@ class BidComparison(Schema):
     awarded_bid_id: UUID | None
     contract_id: UUID | None
     may_award: bool
+    is_roster_full: bool = Field(description="Whether an award cannot put its designer on the studio's roster.")
     pending: list[str] = Field(description="Who was invited and has not sent a bid: names, or addresses.")
 
 
@@ -394,3 +397,4 @@ class PostingAwarded(Schema):
 
     project_id: UUID
     contract_id: UUID
+    is_on_roster: bool = Field(description="False where the studio's roster was full: the designer is not on it.")

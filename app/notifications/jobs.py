@@ -113,10 +113,12 @@ def _at(start_s: float | None) -> str:
 
 @job("notifications.notify_reply")
 def notify_reply(runtime: Runtime, payload: Payload) -> None:
-    """Notify who wrote a note that it was answered."""
+    """Notify who wrote a note that it was answered, while they work on the project."""
     with runtime.database.writing() as session:
         comment = session.get_one(Comment, UUID(payload["comment_id"]))
         take, project, cue = queries.take_with_place(session, comment.take_id)
+        if not queries.works_on(session, project, UUID(payload["person_id"])):
+            return
         author = session.get_one(Person, comment.written_by)
         version = _version(project, take, cue)
         recipient = queries.address_of(session, UUID(payload["person_id"]))
@@ -132,12 +134,14 @@ def notify_reply(runtime: Runtime, payload: Payload) -> None:
 
 @job("notifications.notify_mention")
 def notify_mention(runtime: Runtime, payload: Payload) -> None:
-    """Notify a person who is mentioned in a comment, a reply or a change request."""
+    """Notify a person who is mentioned in a comment, a reply or a change request, while they work on the project."""
     with runtime.database.writing() as session:
         said = queries.note_by_id(session, UUID(payload["said_id"]), is_comment=payload["kind"] == "comment")
         take, project, cue = queries.take_with_place(session, said.take_id)
         author = session.get_one(Person, said.written_by)
         person_id = UUID(payload["person_id"])
+        if not queries.works_on(session, project, person_id):
+            return
         version = _version(project, take, cue)
         reviewed_id = None if person_id == take.designer_id or cue is None else cue.id
         page = f"review/{reviewed_id}" if reviewed_id else None
@@ -179,12 +183,14 @@ def notify_question(runtime: Runtime, payload: Payload) -> None:
 
 @job("notifications.notify_answer")
 def notify_answer(runtime: Runtime, payload: Payload) -> None:
-    """Notify the asker of the answer."""
+    """Notify the asker of the answer, while they work on the project."""
     with runtime.database.writing() as session:
         question = session.get_one(Question, UUID(payload["question_id"]))
         if question.asked_by == question.answered_by:
             return
         project = session.get_one(Project, question.project_id)
+        if not queries.works_on(session, project, question.asked_by):
+            return
         cue = session.get_one(Cue, question.cue_id)
         line = f"{cue_label(project, cue)}\n  {question.text}\n  {question.answer}"
         asker = queries.address_of(session, question.asked_by)

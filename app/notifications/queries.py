@@ -148,6 +148,15 @@ def is_addressed(session: Session, studio_id: UUID, person_id: UUID) -> bool:
         return bool(session.scalar(select(has_part(literal(studio_id, Uuid()), person_id))))
 
 
+def works_on(session: Session, project: Project, person_id: UUID) -> bool:
+    """Whether a person is a member of a project's studio, or engaged on it and not ended."""
+    member = exists().where(Membership.studio_id == project.studio_id, Membership.person_id == person_id)
+    engaged = exists().where(
+        Engagement.project_id == project.id, Engagement.designer_id == person_id, Engagement.ended_at.is_(None)
+    )
+    return bool(session.scalar(select(or_(member, engaged))))
+
+
 def delete_notices_of_former_member(session: Session, studio_id: UUID, person_id: UUID) -> None:
     """Delete a person's notices of a studio, but of the projects that engage them."""
     engaged = select(Engagement.project_id).where(Engagement.designer_id == person_id, Engagement.ended_at.is_(None))

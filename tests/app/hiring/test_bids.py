@@ -7,6 +7,7 @@ from fastapi.testclient import TestClient
 from httpx import Response
 from sqlalchemy import select, update
 
+from app.hiring import roster
 from app.notifications.models import Mail
 from app.projects.models import Engagement
 from app.sound_lists.models import Cue
@@ -237,6 +238,20 @@ def test_concepts_are_named_with_their_money(world: World) -> None:
 
 
 @pytest.mark.slow
+def test_an_award_says_when_a_full_roster_took_nobody(
+    world: World, posting: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    send(world, posting, world.designer, WHOLE)
+    monkeypatch.setattr(roster, "MAX_ENTRIES", 0)  # 5,000 people take a minute to add
+    comparison = compared(world, posting)
+    assert comparison["is_roster_full"]
+    awarded = world.producer.post(f"/v1/bids/{comparison['bids'][0]['id']}/award").json()
+    assert not awarded["is_on_roster"]
+    on_file = world.producer.get(f"/v1/studios/{world.studio_id}/roster").json()
+    assert (on_file["items"], on_file["total"]) == ([], 0), "the award stands without the roster"
+
+
+@pytest.mark.slow
 @pytest.mark.both_databases
 def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dict[str, Any]) -> None:
     voice = line("Oath", 20_000, 1, kind="voice", unit="flat")
@@ -248,6 +263,7 @@ def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dic
     awarded = world.producer.post(path)
     assert awarded.status_code == 201, awarded.text
     contract_id = awarded.json()["contract_id"]
+    assert awarded.json()["is_on_roster"]
     contract = world.producer.get(f"/v1/contracts/{contract_id}").json()
     assert (contract["state"], contract["title"], contract["currency"]) == ("draft", "Effects for Alpha", "USD")
     assert contract["designer"]["id"] == str(world.other_designer_id)

@@ -100,6 +100,19 @@ def test_what_is_asked_for_is_counted_from_the_list(world: World) -> None:
 
 
 @pytest.mark.slow
+def test_a_posting_is_in_the_projects_currency_unless_it_names_one(world: World) -> None:
+    assert create(world).json()["currency"] == "USD", "nobody has named a currency yet"
+    assert create(world, currency="JPY").json()["currency"] == "JPY"
+    assert create(world).json()["currency"] == "JPY", "the last one of the project"
+    budget = {"currency": "EUR", "amount_minor": 500_000}
+    assert world.producer.put(f"/v1/projects/{world.project_id}/budget", json=budget).status_code == 200
+    posting = create(world).json()
+    assert posting["currency"] == "EUR", "that of the budget"
+    change = {"title": "Effects", "revision": posting["revision"], "currency": None}
+    kept = world.producer.put(f"/v1/postings/{posting['id']}", json=change)
+    assert (kept.status_code, kept.json()["currency"]) == (200, "EUR")
+
+
 def test_a_posting_opens_closes_and_opens_again(world: World) -> None:
     empty = create(world).json()
     refused = world.producer.post(f"/v1/postings/{empty['id']}/open")

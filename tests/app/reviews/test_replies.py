@@ -53,6 +53,25 @@ def test_a_reply_is_mailed_to_who_wrote_the_note(stage: Stage) -> None:
     assert "0.8 s." in mail["text"]
 
 
+@pytest.mark.slow
+def test_a_designer_whose_work_has_ended_is_mailed_no_answer_to_their_note(stage: Stage) -> None:
+    world = stage.world
+    cue_id = stage.cue()
+    take_id = stage.take(cue_id)
+    note = say(world.designer, take_id, "Is it too long?").json()
+    question = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "Which gun?"}).json()
+    engagements = world.producer.get(f"/v1/projects/{world.project_id}").json()["engagements"]
+    (own_id,) = [one["id"] for one in engagements if one["designer"]["id"] == str(world.designer_id)]
+    ended = world.producer.patch(f"/v1/projects/{world.project_id}/engagements/{own_id}", json={"ended": True})
+    assert ended.status_code == 200, ended.text
+    assert say(world.reviewer, take_id, "A little.", reply_to_id=note["id"]).status_code == 201
+    answered = world.producer.post(f"/v1/questions/{question['id']}/answer", json={"text": "The small one."})
+    assert answered.status_code == 200, answered.text
+    world.server.wait_for_jobs()
+    mails = world.producer.get(f"/v1/studios/{world.studio_id}/outbox").json()["mails"]
+    assert [mail["subject"] for mail in mails if "note" in mail["subject"] or "answered" in mail["subject"]] == []
+
+
 def test_only_notes_on_the_same_version_are_answered(stage: Stage) -> None:
     cue = stage.cue()
     first, other = stage.take(cue), stage.take(cue)

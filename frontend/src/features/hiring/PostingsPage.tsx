@@ -77,12 +77,11 @@ function standOf({ state, takes_bids: takesBids, bids_until_on: until }: Posting
   return until ? `Open until ${day(until)}` : 'Open'
 }
 
-/** A posting to begin from: all cues of the list, and the headings that the server begins with. */
+/** A posting to begin from: all cues of the list, and the project's currency and the headings by the server's choice. */
 const newPosting = (title: string): PostingAdd => ({
   title,
   text: '',
   phase: 'production',
-  currency: 'USD',
   is_budget_shown: false,
   scope: 'all',
 })

@@ -104,6 +104,7 @@ const compared = (bids: ComparedBid[]): Comparison => ({
   awarded_bid_id: null,
   contract_id: null,
   may_award: true,
+  is_roster_full: false,
   pending: [],
 })
 
@@ -136,6 +137,21 @@ test('bids stand on the same lines, and a total without a line names it', async 
   expect(screen.getByRole('row', { name: /^Reliability/ })).toHaveTextContent('Score it to see the team’s')
 })
 
+test('an award says before and after that a full roster takes nobody', async () => {
+  const { server, app, path } = bidsOpened()
+  server.answers['GET /v1/postings/p1/bids'] = { ...compared([second]), is_roster_full: true }
+  server.answers['POST /v1/bids/b2/award'] = answer(
+    { project_id: 'shield-wing', contract_id: 'c9', is_on_roster: false },
+    201,
+  )
+  await userEvent.click(await screen.findByRole('button', { name: /^Award/ }))
+  const dialog = await screen.findByRole('dialog')
+  expect(dialog).toHaveTextContent('joins the project.Your roster is full: Sound designer B is not added to it.')
+  await userEvent.click(within(dialog).getByRole('button', { name: 'Award' }))
+  await waitFor(() => expect(app.at()).toBe(`${path}/contracts/c9/draft`))
+  expect(await screen.findByText('Awarded. Your roster is full, so Sound designer B is not on it.')).toBeVisible()
+})
+
 test('by keys: choose a bid, shortlist it, score it; an award asks first and names who is thanked', async () => {
   const { server, app, path } = bidsOpened()
   await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })
@@ -156,7 +172,7 @@ test('by keys: choose a bid, shortlist it, score it; an award asks first and nam
       },
       aBid('b1', 'Sound designer A'),
     ])
-  server.answers['POST /v1/bids/b2/award'] = answer({ project_id: 'shield-wing', contract_id: 'c9' }, 201)
+  server.answers['POST /v1/bids/b2/award'] = answer({ project_id: 'shield-wing', contract_id: 'c9', is_on_roster: true }, 201)
   await userEvent.keyboard('2l')
   await waitFor(() =>
     expect(wrote(server.asked, 'PUT /v1/bids/b2/shortlist')[0]?.body).toEqual({ is_shortlisted: true }),

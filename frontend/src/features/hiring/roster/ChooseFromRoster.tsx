@@ -117,7 +117,7 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
               {chosen.size === 0 ? 'Ask for bids' : `Ask ${plural(chosen.size, 'designer')} for bids`}
             </Button>
             {people.length > SHOWN && (
-              <span className="small dim">{`${people.length - SHOWN} more match; search to see them.`}</span>
+              <span className="small dim">{`${plural(people.length - SHOWN, 'more matches', 'more match')}; search to see ${people.length - SHOWN === 1 ? 'it' : 'them'}.`}</span>
             )}
           </div>
         </>

@@ -280,7 +280,7 @@ function Plan({ read }: { read: RosterImport }) {
         </table>
       </section>
       {read.rows.length > SHOWN_ROWS && (
-        <p className={`small dim ${classes.foot}`}>{`And ${figure(read.rows.length - SHOWN_ROWS)} more rows.`}</p>
+        <p className={`small dim ${classes.foot}`}>{`And ${plural(read.rows.length - SHOWN_ROWS, 'more row')}.`}</p>
       )}
     </Card>
   )
