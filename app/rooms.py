@@ -81,6 +81,7 @@ from app.sound_lists.matrix_endpoints import router as matrices
 from app.sound_lists.naming_endpoints import router as refused_names
 from app.sound_lists.own_column_endpoints import router as own_columns
 from app.sound_lists.people_endpoints import router as cue_people
+from app.sound_lists.spec_endpoints import router as saved_specs
 from app.sound_lists.spoken_endpoints import router as spoken_placeholders
 from app.voice_lines.endpoints import router as voice_lines
 from app.voice_lines.release_endpoints import router as voice_releases
@@ -103,6 +104,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     briefs,
     sound_lists,
     refused_names,
+    saved_specs,
     category_guess,
     spoken_placeholders,
     coverage,

@@ -74,7 +74,7 @@ def list_progress(
 ) -> schemas.ListProgress:
     """Return where the cues of one page of the list stand."""
     access = project_access(session, actor, project_id)
-    cues, following = page_of(session, project_id, cursor=cursor, limit=limit)
+    cues, following = page_of(session, project_id, "list", cursor=cursor, limit=limit)
     page = _Page(session, access, cues)
     return schemas.ListProgress(cues=[page.progress_of(cue) for cue in cues], next=following)
 

@@ -191,15 +191,20 @@ def number_cursor(cursor: str | None) -> int | None:
     return number
 
 
-def place_cursor(cursor: str | None) -> tuple[int, int] | None:
-    """Read a cursor that is a position and a number."""
+def numbers_cursor(cursor: str | None, *, count: int) -> tuple[int, ...] | None:
+    """Read a cursor that is some numbers, such as a position and a number."""
     if cursor is None:
         return None
-    before, _, after = cursor.partition(".")
-    position, number = number_in(before), number_in(after)
-    if position is None or number is None:
+    numbers = tuple(number for part in cursor.split(".") if (number := number_in(part)) is not None)
+    if len(numbers) != count or cursor.count(".") != count - 1:
         raise bad_cursor(cursor)
-    return position, number
+    return numbers
+
+
+def place_cursor(cursor: str | None) -> tuple[int, int] | None:
+    """Read a cursor that is a position and a number."""
+    numbers = numbers_cursor(cursor, count=2)
+    return None if numbers is None else (numbers[0], numbers[1])
 
 
 def instant_cursor(cursor: str | None) -> tuple[datetime, UUID] | None:

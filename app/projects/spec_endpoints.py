@@ -1,6 +1,6 @@
-"""The endpoints of delivery specs."""
+"""The endpoints of delivery specs; they are saved in sound_lists, whose names a spec may refuse."""
 
-from typing import Annotated, TypeAlias
+from typing import Annotated
 from uuid import UUID
 
 from fastapi import Depends, Header, Path, Request, Response
@@ -16,7 +16,7 @@ from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, n
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects import schemas, service, specs
-from app.projects.errors import BadSpec, ProjectNotFound, SpecChanged, SpecVersionNotFound, TeamNeeded
+from app.projects.errors import BadSpec, ProjectNotFound, SpecVersionNotFound
 from app.projects.models import Spec
 from app.projects.service import project_access
 from app.projects.spec_pdf import spec_pdf
@@ -24,7 +24,6 @@ from app.projects.spec_pdf import spec_pdf
 PAGE_ROWS = 50
 PDFS = FairShare(1, "PDF")  # of the two that a process has in hand
 router = Router(prefix="/v1", tags=["projects"], route_class=Route)
-SentForm: TypeAlias = tuple[schemas.SpecFormChange, str]  # with the text that it comes to
 
 
 def _checked_draft(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecDraftChecked:
@@ -37,7 +36,8 @@ def _checked_draft(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecDr
     )
 
 
-def _spec(spec: Spec) -> schemas.SpecRead:
+def spec_read(spec: Spec) -> schemas.SpecRead:
+    """Return a version of the spec with its text and what it resolves to."""
     tried = _checked_draft(spec.toml, specs.read_spec(spec.toml))
     brief = schemas.SpecBrief.model_validate(spec)
     return schemas.SpecRead.model_validate(tried.model_dump() | brief.model_dump())
@@ -48,7 +48,7 @@ def read_spec(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.SPEC_READ)
 ) -> schemas.SpecRead:
     """Return the delivery spec that holds now."""
-    return _spec(service.spec_in_force(session, actor, project_id))
+    return spec_read(service.spec_in_force(session, actor, project_id))
 
 
 @router.get(
@@ -111,10 +111,11 @@ def read_spec_version(
     actor: Actor = allows(Audience.PROJECT),
 ) -> schemas.SpecRead:
     """Return one version of the spec."""
-    return _spec(service.spec_version(session, actor, project_id, version))
+    return spec_read(service.spec_version(session, actor, project_id, version))
 
 
-async def _ensure_readable(request: Request, project_id: UUID, toml: str, *, saves: bool) -> None:
+async def ensure_readable(request: Request, project_id: UUID, toml: str, *, saves: bool) -> None:
+    """Raise BadSpec unless a text is a delivery spec, parsed in a process of its own."""
     specs.ensure_short(toml)
     permit = service.ensure_speaks_in if saves else service.project_access
     try:
@@ -123,58 +124,10 @@ async def _ensure_readable(request: Request, project_id: UUID, toml: str, *, sav
         raise specs.refusal_of(error) from None
 
 
-async def _readable_text(request: Request, project_id: UUID, body: schemas.SpecChange) -> schemas.SpecChange:
-    await _ensure_readable(request, project_id, body.toml, saves=True)
-    return body
-
-
-async def _readable_form(request: Request, project_id: UUID, body: schemas.SpecFormChange) -> SentForm:
-    toml = await run_in_threadpool(specs.toml_of_form, body.tables)
-    await _ensure_readable(request, project_id, toml, saves=True)
-    return body, toml
-
-
 async def _readable_draft(request: Request, project_id: UUID, body: schemas.SpecDraftCheck) -> str:
     toml = body.toml if body.toml is not None else await run_in_threadpool(specs.toml_of_form, body.tables or {})
-    await _ensure_readable(request, project_id, toml, saves=False)
+    await ensure_readable(request, project_id, toml, saves=False)
     return toml
-
-
-@router.put(
-    "/projects/{project_id}/spec",
-    responses=problems(ProjectNotFound, TeamNeeded, SpecChanged, BadSpec, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
-)
-def save_spec(
-    project_id: UUID,
-    session: DbSession,
-    actor: Actor = allows(Audience.TEAM),
-    body: schemas.SpecChange = Depends(_readable_text),
-) -> schemas.SpecRead:
-    """Save the spec from its text; affected takes are checked again."""
-    return _spec(
-        service.save_spec(
-            session, actor, project_id, toml=body.toml, note=body.note, based_on_version=body.based_on_version
-        )
-    )
-
-
-@router.post(
-    "/projects/{project_id}/spec/form",
-    responses=problems(ProjectNotFound, TeamNeeded, SpecChanged, BadSpec, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
-)
-def save_spec_form(
-    project_id: UUID,
-    session: DbSession,
-    actor: Actor = allows(Audience.TEAM),
-    sent: SentForm = Depends(_readable_form),
-) -> schemas.SpecRead:
-    """Save the spec from the tables of a form; affected takes are checked again."""
-    body, toml = sent
-    return _spec(
-        service.save_spec(session, actor, project_id, toml=toml, note=body.note, based_on_version=body.based_on_version)
-    )
 
 
 @router.post(

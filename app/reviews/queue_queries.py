@@ -37,11 +37,10 @@ from app.renders.models import Picture, RenderSet
 from app.reviews.models import ChangeRequest, Comment, NoteAnswer, Round
 from app.reviews.queries import answers_nothing
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import CueState, Need
+from app.sound_lists.rules import NO_PLAYBACK_PRIORITY, CueState, Need
 
 URGENT_BEFORE = timedelta(days=7)
 NEED_ORDER = (Need.MUST, Need.SHOULD, Need.WISH)
-NO_PRIORITY = 1_001  # after every playback priority, which end at 1000
 STRETCH = 3  # takes looked at for one cue that is wanted: most of what conforms waits, some cues have several
 
 
@@ -113,7 +112,7 @@ class QueuePlace(NamedTuple):
 
     urgency: int  # 0: of the palette, or due in a week; 1: neither
     need: int  # its place among NEED_ORDER
-    priority: int  # the playback priority, 0 first; NO_PRIORITY where the list gives none
+    priority: int  # the playback priority, 0 first; NO_PLAYBACK_PRIORITY where the list gives none
     since: datetime
     cue_id: UUID
 
@@ -134,7 +133,7 @@ def queued_cues(
     """
     urgency = case((or_(Cue.palette, Cue.due_on <= today + URGENT_BEFORE), 0), else_=1)
     need = case({need: rank for rank, need in enumerate(NEED_ORDER)}, value=Cue.need, else_=len(NEED_ORDER))
-    priority = func.coalesce(Cue.playback_priority, NO_PRIORITY)
+    priority = func.coalesce(Cue.playback_priority, NO_PLAYBACK_PRIORITY)
     order = (urgency, need, priority, Take.state_since, Take.cue_id, Take.id)
     walk = (
         select(*order)

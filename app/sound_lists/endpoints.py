@@ -34,7 +34,7 @@ from app.sound_lists.errors import (
 )
 from app.sound_lists.imports import import_sheet
 from app.sound_lists.people import known_people
-from app.sound_lists.rules import MAX_PAGE, PAGE
+from app.sound_lists.rules import MAX_PAGE, PAGE, CueOrdering
 from app.sound_lists.schemas import (
     AnswerAdd,
     CategoryCount,
@@ -75,11 +75,14 @@ def get_sound_list(
     session: DbSession,
     cursor: str | None = None,
     limit: PageLength = PAGE,
+    order: Annotated[
+        CueOrdering, Query(description="The list's own order, or by playback priority: 0 first, cues without one last.")
+    ] = "list",
     actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ),
 ) -> SoundListRead:
-    """Return one page of the project's cues in list order, cut ones too."""
+    """Return one page of the project's cues, in list order or by playback priority, cut ones too."""
     access = project_access(session, actor, project_id)
-    cues, following = service.page_of(session, project_id, cursor=cursor, limit=limit)
+    cues, following = service.page_of(session, project_id, order, cursor=cursor, limit=limit)
     return SoundListRead(
         revision=queries.revision_number(session, project_id),
         cues=naming.with_refusals(session, project_id, service.cues_read(session, access, cues)),

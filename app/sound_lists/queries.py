@@ -13,7 +13,7 @@ from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, SpokenPlaceholder, Stem
 from app.sound_lists.own_column_rules import Column
-from app.sound_lists.rules import CueState, Need, folded
+from app.sound_lists.rules import NO_PLAYBACK_PRIORITY, CueOrdering, CueState, Need, folded
 
 IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999
 
@@ -74,12 +74,16 @@ def people_of_list(
     return session.execute(found.order_by(Person.name, Person.id)).all()
 
 
-def cue_page(session: Session, project_id: UUID, *, after: tuple[int, int] | None, limit: int) -> Sequence[Cue]:
-    """Return the cues that follow a position and number in list order."""
+def cue_page(
+    session: Session, project_id: UUID, order: CueOrdering, *, after: tuple[int, ...] | None, limit: int
+) -> Sequence[Cue]:
+    """Return the cues after a place in an order: position and number, by priority with that before them."""
+    priority = func.coalesce(Cue.playback_priority, NO_PLAYBACK_PRIORITY)
+    place = (Cue.position, Cue.number) if order == "list" else (priority, Cue.position, Cue.number)
     query = select(Cue).where(Cue.project_id == project_id)
     if after is not None:
-        query = query.where(tuple_(Cue.position, Cue.number) > tuple_(*after))
-    return session.scalars(query.order_by(Cue.position, Cue.number).limit(limit)).all()
+        query = query.where(tuple_(*place) > tuple_(*after))
+    return session.scalars(query.order_by(*place).limit(limit)).all()
 
 
 def stems_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[tuple[int, str]]]:

@@ -4,7 +4,7 @@ import re
 import unicodedata
 from collections.abc import Iterator, Mapping
 from enum import StrEnum
-from typing import Any
+from typing import Any, Literal
 from uuid import UUID
 
 import audio_checks
@@ -65,6 +65,8 @@ NEW_CUE: Mapping[str, Any] = {
     "recorder_id": None,
     "extra": {},
 }
+CueOrdering = Literal["list", "playback_priority"]
+NO_PLAYBACK_PRIORITY = 1_001  # after every playback priority, which end at 1000; 0 comes first
 PEOPLE: Mapping[str, str] = {"implementer": "implementer_id", "recorder": "recorder_id"}  # columns of sheets, facts
 CHECKED_FACTS = frozenset({"category", "duration_s", "length_locked", "frame_rate_fps", "loop", "reverb"})
 NAMING_FACTS = frozenset({"name", "file_name", "variations"})

@@ -9,7 +9,7 @@ from pydantic import Field
 from app.accounts.schemas import PersonBrief
 from app.kit.http import Schema, Whole
 from app.projects.rules import EngagementKind
-from app.projects.schemas import ResolvedSpec
+from app.projects.schemas import ResolvedSpec, SpecRead
 from app.sound_lists.clarity_rules import Fact
 from app.sound_lists.rules import CueState, Need, Reverb
 
@@ -377,6 +377,12 @@ class RefusedNames(Schema):
 
     names: list[RefusedName]
     patterns: list[PatternOffer]
+
+
+class SpecSaved(SpecRead):
+    """The spec as it was saved, and the file names of the list that it refuses."""
+
+    refused_names: RefusedNames
 
 
 class RefusedRename(Schema):

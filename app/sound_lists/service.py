@@ -9,14 +9,14 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.rules import Actor
-from app.kit.http import cursor_of, place_cursor
+from app.kit.http import cursor_of, numbers_cursor
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists import queries, save_edits
 from app.sound_lists.errors import CueChanged, CueIsCut, CueNotFound, OrderInvalid, RowsInvalid
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import CueState, facts_seen, label
+from app.sound_lists.rules import NO_PLAYBACK_PRIORITY, CueOrdering, CueState, facts_seen, label
 from app.sound_lists.save_edits import Edit, facts_of, whole_facts
 from app.sound_lists.schemas import CueRead, PreviewCue
 
@@ -42,12 +42,19 @@ def _cue_read(access: ProjectAccess, cue: Cue, stems: list[str], open_questions:
     )
 
 
-def page_of(session: Session, project_id: UUID, *, cursor: str | None, limit: int) -> tuple[Sequence[Cue], str | None]:
-    """Return one page of the list, and the cursor of the following page."""
-    after = place_cursor(cursor)
-    found = queries.cue_page(session, project_id, after=after, limit=limit + 1)
-    page = found[:limit]
-    return page, cursor_of(page[-1].position, page[-1].number) if len(found) > limit else None
+def page_of(
+    session: Session, project_id: UUID, order: CueOrdering, *, cursor: str | None, limit: int
+) -> tuple[Sequence[Cue], str | None]:
+    """Return one page of the list in an order, and the cursor of the following page."""
+    after = numbers_cursor(cursor, count=2 if order == "list" else 3)
+    cues = queries.cue_page(session, project_id, order, after=after, limit=limit + 1)
+    page = cues[:limit]
+    if len(cues) <= limit:
+        return page, None
+    last = page[-1]
+    priority = NO_PLAYBACK_PRIORITY if last.playback_priority is None else last.playback_priority
+    place = (last.position, last.number)
+    return page, cursor_of(*(place if order == "list" else (priority, *place)))
 
 
 def cues_read(session: Session, access: ProjectAccess, cues: Sequence[Cue]) -> list[CueRead]:

@@ -176,12 +176,27 @@ def test_the_list_comes_in_pages_in_its_own_order(world: World) -> None:
     assert pages == [[names[6], *names[:2]], names[2:5], names[5:6]]
 
 
+def test_the_list_comes_by_playback_priority_too(world: World) -> None:
+    priorities = [None, 7, 0, None, 7]
+    add(world, *({"name": f"S{place}", "playback_priority": value} for place, value in enumerate(priorities)))
+    pages, cursor = [], None
+    while not pages or cursor:
+        page = page_of(world, limit=2, cursor=cursor, order="playback_priority")
+        pages.append([cue["name"] for cue in page["cues"]])
+        cursor = page["next"]
+    assert pages == [["S2", "S1"], ["S4", "S0"], ["S3"]]
+
+
 def test_a_page_that_just_fits_is_the_last(world: World) -> None:
     add(world, {"name": "A"}, {"name": "B"}, {"name": "C"})
     assert page_of(world, limit=3)["next"] is None
 
 
-NO_PAGES = [{"limit": 0}, {"limit": 501}, *({"cursor": cursor} for cursor in ("here", "1", "-1.2", "1." + "9" * 40))]
+NO_PAGES = [
+    {"limit": 0},
+    {"limit": 501},
+    *({"cursor": cursor} for cursor in ("here", "1", "-1.2", "1." + "9" * 40, "1.2.3")),
+]
 
 
 @pytest.mark.parametrize("query", NO_PAGES)

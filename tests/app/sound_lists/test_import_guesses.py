@@ -171,3 +171,10 @@ def test_or_the_pattern_admits_them(world: World) -> None:
     draft = world.producer.post(f"{url}/draft", json={"toml": strict}).json()
     assert [name["stem"] for name in draft["names"]] == ["UI_Button_Click"]
     assert refused_names(world)["names"] == []
+    spec_url = f"/v1/projects/{world.project_id}/spec"
+    saved = world.producer.put(spec_url, json={"toml": strict, "based_on_version": 2})
+    assert saved.status_code == 200, saved.text
+    assert [name["stem"] for name in saved.json()["refused_names"]["names"]] == ["UI_Button_Click"]
+    form = {"tables": saved.json()["tables"], "based_on_version": 3}
+    answer = world.producer.post(f"{spec_url}/form", json=form)
+    assert answer.json()["refused_names"] == saved.json()["refused_names"]

@@ -34,7 +34,7 @@ export const soundListRoutes = [
       need: NEEDS.find(({ value }) => value === need)?.value,
       person: readPersonFilter(person),
       view: view === 'content' ? view : undefined,
-      by: by === 'category' || by === 'state' ? by : undefined,
+      by: by === 'category' || by === 'state' || by === 'priority' ? by : undefined,
       unclear: unclear === true ? true : undefined,
       heard: heard === 'no' ? heard : undefined,
       // "12" in an address is read as a number.

@@ -108,6 +108,19 @@ test('the palette comes first in list order; headings count what is accepted and
   expect(sumsOf(ROWS, 14)).toBe('1 of 2 accepted; 1 cut; 14 files to review')
 })
 
+test('by playback priority 0 comes first, and cues without one are a group of their own', () => {
+  const ranked = rowsOf(
+    [null, 7, 0].map((priority, at) => aCue(at + 1, `cue_${at + 1}`, { playback_priority: priority })),
+    {},
+    NOW,
+  )
+  const groups = groupsOf(ranked, 'priority').map(({ note, rows }) => [note, rows.map(({ cue }) => cue.name)])
+  expect(groups).toEqual([
+    ['2 cues', ['cue_3', 'cue_2']],
+    ['1 cue', ['cue_1']],
+  ])
+})
+
 test('the filter wants every word, somewhere in the row', () => {
   const names = (words: string, rest = {}) => matching(ROWS, { words, ...rest }).map(({ cue }) => cue.name)
   expect(names('ENGINE vehicle')).toEqual(['engine_idle'])

@@ -127,7 +127,7 @@ export function matching(rows: readonly CueRow[], filter: Filter): CueRow[] {
   )
 }
 
-export type Grouping = 'list' | 'category' | 'state'
+export type Grouping = 'list' | 'category' | 'state' | 'priority'
 
 /** What the list leaves out, and how it is grouped; shared by its address. */
 export interface ListSearch {
@@ -171,6 +171,15 @@ export function groupsOf(rows: readonly CueRow[], by: Grouping): Group[] {
       const name = STATUS_WORDS[status] ?? STATES[kindOf(status)].word
       return { id: status, name, note: plural(own.length, 'cue'), rows: own }
     }).filter((group) => group.rows.length > 0)
+  }
+  if (by === 'priority') {
+    const ranked = rows.filter(({ cue }) => cue.playback_priority !== null)
+    ranked.sort((a, b) => (a.cue.playback_priority ?? 0) - (b.cue.playback_priority ?? 0))
+    const unranked = rows.filter(({ cue }) => cue.playback_priority === null)
+    return [
+      { id: 'priority set', name: 'By playback priority, 0 first', note: plural(ranked.length, 'cue'), rows: ranked },
+      { id: 'priority none', name: 'No playback priority', note: plural(unranked.length, 'cue'), rows: unranked },
+    ].filter((group) => group.rows.length > 0)
   }
   const parts = new Map<string, CueRow[]>()
   for (const row of rows) {

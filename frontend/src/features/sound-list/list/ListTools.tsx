@@ -111,6 +111,7 @@ export function ListTools({
             <option value="list">List order</option>
             <option value="category">By category</option>
             <option value="state">By state</option>
+            <option value="priority">By playback priority</option>
           </select>
           <Icon name="chevron" />
         </span>
