@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 
 from app.client import ci
 from app.client.commands import main
@@ -120,3 +121,57 @@ def test_the_line_of_the_page(building: Client, game: Path) -> None:
     done = subprocess.run(["/bin/sh", "-c", line], cwd=game, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert len(posted(building, "builds")) == before + 1
+
+
+def step_of_action() -> str:
+    action = yaml.safe_load((ROOT / "action.yml").read_text())
+    (step,) = [step for step in action["runs"]["steps"] if step["name"] == "Check"]
+    return str(step["run"])
+
+
+def script_of_gitlab() -> str:
+    job = yaml.safe_load((ROOT / "integrations/gitlab/audio-checks.gitlab-ci.yml").read_text())["audio-checks"]
+    (script,) = job["script"]
+    return str(script)
+
+
+def run_script(client: Client, shell: str, script: str, **variables: str) -> tuple[int, str]:
+    """Run what a CI service runs, in the game's folder."""
+    server = client.source[1]
+    given = {"SERVER": server, "PROJECT": client.source[3], "SOUNDLIST_TOKEN": os.environ["SOUNDLIST_TOKEN"]}
+    environment = {
+        **os.environ,
+        "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+        "PYTHONPATH": str(ROOT),
+        **{f"{prefix}_{name}": value for prefix in ("CHECK", "SOUNDLIST") for name, value in given.items()},
+        **variables,
+    }
+    done = subprocess.run([shell, "-e", "-c", script], env=environment, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+INPUTS = dict.fromkeys(("SPEC", "TARGET", "LIST", "BASELINE", "REQUIRE_SPEC", "CHANGED_SINCE", "SARIF"), "")
+CHECKS = {f"CHECK_{name}": value for name, value in {**INPUTS, "FAIL_LEVEL": "error", "PATHS": "assets\n"}.items()}
+
+
+@pytest.mark.slow
+def test_the_github_action_runs_it_where_a_server_is_named(building: Client, game: Path) -> None:
+    places = {"RUNNER_TEMP": str(game), "GITHUB_STEP_SUMMARY": str(game / "summary.md"), "GITHUB_RUN_NUMBER": "12"}
+    code, out = run_script(building, "bash", step_of_action(), **CHECKS, **places)
+    assert code == 0, out
+    assert "3 files: 3 conforming" in out
+    assert posted(building, "builds")[0]["label"] == posted(building, "audits")[0]["label"] == "12"
+    for name, value, fault in (
+        ("CHECK_PATHS", "assets\nmusic\n", "paths is one folder"),
+        ("CHECK_LIST", "sounds.csv", "leave these inputs out"),
+    ):
+        code, out = run_script(building, "bash", step_of_action(), **{**CHECKS, **places, name: value})
+        assert (code, fault in out) == (2, True), out
+
+
+@pytest.mark.slow
+def test_the_gitlab_job_runs_it_where_a_server_is_named(building: Client, game: Path) -> None:
+    code, out = run_script(building, "sh", script_of_gitlab(), AUDIO_PATHS="assets", CI_PIPELINE_IID="13")
+    assert code == 0, out
+    assert posted(building, "builds")[0]["label"] == posted(building, "audits")[0]["label"] == "13"
+    assert (game / "audio-checks.xml").exists()
