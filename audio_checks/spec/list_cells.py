@@ -43,7 +43,22 @@ YES = frozenset(
         "loop",
     }
     | {"loops", "looping", "looped", "loopable", "seamless", "seamless loop", "endless", "endlos", "schleife", "boucle"}
-    | {"bucle", "ループ", "ループする"}
+    | {
+        "bucle",
+        "ループ",
+        "ループする",
+        "да",
+        "tak",
+        "sim",
+        "sì",
+        "예",
+        "네",
+        "循环",
+        "循環",
+        "루프",
+        "цикл",
+        "pętla",
+    }
 )
 NO = frozenset(
     {"no", "n", "false", "0", "0.0", "☐", "✗", "✘", "❌", "✖", "×", "🗷", "[ ]", "[]", "( )", "off", "unchecked"}
@@ -62,6 +77,7 @@ NO = frozenset(
         "one shot",
     }
     | {"oneshot", "single", "no loop", "not looped", "non-looping", "not looping", "einmalig", "単発", "ワンショット"}
+    | {"нет", "nie", "não", "nao", "nee", "아니오", "아니요", "不", "不循环", "单次"}
 )
 PRIORITIES: Mapping[str, int] = {
     **dict.fromkeys(("highest", "critical", "must have", "höchste", "kritisch", "muss"), 1000),

@@ -8,53 +8,75 @@ from dataclasses import dataclass
 HEADS: Mapping[str, str] = {
     "number": "number|no|nr|num|id|cue|cue no|cue nr|cue number|cue id|sound id|sound no|sound number|asset id|"
     "asset number|sfx id|item|item no|ref|reference id|nummer|lfd nr|soundnummer|sound nr|kennung|numero|núm|n°|"
-    "番号|通し番号|管理番号",
+    "番号|通し番号|管理番号"
+    "|编号|序号|編號|번호|номер|lp|código",
     "name": "name|sound|title|cue name|sound name|sound title|sound effect|sound effect name|sound effects|effect|"
     "effect name|asset|asset name|audio asset|audio name|sound asset|sfx|sfx name|sounds|audio|item name|audio cue|"
     "sound cue|titel|bezeichnung|klang|klangname|geräusch|sound bezeichnung|nom|nom du son|son|titre|nombre|"
-    "nombre del sonido|sonido|título|efecto|名前|名称|サウンド|サウンド名|音名|効果音|効果音名|se名|音声名|タイトル",
+    "nombre del sonido|sonido|título|efecto|名前|名称|サウンド|サウンド名|音名|効果音|効果音名|se名|音声名|タイトル"
+    "|音效|音效名|音效名称|音效名稱|声音名称|声音|名稱|이름|사운드|사운드명|효과음|название|имя|звук|название звука"
+    "|nazwa|nazwa dźwięku|dźwięk|nome|nome do som|som|nome del suono|suono|titolo|naam|geluid",
     "file_name": "filename|file|wav|file name|wav name|wav file|asset file|audio file|audio filename|audio file name|"
     "sound file|sound filename|sound file name|target file|target filename|final file name|export name|dateiname|"
     "datei|audiodatei|fichier|nom de fichier|nom du fichier|fichier audio|archivo|nombre de archivo|"
     "nombre del archivo|nombre archivo|fichero|wav datei|asset path|file path|path|dateipfad|pfad|"
-    "ファイル名|ファイル|音声ファイル|サウンドファイル",
+    "ファイル名|ファイル|音声ファイル|サウンドファイル"
+    "|文件名|文件|音频文件|檔名|檔案名稱|파일명|파일|파일 이름|имя файла|файл|nazwa pliku|plik|nome do arquivo|arquivo"
+    "|nome do ficheiro|ficheiro|nome file|nome del file|bestandsnaam|bestand",
     "category": "category|type|class|group|sound type|sound category|asset type|audio type|kategorie|gruppe|art|"
     "categorie|categoria|catégorie|categoría|groupe|grupo|tipo|kind|sound kind|kind of sound|sfx type|sfx category|"
-    "typ|soundtyp|klangart|sorte|bus|カテゴリ|カテゴリー|種別|分類|種類|グループ",
+    "typ|soundtyp|klangart|sorte|bus|カテゴリ|カテゴリー|種別|分類|種類|グループ"
+    "|类别|分类|类型|類別|類型|카테고리|분류|종류|категория|тип|группа|kategoria|rodzaj|grupa|categoria do som|gruppo"
+    "|categorie geluid|soort",
     "description": "description|desc|descr|details|detail|brief|sound description|what it is|short description|"
-    "beschreibung|kurzbeschreibung|descripcion|descripción|détails|detalles|説明|内容|詳細|概要",
+    "beschreibung|kurzbeschreibung|descripcion|descripción|détails|detalles|説明|内容|詳細|概要"
+    "|描述|说明|備註說明|설명|описание|opis|descrição|descrizione|omschrijving|beschrijving",
     "use": "use|usage|context|use in game|use in the game|used in|used for|in game use|ingame use|verwendung|einsatz|"
     "kontext|where used|where|used where|scene|szene|verwendet in|einsatzort|wo|utilisation|usage en jeu|contexte|"
-    "uso|uso en el juego|contexto|escena|scène|用途|使用場所|使用箇所|シーン|場面",
+    "uso|uso en el juego|contexto|escena|scène|用途|使用場所|使用箇所|シーン|場面"
+    "|用处|使用场景|场景|용도|использование|сцена|zastosowanie|scena|utilização|cena|utilizzo|gebruik",
     "trigger": "trigger|event|when|triggered by|trigger event|game event|event name|auslöser|"
     "ereignis|ausgelöst durch|played when|played on|wann|déclencheur|événement|disparador|evento|cuándo|"
-    "トリガー|イベント|再生タイミング|タイミング",
+    "トリガー|イベント|再生タイミング|タイミング"
+    "|触发|触发条件|事件|觸發|트리거|이벤트|событие|триггер|zdarzenie|wyzwalacz|gatilho|attivazione",
     "duration_s": "duration|length|len|requested duration|requested length|target length|target duration|"
     "sound length|sound duration|dauer|länge|laenge|duree|durée|longueur|"
     "duracion|duración|longitud|dur|length approx|approx length|time|zeit|laufzeit|spieldauer|longitud aprox|"
-    "長さ|尺|時間|再生時間|秒数|長さ秒",
+    "長さ|尺|時間|再生時間|秒数|長さ秒"
+    "|时长|长度|時長|長度|길이|재생 시간|длительность|длина|продолжительность|czas trwania|długość|czas|duração"
+    "|comprimento|tempo di durata|durata|lunghezza|duur|lengte",
     "length_locked": "locked|length locked|locked length|fixed length|exact length|duration locked|länge fest|"
     "長さ固定|尺固定",
     "frame_rate_fps": "fps|frame rate|framerate|bildrate|フレームレート",
     "loop": "loop|looping|looped|loops|is loop|is looping|is looped|loopable|is loopable|loop one shot|loop oneshot|"
     "loop or one shot|one shot or loop|loop flag|can loop|should loop|needs loop|needs to loop|seamless loop|"
     "loop yes no|loop y n|does it loop|schleife|loop j n|loop ja nein|geloopt|loopbar|endlos|boucle|en boucle|"
-    "bouclé|bucle|en bucle|repetir|ループ|ループ有無|繰り返し",
+    "bouclé|bucle|en bucle|repetir|ループ|ループ有無|繰り返し"
+    "|循环|是否循环|循環|루프|반복|цикл|зацикленный|зациклить|луп|pętla|zapętlony|em loop|ciclo|ciclico|in loop"
+    "|lus",
     "reverb": "reverb|reverb tail|hall|reverb type|réverbération|reverberación|リバーブ|残響",
     "variations": "variations|variation|variants|variant|vars|var|count|qty|quantity|num variations|"
     "varianten|variationen|variante|anzahl|files|versions|alternates|alts|round robins|round robin|rr|takes|"
     "anz|stück|dateien|variantes|variaciones|variación|variante|nombre de variations|nb variations|nb de variations|"
-    "número de variaciones|cantidad|quantité|バリエーション|バリエーション数|差分|差分数|数|個数|本数|ファイル数",
-    "state": "state|status|stage|stand|design status|maturity|reife|reifegrad|statut|état|estado|状態|ステータス|進捗",
+    "número de variaciones|cantidad|quantité|バリエーション|バリエーション数|差分|差分数|数|個数|本数|ファイル数"
+    "|变体|变体数|变化|数量|變體|變體數|數量|변형|변형 수|개수|вариации|вариаций|варианты|количество|warianty"
+    "|liczba wariantów|ilość|wariacje|variações|quantidade|número de variações|variazioni|varianti"
+    "|quantità|numero di variazioni|variaties|aantal",
+    "state": "state|status|stage|stand|design status|maturity|reife|reifegrad|statut|état|estado|状態|ステータス|進捗"
+    "|状态|狀態|상태|статус|состояние|stan|estado atual|stato|toestand",
     "need": "need|needed|need level|moscow|must should wish|must should could|must have|necessity|required|"
-    "production priority|bedarf|notwendigkeit|muss soll wunsch|nécessité|besoin|necesidad|必要度|必須度",
+    "production priority|bedarf|notwendigkeit|muss soll wunsch|nécessité|besoin|necesidad|必要度|必須度"
+    "|必要性|必需|필요도|необходимость|potrzeba|necessidade|necessità|noodzaak",
     "playback_priority": "priority|prio|playback priority|playback prio|voice priority|engine priority|importance|"
-    "sound priority|priorität|abspielpriorität|wichtigkeit|rang|priorité|prioridad|importancia|優先度|優先順位|重要度",
+    "sound priority|priorität|abspielpriorität|wichtigkeit|rang|priorité|prioridad|importancia|優先度|優先順位|重要度"
+    "|优先级|優先級|우선순위|приоритет|priorytet|prioridade|priorità|prioriteit",
     "due_on": "due|due date|due on|due by|deadline|needed by|needed on|need by|date due|date needed|delivery date|"
     "target date|milestone date|eta|deliver by|delivery due|required by|fällig|fällig am|fälligkeit|termin|"
     "abgabe|abgabetermin|liefertermin|bis wann|fälligkeitsdatum|lieferdatum|stichtag|échéance|date limite|"
     "date de livraison|date d échéance|livraison|fecha límite|fecha de entrega|entrega|vencimiento|"
-    "締切|締め切り|締切日|〆切|納期|納品日|期限|期日",
+    "締切|締め切り|締切日|〆切|納期|納品日|期限|期日"
+    "|截止日期|截止|交付日期|截止日|交付日|마감일|마감|납기|납기일|срок|срок сдачи|дедлайн|дата сдачи|termin oddania"
+    "|data oddania|prazo|data de entrega|scadenza|data di consegna|consegna|leverdatum|einddatum",
     "placeholder": "placeholder|temp|is placeholder|platzhalter|provisoire|provisional|仮|仮音",
     "palette": "palette|in palette",
     "implementer": "implementer|implemented by|integrator|integrated by|puts it in|audio implementer|eingebaut von|"
@@ -63,10 +85,15 @@ HEADS: Mapping[str, str] = {
 }
 UNITS: Mapping[str, float] = {
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden"), 1.0),
-    **dict.fromkeys(("seconde", "secondes", "seg", "segs", "segundo", "segundos", "秒"), 1.0),
+    **dict.fromkeys(("seconde", "secondes", "seg", "segs", "segundo", "segundos", "秒", "초"), 1.0),
+    **dict.fromkeys(("с", "сек", "секунд", "секунды", "sekund", "sekundy", "secondi", "seconden"), 1.0),
     **dict.fromkeys(("ms", "msec", "msecs", "millisecond", "milliseconds", "millisekunde", "millisekunden"), 0.001),
-    **dict.fromkeys(("millis", "millisecondes", "milisegundos", "ミリ秒"), 0.001),
-    **dict.fromkeys(("min", "mins", "minute", "minutes", "minuten", "minutos", "minuto", "分"), 60.0),
+    **dict.fromkeys(
+        ("millis", "millisecondes", "milisegundos", "ミリ秒", "毫秒", "밀리초", "мс", "millisecondi"), 0.001
+    ),
+    **dict.fromkeys(
+        ("min", "mins", "minute", "minutes", "minuten", "minutos", "minuto", "分", "分钟", "분", "мин"), 60.0
+    ),
     **dict.fromkeys(("h", "hr", "hrs", "hour", "hours", "std", "stunde", "stunden", "時間"), 3600.0),
 }
 """Seconds in a unit of time, by its word."""

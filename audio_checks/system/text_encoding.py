@@ -22,14 +22,22 @@ CODE_PAGES: Mapping[str, str] = {
     "euc-jp": "euc_jp",
     "windows-1250": "cp1250",
     "windows-1251": "cp1251",
+    "koi8-r": "koi8-r",
+    "windows-1253": "cp1253",
+    "windows-1254": "cp1254",
     "iso-8859-1": "latin-1",
     "iso-8859-15": "iso8859-15",
     "cp437": "cp437",
     "cp850": "cp850",
 }
 """The encodings that a caller may name, with what Python calls them."""
-GUESSED = ("windows-1252", "mac-roman", "shift-jis", "gb18030", "euc-kr", "big5")
+GUESSED = (
+    *("windows-1252", "mac-roman", "shift-jis", "gb18030", "euc-kr", "big5"),
+    *("windows-1250", "windows-1251", "koi8-r", "windows-1253", "euc-jp"),
+)
 GUESSED_FOR_ZIP = ("cp437", "cp850", "windows-1252", "shift-jis", "gb18030", "euc-kr")
+ALPHABETS = {"windows-1251": "CYRILLIC", "koi8-r": "CYRILLIC", "windows-1253": "GREEK"}
+FREQUENT_LETTERS = {"CYRILLIC": frozenset("оеаинтсрвлкмдпуыія"), "GREEK": frozenset("αοιετσνηυρπκμλςάίόέή")}
 EAST_ASIAN = frozenset({"shift-jis", "gb18030", "euc-kr", "big5", "euc-jp"})
 USUAL_HANGUL = frozenset(
     "이다는의에가을를고하한기리나지사어인아자로도서시해대정부들전수그있일보은장원스제으주성상구여오과선문동게할만소비"
@@ -132,7 +140,11 @@ def _fitting(data: bytes, guessed: Iterable[str]) -> list[str]:
         except UnicodeDecodeError:
             continue
         sample = data[:SAMPLE_BYTES].decode(CODE_PAGES[name], "ignore")
-        scored.append((_east_asian_score(sample, name) if name in EAST_ASIAN else _western_score(sample), -place, name))
+        if name in EAST_ASIAN:
+            score = _east_asian_score(sample, name)
+        else:
+            score = _alphabet_score(sample, ALPHABETS[name]) if name in ALPHABETS else _western_score(sample)
+        scored.append((score, -place, name))
     return [name for _, _, name in sorted(scored, reverse=True)]
 
 
@@ -147,6 +159,8 @@ def _western_score(text: str) -> float:
             score -= 2
         elif letter.isalpha() and letter.isupper() and not (before.isalpha() or after.isalpha()):
             score -= 1
+        elif letter.isalpha() and _stands_among_accents(before, after):
+            score -= 0.5  # Latin words have plain letters between
         elif letter in USUAL_LETTERS:
             score += 2
         elif letter.isalpha() and unicodedata.category(letter) in ("Lu", "Ll") and "LATIN" in unicodedata.name(letter):
@@ -157,6 +171,29 @@ def _western_score(text: str) -> float:
             score += 2.5 if is_inside and letter == "’" else -1 if is_inside else 0 if leads else 2
         else:
             score -= 2 if before.isalpha() or after.isalpha() else 1
+    return score / (2 * count) if count else 0
+
+
+def _stands_among_accents(before: str, after: str) -> bool:
+    neighbours = [letter for letter in (before, after) if letter.isalpha()]
+    return bool(neighbours) and not any(letter.isascii() for letter in neighbours)
+
+
+def _alphabet_score(text: str, alphabet: str) -> float:
+    """Return how likely a text is, as `_western_score` does, by letters of one alphabet that form whole words."""
+    score = count = 0.0
+    for before, letter, after in zip(f" {text[:-1]}", text, f"{text[1:]} ", strict=True):
+        if letter.isascii():
+            continue
+        count += 1
+        is_among_latin = any(neighbour.isascii() and neighbour.isalpha() for neighbour in (before, after))
+        is_of_alphabet = alphabet in unicodedata.name(letter, "")
+        if not letter.isalpha():
+            score += 1 if letter in TYPOGRAPHIC and not (before.isalpha() and after.isalpha()) else -2
+        elif is_among_latin or not is_of_alphabet or _turns_to_capital(before, letter, after):
+            score -= 2
+        elif before.isalpha() or after.isalpha():
+            score += 2 if letter.lower() in FREQUENT_LETTERS[alphabet] else 1
     return score / (2 * count) if count else 0
 
 

@@ -83,12 +83,14 @@ def test_the_order_of_day_and_month_can_be_said():
     assert (reading.value, reading.note) == (date(2026, 4, 5), "05 April 2026: the month comes first")
 
 
-@pytest.mark.parametrize("text", ["checked", "TRUE", "Yes", "✅", "☑️", "x", "[x]", "はい", "oui", "Yes, seamless"])
+@pytest.mark.parametrize(
+    "text", ["checked", "TRUE", "Yes", "✅", "☑️", "x", "[x]", "はい", "oui", "да", "Sim", "네", "循环", "Yes, seamless"]
+)
 def test_check_boxes_that_are_set(text):
     assert reading_of("loop", text).value is True
 
 
-@pytest.mark.parametrize("text", ["", "unchecked", "FALSE", "No", "❌", "×", "[ ]", "one-shot", "いいえ"])
+@pytest.mark.parametrize("text", ["", "unchecked", "FALSE", "No", "❌", "×", "[ ]", "one-shot", "いいえ", "нет", "não"])
 def test_check_boxes_that_are_not(text):
     assert reading_of("loop", text).value is False
 
@@ -123,6 +125,10 @@ def test_a_broken_formula_is_no_value(text, field):
      ("Anzahl der Varianten", "variations"), ("fileName", "file_name"), ("File name", "file_name"),
      ("Durée (s)", "duration_s"), ("Max length (s)", "duration_s"), ("長さ（秒）", "duration_s"), ("ループ", "loop"),
      ("ファイル名", "file_name"), ("カテゴリー", "category"), ("締切", "due_on"), ("Needed by (date)", "due_on"),
+     ("名称", "name"), ("时长", "duration_s"), ("是否循环", "loop"), ("截止日期", "due_on"), ("이름", "name"),
+     ("길이 (초)", "duration_s"), ("마감일", "due_on"), ("Название", "name"), ("Длительность, сек", "duration_s"),
+     ("Вариации", "variations"), ("Nazwa pliku", "file_name"), ("Czas trwania (s)", "duration_s"),
+     ("Nome do som", "name"), ("Duração", "duration_s"), ("Prazo", "due_on"), ("Durata", "duration_s"),
      ("Length (KB)", None), ("Length (bars)", None), ("Assignee", None)],
 )  # fmt: skip
 def test_heads_in_many_wordings(head, field):
@@ -150,6 +156,11 @@ def test_a_column_that_is_not_read_says_why(head, cells, why):
     assert why in guess.note
 
 
+def test_a_column_of_broken_formulas_keeps_its_field_and_each_cell_is_a_fault():
+    assert guess_column("Name", ["#REF!", "#REF!", "#N/A", "ui_click"], PLAIN).field == "name"
+    assert guess_column("Length", ["#VALUE!", "#VALUE!", "2 s"], PLAIN).field == "duration_s"
+
+
 def test_a_priority_in_words_is_a_need_and_in_numbers_the_engines():
     assert guess_column("Priority", ["High", "Low"], PLAIN).field == "need"
     assert guess_column("Priority", ["500", "10"], PLAIN).field == "playback_priority"
@@ -163,6 +174,8 @@ def test_a_priority_in_words_is_a_need_and_in_numbers_the_engines():
         (("UI_Click.ogg", ""), ("UI_Click", "UI_Click")),
         (("Click", "Audio/UI/click.wav"), ("Click", "click.wav")),
         (("ver 2.0", ""), ("ver 2.0", "")),
+        (("Bang.uasset", ""), ("Bang", "Bang")),
+        (("Bang", "SFX/bang.wem"), ("Bang", "bang")),
     ],
 )
 def test_names_without_endings_and_folders(given, names):

@@ -5,7 +5,7 @@ import pytest
 from audio_checks.errors import SpecError
 from audio_checks.spec.list_table import rows_without_cue
 from audio_checks.spec.sound_list import read_sound_list
-from audio_checks.system.text_encoding import GUESSED_FOR_ZIP, TextDamaged, decode_text
+from audio_checks.system.text_encoding import CODE_PAGES, GUESSED_FOR_ZIP, TextDamaged, decode_text
 
 FIELDS = {0: "name", 1: "category", 2: "duration_s"}
 COLUMNS = ("Name", "Category", "Length")
@@ -65,10 +65,21 @@ def test_a_list_of_names_alone_has_no_sections():
         ("Tür größer schön", "windows-1252"),
         ("Crème brûlée, très lent", "mac-roman"),
         ("don’t stop", "windows-1252"),
+        ("Größe des Tores, à côté, niño, öffnen", "windows-1252"),
+        ("ÄRGER IN ÖL", "windows-1252"),
+        ("Zażółć gęślą jaźń", "windows-1250"),
+        ("Звук удара по дереву", "windows-1251"),
+        ("Звук удара по дереву", "koi8-r"),
+        ("ήχος ξύλου", "windows-1253"),
+        ("Ήχος από βήματα σε χαλίκι", "windows-1253"),
+        ("Двери открываются, ШАГИ", "windows-1251"),
+        ("木を叩く音です", "euc-jp"),
+        ("나무를 치는 소리", "euc-kr"),
+        ("敲打木頭的聲音", "big5"),
     ],
 )
 def test_a_code_page_is_guessed_by_its_letters_and_said(text, encoding):
-    codec = {"shift-jis": "cp932", "mac-roman": "mac_roman", "windows-1252": "cp1252"}.get(encoding, encoding)
+    codec = CODE_PAGES[encoding]
     decoded = decode_text(f"Name,Description\nhit,{text}\n".encode(codec))
     assert (decoded.encoding, decoded.is_guess) == (encoding, True)
     assert text in decoded.text
