@@ -265,7 +265,11 @@ def read_settings(*, serving: bool = False) -> Settings:
         raise SettingsWrong([*lines, *(_in_words(wrong["loc"], wrong["msg"]) for wrong in error.errors())]) from None
     secret = settings.secret_key.get_secret_value()
     if serving and len(secret) < SECRET_KEY_LENGTH:
-        found = f"has {len(secret)} characters; {SECRET_KEY_LENGTH} or more are wanted" if secret else "is not set"
+        found = (
+            f"has {len(secret)} character{'' if len(secret) == 1 else 's'}; {SECRET_KEY_LENGTH} or more are wanted"
+            if secret
+            else "is not set"
+        )
         lines.append(f"SOUNDLIST_SECRET_KEY {found}. Make one with: openssl rand -hex 32")
     if lines:
         raise SettingsWrong(lines)

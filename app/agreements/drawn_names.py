@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from app.agreements.errors import BadDrawing
 from app.kit.errors import FieldProblem
+from app.kit.plural import counted
 
 WIDTH, HEIGHT = 1_000, 300  # of the box that coordinates are in; the screen scales its own to it
 MAX_STROKES = 100
@@ -27,7 +28,7 @@ def ensure_drawing_fits(strokes: Strokes) -> None:
         raise _bad("a stroke without a point was sent", "send strokes of one point or more, or no drawing")
     if len(strokes) > MAX_STROKES or len(points) > MAX_POINTS:
         raise _bad(
-            f"the drawing has {len(strokes)} strokes and {len(points)} points; "
+            f"the drawing has {counted(len(strokes), 'stroke')} and {counted(len(points), 'point')}; "
             f"at most {MAX_STROKES} and {MAX_POINTS:,} are kept",
             "clear it and draw the name in fewer strokes",
         )

@@ -61,7 +61,7 @@ def _adopt(root: Path, settings: Path, options: argparse.Namespace) -> int:
     opened = server.send_to_project("adoptions", body)
     _print_plan(opened["plan"])
     sent = _send(server, opened, files)
-    say(f"{sent} files were sent. A producer or the approver adopts them here:")
+    say(f"{counted(sent, 'file was', 'files were')} sent. A producer or the approver adopts them here:")
     say(f"{source.server}/projects/{source.project}/sound-list/adopt?adoption={opened['id']}")
     return DONE
 

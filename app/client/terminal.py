@@ -60,5 +60,5 @@ class Progress:
     def _draw(self) -> None:
         if self._is_shown:
             size = f"{megabytes(self._bytes)} of {megabytes(self._size_bytes)}"
-            sys.stderr.write(f"\r\x1b[K{self._done} of {self._files} files, {size}")
+            sys.stderr.write(f"\r\x1b[K{self._done} of {counted(self._files, 'file')}, {size}")
             sys.stderr.flush()

@@ -29,6 +29,7 @@ from app.kit.bodies import LARGE_BODY_BYTES, content_length, read_whole
 from app.kit.concurrency import limiter
 from app.kit.db import new_id
 from app.kit.http import CurrentRuntime, UploadSlot, Whole, problems, transaction
+from app.kit.plural import counted
 from app.kit.single_thread_route import LazyAuthentication, SingleThreadRoute
 from app.kit.uploads import ChecksumMismatch, StoreFull, Upload, UploadIncomplete, finished_upload
 from app.projects.errors import DesignerNeeded
@@ -88,7 +89,7 @@ async def add_file(
     content = await Request(request.scope, await read_whole(request.receive, length, MAX_SMALL_FILE_BYTES)).body()
 
     if len(content) != length:
-        raise UploadIncomplete(f"{len(content)} of the announced {length} bytes came; send the file again")
+        raise UploadIncomplete(f"{len(content)} of the announced {counted(length, 'byte')} came; send the file again")
 
     def receive() -> Response:
         sha256 = hashlib.sha256(content).hexdigest()

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from app.kit.plural import counted, verb
+
 START = "0" * 64  # what stands before the first entry
 
 
@@ -51,8 +53,9 @@ def faults(entries: Iterable[Entry], *, of: str, length: int, last_sha256: str) 
             yield f"entry {entry.seq} was altered"
         previous, expected = entry.sha256, expected + 1
     if expected - 1 < length:
-        yield f"the last {length - expected + 1} of {length} entries are missing"
+        missing = length - expected + 1
+        yield f"the last {missing} of {counted(length, 'entry', 'entries')} {verb(missing, 'is', 'are')} missing"
     elif expected - 1 > length:
-        yield f"{expected - 1 - length} entries were added past the end"
+        yield f"{counted(expected - 1 - length, 'entry was', 'entries were')} added past the end"
     elif previous != last_sha256:
         yield f"entry {length} is not the one that was written last"

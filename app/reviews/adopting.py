@@ -233,7 +233,8 @@ def _ensure_unused(session: Session, adoption: Adoption, takes: Sequence[Take], 
     if decided:
         raise AdoptionInUse("a verdict was given on an adopted sound since", fix=fix)
     if others := queries.other_takes(session, adoption.id, cue_ids):
-        raise AdoptionInUse(f"{others} more files were delivered for adopted cues since", fix=fix)
+        files = counted(others, "more file was", "more files were")
+        raise AdoptionInUse(f"{files} delivered for adopted cues since", fix=fix)
 
 
 def progress(session: Session, actor: Actor, adoption_id: UUID) -> AdoptionProgress:

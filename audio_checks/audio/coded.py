@@ -21,6 +21,7 @@ from audio_checks import wav
 from audio_checks.audio.passing import Passing
 from audio_checks.audio.sandbox import Sandbox, is_inside
 from audio_checks.errors import Unreadable
+from audio_checks.system.plural import verb
 
 ENCODINGS = ("vorbis", "opus", "mp3")
 CONTAINERS = {"OGG": "ogg", "MP3": "mp3"}
@@ -158,7 +159,7 @@ def _blocks(sound: object, frames: int) -> Iterator[NDArray[np.float32]]:
             min(BLOCK_FRAMES, left), dtype="float32", always_2d=True
         )
         if not len(block):
-            raise _damaged(f"{left} of its {frames} frames are missing")
+            raise _damaged(f"{left} of its {frames} frames {verb(left, 'is', 'are')} missing")
         left -= len(block)
         yield block
 

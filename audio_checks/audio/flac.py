@@ -28,6 +28,7 @@ from audio_checks.audio.sandbox import Sandbox, is_inside
 from audio_checks.errors import Unreadable
 from audio_checks.metadata import CHUNKS, MOST_BYTES, MOST_CHUNKS
 from audio_checks.metadata.layouts import LAYOUTS
+from audio_checks.system.plural import verb
 
 MAGIC = b"fLaC"
 BLOCK_NAMES = ("STREAMINFO", "PADDING", "APPLICATION", "SEEKTABLE", "VORBIS_COMMENT", "CUESHEET", "PICTURE")
@@ -287,7 +288,7 @@ def _decoded(path: str, layout: FlacLayout) -> Iterator[NDArray[np.int64]]:
             while left:
                 block = sound.read(min(BLOCK_FRAMES, left), dtype=dtype, always_2d=True).astype(np.int64) >> spare
                 if not len(block):
-                    raise _damaged(f"{left} of its {layout.frames} frames are missing")
+                    raise _damaged(f"{left} of its {layout.frames} frames {verb(left, 'is', 'are')} missing")
                 left -= len(block)
                 digest.update(_signed_bytes(block, layout.bit_depth))
                 yield block

@@ -12,6 +12,7 @@ from audio_checks.audit.report import Audit, Entry
 from audio_checks.audit.statuses import Status
 from audio_checks.middleware.by_path import NOT_PLAYED, sounds_by_path
 from audio_checks.middleware.values import PlayedSound, Project
+from audio_checks.system.plural import verb
 
 LIMIT_DB = 0.1  # a level that differs by as much is another
 SHOWN_PARTS = 3
@@ -61,7 +62,7 @@ def with_plays(approved: Sequence[FingerprintedFile], project: Project) -> list[
 
 def _missing(entry: Entry, sounds: Sequence[PlayedSound]) -> Entry:
     names = _names(sounds)
-    return replace(entry, message=f"{entry.message}; {names} plays it") if names else entry
+    return replace(entry, message=f"{entry.message}; {_play_it(names)}") if names else entry
 
 
 def _played(
@@ -76,7 +77,7 @@ def _played(
         if entry.status != "unknown" or not used:
             return entry
         plays = held_to(used, None)
-        return replace(entry, status="unapproved", plays=plays, message=f"{_names(used)} plays it; {entry.message}")
+        return replace(entry, status="unapproved", plays=plays, message=f"{_play_it(_names(used))}; {entry.message}")
     plays = held_to(sounds, by_path[entry.approved].plays)
     return _judged(replace(entry, plays=plays), project, limit_db)
 
@@ -157,9 +158,13 @@ def _louder(play: Play) -> str:
     return f"the game plays it {abs(drift_db):.1f} dB {'louder' if drift_db > 0 else 'quieter'}{where}"
 
 
-def _names(sounds: Sequence[PlayedSound]) -> str:
-    """Return what begins the sounds, in words; empty where nothing does."""
-    return _listed(list(dict.fromkeys(name for sound in sounds for name in (sound.events or (sound.object_path,)))))
+def _names(sounds: Sequence[PlayedSound]) -> list[str]:
+    """Return the names of what begins the sounds; none where nothing does."""
+    return list(dict.fromkeys(name for sound in sounds for name in (sound.events or (sound.object_path,))))
+
+
+def _play_it(names: Sequence[str]) -> str:
+    return f"{_listed(names)} {verb(len(names), 'plays', 'play')} it"
 
 
 def _listed(names: Sequence[str]) -> str:

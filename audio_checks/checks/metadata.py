@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from audio_checks.report.findings import Finding
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
+from audio_checks.system.plural import verb
 
 if TYPE_CHECKING:
     from audio_checks.audio.audio_file import AudioFile
@@ -39,7 +40,8 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         )
     missing = [name for name in spec.required_metadata if name not in metadata.fields]
     if missing:
-        said = f"{len(missing)} of {len(spec.required_metadata)} required fields hold nothing"
+        holds = verb(len(missing), "holds", "hold")
+        said = f"{len(missing)} of {len(spec.required_metadata)} required fields {holds} nothing"
         yield Finding(
             code="metadata:missing",
             message=f"{said}: {', '.join(missing)}",

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 from audio_checks.audit.report import Audit, Entry
 from audio_checks.audit.statuses import NO_DRIFT, STATUSES
-from audio_checks.cli.terminal import BOLD, GREEN, RED, YELLOW, Ink, counted
+from audio_checks.cli.terminal import BOLD, GREEN, RED, YELLOW, Ink
 from audio_checks.middleware.values import Unread
 from audio_checks.report.findings import FileReport, Finding, Report, printable
+from audio_checks.system.plural import counted
 from audio_checks.version import TOOL_VERSION
 
 FIXES = {

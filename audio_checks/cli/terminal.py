@@ -44,11 +44,6 @@ def say(message: str) -> None:
         print(f"audio-checks: {printable(line)}", file=sys.stderr)
 
 
-def counted(count: int, one: str, many: str | None = None) -> str:
-    """Return a number with its noun: 1 file, 0 files, 2 files."""
-    return f"{count:,} {one if count == 1 else many or f'{one}s'}"
-
-
 def in_colour(stream: IO[str]) -> bool:
     """Return whether colours are shown: on a terminal, unless NO_COLOR is set; anywhere, if FORCE_COLOR is."""
     if os.environ.get("NO_COLOR"):

@@ -9,6 +9,8 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 
+from audio_checks.system.plural import counted
+
 MOST_POINTS = 10_000
 
 
@@ -63,7 +65,9 @@ def read_cue(payload: bytes, labels: dict[int, str]) -> tuple[CuePoint, ...]:
         raise ValueError(f'the "cue " chunk has {len(payload)} bytes; 4 or more are wanted')
     (count,) = struct.unpack_from("<I", payload)
     if count > min((len(payload) - 4) // 24, MOST_POINTS):
-        raise ValueError(f'the "cue " chunk announces {count} points, more than it holds or than {MOST_POINTS}')
+        raise ValueError(
+            f'the "cue " chunk announces {counted(count, "point")}, more than it holds or than {MOST_POINTS}'
+        )
     points = (struct.unpack_from("<2I4s3I", payload, 4 + 24 * place) for place in range(count))
     return tuple(CuePoint(number, frame, labels.get(number, "")) for number, _, _, _, _, frame in points)
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from audio_checks.report.findings import FileReport
 from audio_checks.run.runner import judge, task_for, with_set_checks
 from audio_checks.spec.delivery_spec import parse_spec
+from audio_checks.system.plural import counted, verb
 
 COMMON = 0.02  # of the files; what fewer have is the odd one out
 USUAL_PEAK_DBTP = -1.0
@@ -88,7 +89,9 @@ def _text(name: str, files: Sequence[FileReport], warned: Iterable[str]) -> str:
     lines = ["format = 1", f"name = {json.dumps(name, ensure_ascii=False)}".replace("\x7f", "\\u007f"), "", "[accept]"]
     facts = [one.facts for one in files if one.facts is not None]
     count = len(facts)
-    lines.append(f"# measured from {count:,} files; values of fewer than {100 * COMMON:.0f} % of them are left out")
+    lines.append(
+        f"# measured from {counted(count, 'file')}; values of fewer than {100 * COMMON:.0f} % of them are left out"
+    )
     coded = [one for one in facts if one.get("bit_rate_kbps") is not None]
     plain = [one for one in facts if one.get("bit_rate_kbps") is None]
     for key, listed, those in (
@@ -105,8 +108,9 @@ def _text(name: str, files: Sequence[FileReport], warned: Iterable[str]) -> str:
     peaks = [one["true_peak_dbtp"] for one in measured if one.get("true_peak_dbtp") is not None]
     over = sum(one > USUAL_PEAK_DBTP for one in peaks)
     limit_dbtp = USUAL_PEAK_DBTP if over <= COMMON * count else math.ceil(10 * max(peaks)) / 10
+    above = f"{over:,} of {counted(count, 'file')} {verb(over, 'is', 'are')}"
     lines += ["", "[limits]", "silence_below_dbfs = -90.0"]
-    lines.append(f"true_peak_dbtp = {limit_dbtp:.1f}  # {over:,} of {count:,} files are above {USUAL_PEAK_DBTP:g} dBTP")
+    lines.append(f"true_peak_dbtp = {limit_dbtp:.1f}  # {above} above {USUAL_PEAK_DBTP:g} dBTP")
     lines += ["", "[checks]", 'true-peak = "warning"']
     lines += [f'{check} = "warning"  # some files fail it' for check in warned if check != "true-peak"]
     return "\n".join(lines) + "\n"

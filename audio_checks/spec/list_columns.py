@@ -9,6 +9,7 @@ from audio_checks.spec.list_cells import (
     PLAIN,
     SAMPLED,
     CellContext,
+    is_broken_formula,
     is_day_first,
     says_loop,
     says_need,
@@ -16,8 +17,10 @@ from audio_checks.spec.list_cells import (
 )
 from audio_checks.spec.list_heads import head_of
 from audio_checks.spec.sound_names import AUDIO_SUFFIXES, slug
+from audio_checks.system.plural import counted, verb
 
 SHOWN_CELLS = 3
+ASSET_ENDINGS = frozenset({".uasset", ".asset", ".meta", ".wem", ".fsb", ".bank", ".import"})  # made of a sound
 FIELD_WORDS = {
     "duration_s": "lengths",
     "frame_rate_fps": "frame rates",
@@ -71,13 +74,14 @@ def guess_column(name: str, cells: Sequence[str], rates: CellContext, *, has_rat
     if head.counted and not _has_rate(head.counted, rates, has_rate_column=has_rate_column):
         rate = "frame rate" if head.counted == "frames" else "sample rate"
         return ColumnGuess(None, context, note=f"a length in {head.counted}; say the {rate} to read it")
-    filled = [cell for cell in cells if cell.strip()][:SAMPLED]
+    filled = [cell for cell in cells if cell.strip() and not is_broken_formula(cell)][:SAMPLED]
     judged = replace(context, counted="") if has_rate_column else context
     wrong = unreadable(field, filled, judged)
     if 2 * len(wrong) > len(filled):
         shown = ", ".join(f'"{cell[:30]}"' for cell in dict.fromkeys(wrong[:SHOWN_CELLS]))
         wanted = FIELD_WORDS.get(field, "yes or no")
-        return ColumnGuess(None, context, note=f"{len(wrong)} of {len(filled)} cells are not {wanted}: {shown}")
+        not_read = f"{len(wrong)} of {counted(len(filled), 'cell')} {verb(len(wrong), 'is', 'are')}"
+        return ColumnGuess(None, context, note=f"{not_read} not {wanted}: {shown}")
     return ColumnGuess(field, context, note=note)
 
 
@@ -106,8 +110,12 @@ def names_in_row(name: str, file_name: str) -> RowNames:
     if bare_file != file_name.strip() and bare_file:
         notes.append(f'"{file_name.strip()[:80]}" is read as {bare_file[:80]}; folders are not part of a name')
         file_name = bare_file
+    asset, dot, ending = file_name.strip().rpartition(".")
+    if asset and (dot + ending).lower() in ASSET_ENDINGS:
+        notes.append(f'"{file_name.strip()[:80]}" is read as {asset[:80]}; the ending is that of an engine\'s asset')
+        file_name = asset
     stem, dot, ending = name.strip().rpartition(".")
-    if stem and (dot + ending).lower() in AUDIO_SUFFIXES:
+    if stem and (dot + ending).lower() in AUDIO_SUFFIXES | ASSET_ENDINGS:
         bare = unicodedata.normalize("NFC", re.split(r"[/\\]", stem)[-1]).strip()
         if bare:
             notes.append(f'"{name.strip()[:80]}" is read as {bare[:80]}; the ending is not part of a name')

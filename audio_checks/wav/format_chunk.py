@@ -9,6 +9,7 @@ import struct
 from typing import NamedTuple
 
 from audio_checks.errors import Unreadable
+from audio_checks.system.plural import counted, verb
 from audio_checks.wav.files import shrunk
 from audio_checks.wav.layout import AMBISONIC_TAIL, EXTENSIBLE, FLOAT, GUID_TAIL, PCM, Chunk, StructureWarning
 from audio_checks.wav.oddities import EXPORT_AGAIN, of_format
@@ -64,7 +65,8 @@ def read_format(chunk: Chunk, content: bytes) -> tuple[Format, list[StructureWar
         bits, mask = struct.unpack("<HI", content[18:24])
         tag, ambisonic = _tag_of(content[24:40])
         if mask.bit_count() > channels:
-            words = f"the channel mask names {mask.bit_count()} speakers, but there are {channels} channels"
+            speakers, those = counted(mask.bit_count(), "speaker"), counted(channels, "channel")
+            words = f"the channel mask names {speakers}, but there {verb(channels, 'is', 'are')} {those}"
             warnings.append(StructureWarning("structure:channel-mask", words, EXPORT_AGAIN))
     if tag not in (PCM, FLOAT):
         name = CODECS.get(tag, f"of an unknown kind (tag {tag:#06x})")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 from typing import Literal, NamedTuple
 
+from audio_checks.system.plural import counted
 from audio_checks.wav.layout import SampleLoop, StructureWarning
 from audio_checks.wav.oddities import EXPORT_AGAIN
 
@@ -48,7 +49,7 @@ def read_loops(content: bytes, size: int, frames: int) -> Loops:
         loop = SampleLoop(start, end, KINDS[kind] if kind < len(KINDS) else "other")
         (inside if end < frames else outside).append(loop)
     if count > held:
-        warnings.append(_warning(f'the "smpl" chunk announces {count} loops, more than it holds'))
+        warnings.append(_warning(f'the "smpl" chunk announces {counted(count, "loop")}, more than it holds'))
     return Loops(tuple(inside), tuple(outside), tuple(warnings))
 
 

@@ -11,6 +11,7 @@ import struct
 from typing import BinaryIO, Literal
 
 from audio_checks.errors import Unreadable
+from audio_checks.system.plural import verb
 from audio_checks.wav import oddities
 from audio_checks.wav.files import read_up_to
 from audio_checks.wav.format_chunk import read_format
@@ -342,7 +343,10 @@ class _Reading:
                     EXPORT_AGAIN,
                 )
             remaining -= len(block)
-        self.warn("padding", f"the last {left} bytes of the WAV file are zero padding")
+        self.warn(
+            "padding",
+            f"the last {left} {verb(left, 'byte', 'bytes')} of the WAV file {verb(left, 'is', 'are')} zero padding",
+        )
 
     def overrun(self, identifier: bytes, size: int, offset: int, end: int) -> Unreadable:
         missing = size - (end - offset)

@@ -22,12 +22,13 @@ from audio_checks.cli.arguments import (
 )
 from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
-from audio_checks.cli.terminal import BOLD, GREEN, RED, Ink, counted, in_colour, note, say, width
+from audio_checks.cli.terminal import BOLD, GREEN, RED, Ink, in_colour, note, say, width
 from audio_checks.report.findings import FileReport, Report, printable, with_waivers
 from audio_checks.run.baseline import DEFAULT_NAME, add_to_baseline, known_by_its_bytes, read_baseline
 from audio_checks.run.discovery import SPEC_NAMES, Found, SpecFinder, dry_stems
 from audio_checks.run.workload import CORES, process_count
 from audio_checks.spec.delivery_spec import DeliverySpec
+from audio_checks.system.plural import counted
 
 if TYPE_CHECKING:
     from audio_checks.fixing.in_place import Change

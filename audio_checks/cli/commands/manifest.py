@@ -10,11 +10,12 @@ from audio_checks.audit.manifest import manifest_text, write_manifest
 from audio_checks.audit.played import with_plays
 from audio_checks.cli.arguments import FOUND, OK, add_paths, add_run, found_files, progress_over
 from audio_checks.cli.named_list import named_list
-from audio_checks.cli.terminal import counted, say
+from audio_checks.cli.terminal import say
 from audio_checks.middleware.project import read_project
 from audio_checks.report.findings import printable
 from audio_checks.run.workload import process_count
 from audio_checks.spec.sound_list import SoundList
+from audio_checks.system.plural import counted
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

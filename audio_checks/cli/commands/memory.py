@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from audio_checks.cli.arguments import FORMAT_HELP, FOUND, OK, UsageError
 from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
-from audio_checks.cli.terminal import counted
 from audio_checks.report.findings import printable
 from audio_checks.run.memory_budget import Memory, MemoryUse, memory_use, requested_sizes
 from audio_checks.spec.delivery_spec import load_spec
+from audio_checks.system.plural import counted
 
 FORMATS = ("text", "json")
 KIB = 1024
@@ -59,5 +59,5 @@ def _in_words(use: MemoryUse) -> str:
         room = f"{abs(use.over_bytes) / KIB:,.0f} KiB {'over' if use.over_bytes > 0 else 'under'}"
         words += f", {room} the budget of {use.budget_bytes / KIB:,.0f} KiB"
     if use.unknown_files:
-        words += f"; {use.unknown_files} more have no duration yet"
+        words += f"; {counted(use.unknown_files, 'more has', 'more have')} no duration yet"
     return words

@@ -4,10 +4,11 @@ import argparse
 from pathlib import Path
 
 from audio_checks.cli.arguments import OK, UsageError, add_run, progress_over
-from audio_checks.cli.terminal import counted, note
+from audio_checks.cli.terminal import note
 from audio_checks.spec import target_presets
 from audio_checks.spec.delivery_spec import new_spec
 from audio_checks.spec.presets import PRESETS
+from audio_checks.system.plural import counted
 
 LOWEST_ACCEPTED_HZ = 44_100  # of the preset 44k1
 

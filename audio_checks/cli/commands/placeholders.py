@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 from audio_checks.cli.arguments import FOUND, OK, UsageError, add_paths, add_run, found_files, out_folder, progress_over
 from audio_checks.cli.named_list import named_list
 from audio_checks.cli.outputs import Outputs
-from audio_checks.cli.terminal import counted
 from audio_checks.errors import RenderRefused, Unreadable
 from audio_checks.report.findings import printable
 from audio_checks.spec.delivery_spec import load_spec
 from audio_checks.spec.sound_names import parse_file_name
+from audio_checks.system.plural import counted
 
 if TYPE_CHECKING:
     from audio_checks.placeholders.make import Placeholder

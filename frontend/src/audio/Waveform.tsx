@@ -1,6 +1,6 @@
 import { type CSSProperties, useCallback, useLayoutEffect, useMemo, useRef, useState } from 'react'
 
-import { figure, place, placeInWords } from '@/ui/format'
+import { figure, place, placeInWords, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
 import { gridStepS, type Layout, stack, ticksOf } from './axis'
@@ -308,7 +308,7 @@ function Pins({
           type="button"
           className={classes.pin}
           style={{ left: layout.moreAt.leftPx, bottom: 4 + layout.moreAt.lane * 27 }}
-          aria-label={`${layout.hidden.length} more comments`}
+          aria-label={plural(layout.hidden.length, 'more comment')}
           onClick={() => setAll(true)}
         >
           +{layout.hidden.length}

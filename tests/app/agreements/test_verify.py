@@ -41,7 +41,11 @@ def lines_on(result: Result, name: object) -> list[str]:
 
 def counted(result: Result) -> tuple[int, ...]:
     """Return how many records and entries were looked at, and how many are not whole."""
-    (found,) = re.findall(r"^(\d+) records with (\d+) entries and \d+ copies looked at; (\d+) are", result.output, re.M)
+    (found,) = re.findall(
+        r"^(\d+) records with (\d+) entries and \d+ copies looked at; (\d+) are",
+        result.output,
+        re.M,
+    )
     return tuple(map(int, found))
 
 
@@ -83,7 +87,7 @@ BY_HAND = {
     "another pdf": (VERSIONS.values(pdf_sha256="0" * 64), "the PDF of version 1 is not in the store"),
     "an edited entry": (EVENTS.where(ContractEvent.seq == 2).values(kind="paid"), "entry 2 was altered"),
     "a deleted entry": (sa.delete(ContractEvent).where(ContractEvent.seq == 2), "entry 2 is missing"),
-    "the last entry deleted": (LAST, "the last 1 of 4 entries are missing"),
+    "the last entry deleted": (LAST, "the last 1 of 4 entries is missing"),
 }
 
 

@@ -38,8 +38,8 @@ def test_canonical_text_does_not_depend_on_order():
 
 def test_the_end_is_known():
     whole = chain("a", "b", "c")
-    assert found(whole[:2], whole) == ["the last 1 of 3 entries are missing"]
-    assert found(whole, whole[:2]) == ["1 entries were added past the end"]
+    assert found(whole[:2], whole) == ["the last 1 of 3 entries is missing"]
+    assert found(whole, whole[:2]) == ["1 entry was added past the end"]
 
 
 def test_a_chain_is_of_one_contract():

@@ -28,8 +28,8 @@ def test_within_the_budget(run):
     assert code == 0
     assert said.out.splitlines() == [
         "pc: 2 files, 252 KiB in memory, 5,812 KiB on disk, 260 KiB under the budget of 512 KiB; "
-        "1 more have no duration yet",
-        "  foley: 1 file, 188 KiB in memory, 188 KiB on disk; 1 more have no duration yet",
+        "1 more has no duration yet",
+        "  foley: 1 file, 188 KiB in memory, 188 KiB on disk; 1 more has no duration yet",
         "  music: 1 file, 64 KiB in memory, 5,625 KiB on disk",
     ]
 
