@@ -48,6 +48,7 @@ from audio_checks import (
 SAMPLES = 3
 MISMAPPED = 3  # wrong cells of one column, from which on they are one fault
 MAX_ROUNDS = 10  # of leaving out rows whose names depend on a row that was left out
+SHOWN_HEADS = 8
 KEPT: frozenset[str] = frozenset({"extra", "ignore"})
 NAMES = frozenset({"name", "file_name", "number"})
 OWN = "own:"  # before the name of a column of the project's own
@@ -391,7 +392,18 @@ def _plan(
 
 
 def _by_column(faults: Sequence[RowFault], columns: Sequence[Column], sheet: Sheet) -> Iterator[RowFault]:
-    """Yield one fault for a column that is mapped to the wrong field, and every other fault as it is."""
+    """Yield one fault for a column that is mapped to the wrong field, or for no names, and every other as it is."""
+    nameless = [fault for fault in faults if fault.field == "name"]
+    if nameless and not any(column.field in ("name", "file_name") for column in columns):
+        rows = counted(len(nameless), "row")
+        heads = ", ".join(column.name[:40] for column in columns[:SHOWN_HEADS])
+        yield RowFault(
+            nameless[0].row,
+            "name",
+            f"no column is read as the name, and {rows} {verb(len(nameless), 'has', 'have')} none; "
+            f"choose the column of names: {heads}",
+        )
+        faults = [fault for fault in faults if fault.field != "name"]
     for column in columns:
         own = [fault for fault in faults if fault.field == column.field]
         filled = sum(bool(cells[column.place].strip()) for _, cells in sheet.rows)

@@ -235,7 +235,12 @@ export function wordsOf(step: NextStep, projectId: string): Words {
     case 'fix':
       return { head: `Fix ${plural(count, 'sound')}`, why: '', act: 'Fix', path: `${project}/desk` }
     case 'match':
-      return { head: `Choose cues for ${plural(count, 'file')}`, why: '', act: 'Choose', path: `${project}/desk` }
+      return {
+        head: count === 1 ? 'Choose a cue for 1 file' : `Choose cues for ${plural(count, 'file')}`,
+        why: '',
+        act: 'Choose',
+        path: `${project}/desk`,
+      }
     case 'record':
       return {
         head: count === 1 ? 'Record a sound' : `Record ${plural(count, 'sound')}`,

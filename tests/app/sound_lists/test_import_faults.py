@@ -22,6 +22,15 @@ def test_one_wrong_mapping_is_one_error(world: World) -> None:
     )
 
 
+def test_a_sheet_without_a_column_of_names_says_which_columns_there_are(world: World) -> None:
+    reported = send(world, "Klic,Category\nrain,amb\ndoor,foley\n", dry_run=True)
+    (fault,) = reported["errors"]
+    assert fault["message"] == (
+        "no column is read as the name, and 2 rows have none; choose the column of names: Klic, Category"
+    )
+    assert send(world, "Klic,Category\nrain,amb\n", mapping={"Klic": "name"}, dry_run=True)["errors"] == []
+
+
 def test_every_wrong_cell_is_named_by_its_row_and_stops_no_other(world: World) -> None:
     text = (
         "name,duration_s,loop,variations,state,reverb,category\n"

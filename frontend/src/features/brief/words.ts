@@ -14,6 +14,7 @@ export const questionsOf = (brief: Brief): Question[] =>
 /** "5 open, 4 of them named in the contract" */
 export function openWords({ open, open_required: needed }: Brief): string {
   if (open.length === 0) return 'all answered'
+  if (open.length === 1 && needed.length === 1) return '1 open, named in the contract'
   return needed.length === 0
     ? `${open.length} open`
     : `${open.length} open, ${needed.length} of them named in the contract`
