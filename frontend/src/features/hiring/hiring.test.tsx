@@ -172,7 +172,10 @@ test('by keys: choose a bid, shortlist it, score it; an award asks first and nam
       },
       aBid('b1', 'Sound designer A'),
     ])
-  server.answers['POST /v1/bids/b2/award'] = answer({ project_id: 'shield-wing', contract_id: 'c9', is_on_roster: true }, 201)
+  server.answers['POST /v1/bids/b2/award'] = answer(
+    { project_id: 'shield-wing', contract_id: 'c9', is_on_roster: true },
+    201,
+  )
   await userEvent.keyboard('2l')
   await waitFor(() =>
     expect(wrote(server.asked, 'PUT /v1/bids/b2/shortlist')[0]?.body).toEqual({ is_shortlisted: true }),
