@@ -138,12 +138,12 @@ def script_of_gitlab() -> str:
 def run_script(client: Client, shell: str, script: str, **variables: str) -> tuple[int, str]:
     """Run what a CI service runs, in the game's folder."""
     server = client.source[1]
-    given = {"SERVER": server, "PROJECT": client.source[3], "SOUNDLIST_TOKEN": os.environ["SOUNDLIST_TOKEN"]}
+    given = {"SERVER": server, "PROJECT": client.source[3]}
     environment = {
         **os.environ,
         "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
         "PYTHONPATH": str(ROOT),
-        **{f"{prefix}_{name}": value for prefix in ("CHECK", "SOUNDLIST") for name, value in given.items()},
+        **{f"{prefix}_{name}": value for prefix in ("CHECK", "AUDIO") for name, value in given.items()},
         **variables,
     }
     done = subprocess.run([shell, "-e", "-c", script], env=environment, capture_output=True, text=True, check=False)
