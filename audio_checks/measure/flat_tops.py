@@ -14,6 +14,7 @@ from audio_checks.measure.straight_tops import StraightTops
 
 SHORTEST_RUN = 3  # one or two samples on one level are a crest
 FULL_SCALE = 2.0**-15  # how far under 1.0 still is full scale: the largest 16-bit sample
+ROUND = 1.5  # times what a parabola falls within two samples of a run's ends: a top that falls no more is round
 GRAIN = 2.5  # steps of the bit depth: samples that close are on one level
 SHARE = 1e-4  # of the level: the same for float
 CORNER = 16.0  # of these: what the wave falls within two samples of a run's ends; a round crest does not
@@ -92,8 +93,11 @@ class FlatTops:
         highest = self._crests[:, TOP] >= extremes * (1 - SOFT_CEILING)
         crests, sides, extremes = self._crests[highest], sides[highest], extremes[highest]
         square = (crests[:, FLAT] >= SQUARE_RUN) & (crests[:, HALF_WAVE] - crests[:, FLAT] <= SQUARE_EDGE)
-        hard = crests[:, AT_RAIL] >= SHORTEST_RUN
-        corners = CORNER * np.maximum(self._grain, SHARE * crests[:, TOP])
+        grains = np.maximum(self._grain, SHARE * crests[:, TOP])
+        round_falls = ROUND * grains * np.square(1 + 4 / np.maximum(crests[:, RUN] - 1, 1))
+        is_round = (crests[:, FALL] >= grains) & (crests[:, FALL] <= round_falls)
+        hard = (crests[:, AT_RAIL] >= SHORTEST_RUN) & (crests[:, RUN] >= SHORTEST_RUN) & ~is_round
+        corners = CORNER * grains
         under = (crests[:, RUN] >= SHORTEST_RUN) & (crests[:, FALL] >= corners) & ~square
         under &= crests[:, TOP] >= extremes * (1 - CEILING)
         if under.sum() >= FEWEST:

@@ -28,6 +28,23 @@ def test_round_tops_pass(codes_of, samples):
     assert codes_of("clipping", samples) == []
 
 
+@pytest.mark.parametrize("hz", [30, 200, 997])
+@pytest.mark.parametrize("dbfs", [0.0, 1.6, 6.0])
+def test_round_crests_at_and_over_full_scale_are_not_clipped(codes_of, hz, dbfs):
+    assert codes_of("clipping", sine(hz=hz, dbfs=dbfs), bits=32, encoding="float") == []
+
+
+@pytest.mark.parametrize("bits", [16, 24])
+def test_a_slow_wave_normalized_to_full_scale_is_not_clipped(codes_of, bits):
+    assert codes_of("clipping", sine(hz=30, dbfs=0.0) * (1 - 2.0 ** (1 - bits)), bits=bits) == []
+
+
+def test_tops_cut_off_over_full_scale_are_found(found_by):
+    (finding,) = found_by("clipping", np.clip(sine(hz=200, dbfs=6.0), -1.2, 1.2), bits=32, encoding="float")
+    assert finding.code == "clipping:flat-tops"
+    assert finding.measured == pytest.approx(400, abs=1)
+
+
 def test_one_frame_is_no_run(codes_of):
     assert codes_of("clipping", np.full((1, 1), 1.0)) == []
 
