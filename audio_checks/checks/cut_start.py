@@ -6,8 +6,8 @@ so they are left alone: a cue that the list calls a loop, and a file with loop p
 says that its cue is none.
 How to fix: start the selection earlier, at a zero crossing, or fade in over a millisecond.
 Source: practice in the field. The first sample reaches a fifth of the largest one in the 10 ms after
-it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
-zero there. Digital silence around the sound does not hide its edge, nor does a converter of sample
+it, lies less than 36 dB under the file's peak and at -60 dBFS or more, and the wave, followed on, does
+not pass through zero there. Digital silence around the sound does not hide its edge, nor does a converter of sample
 rates that rings before it, nor a gentle equaliser, nor a fade-in of 0.1 ms or so.
 What it does not find: a cut with so short a fade into what dies away or grows within 40 ms, for a
 percussive sound's own attack is the same wave; nor one where the wave passes through zero by itself.

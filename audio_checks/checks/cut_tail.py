@@ -6,8 +6,8 @@ mid-wave, so they are left alone: a cue that the list calls a loop, and a file w
 the list says that its cue is none.
 How to fix: export up to the end of the tail, or fade out over its last part.
 Source: practice in the field. The last sample reaches a fifth of the largest one in the 10 ms before
-it and lies less than 40 dB under the file's peak, and the wave, followed on, does not pass through
-zero there. Digital silence around the sound does not hide its edge, nor does a converter of sample
+it, lies less than 36 dB under the file's peak and at -60 dBFS or more, and the wave, followed on, does
+not pass through zero there. Digital silence around the sound does not hide its edge, nor does a converter of sample
 rates that rings after it, nor a low cut's smooth answer, nor a fade-out of 0.1 ms or so.
 What it does not find: a cut where the wave passes through zero by itself, and one whose answer in a
 low cut is nearly as high as the sound before.

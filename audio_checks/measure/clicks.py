@@ -15,6 +15,7 @@ from audio_checks.measure.cells import Cells
 from audio_checks.measure.click_rules import ALONE, BURST, CORE, IN_BURSTS, IN_GLIDES, Candidate, Rule, strongest
 from audio_checks.measure.decibels import decibels
 from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
+from audio_checks.measure.onsets import Heights, Surroundings, is_isolated, surroundings
 
 STANDS_OUT = 3.5  # times sharper than the sharpest moment of the 20 ms before and the 20 ms after,
 STEPS_OUT = 3.0  # or with so many times the largest step: in hiss a step shows better that way;
@@ -31,6 +32,7 @@ CONTEXT = 24  # cells of the sound before a click, and of that after it, from wh
 LEVEL_CELLS = 20  # 10 ms on either side, by which a sound is said to go on
 GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB; more is a sound that starts or stops
 BELOW_PEAK = 6.3e-3  # 44 dB under the file's peak: smaller clicks count for nothing
+AUDIBLE = 1e-3  # -60 dBFS: no one hears smaller ones
 SOUND_BELOW_PEAK = 1e-5  # in power, 50 dB: what counts as a sound
 IMPULSE = 20.0  # the sharpness of a single sample at full scale
 GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
@@ -80,7 +82,9 @@ class Clicks:
         self._lowest, self._quietest = self._least, 0.0  # limits by the peak so far
         self._out = np.empty((MAX_CANDIDATES, 5))  # where the kernel writes
         self._places, self._powers = np.empty(MAX_CANDIDATES, np.int64), np.empty(MAX_CANDIDATES)  # the same
-        self._found: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
+        self._new: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
+        self._found: dict[tuple[int, int, float, float], Surroundings] = {}
+        self._heights = Heights()
 
     def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
         """Take the next cells, the last `new` of these; they start at frame `first` of `samples`, shape (channels, n).
@@ -101,6 +105,13 @@ class Clicks:
             self._check_steady(cells, before, count, samples, at)
             self._segment += count * SEGMENT
         self._check_candidates(cells, before, total, samples, first - begun * self._cell)
+        self._heights.add(cells.sharpness[:, cells.sharpness.shape[1] - new :])
+        if self._new:
+            kept = sorted(self._new - self._found.keys())
+            self._found.update(
+                zip(kept, surroundings(cells, [key[:2] for key in kept], before, self._cell), strict=True)
+            )
+            self._new.clear()
         self._seen = total
 
     def result(self, peak: float) -> dict[str, Any]:
@@ -108,8 +119,9 @@ class Clicks:
         least, sound = self._limits(peak)
         clicks: list[Click] = []
         last: dict[int, int] = {}
-        for cell, channel, height, power in sorted(self._found):
-            if height < least or power < sound:
+        for key in sorted(self._found):
+            cell, channel, height, power = key
+            if height < least or power < sound or not is_isolated(self._found[key], self._heights, channel):
                 continue
             if cell - last.get(channel, -9) > CORE:
                 clicks.append(Click(cell / self._per_s, channel + 1, decibels(height)))
@@ -118,7 +130,7 @@ class Clicks:
 
     def _limits(self, peak: float) -> tuple[float, float]:
         """Return the height that a click must have in a file of that peak, and the power that the sound around must."""
-        return max(self._least, peak * BELOW_PEAK), peak**2 * SOUND_BELOW_PEAK * self._cell
+        return max(self._least, peak * BELOW_PEAK, AUDIBLE), peak**2 * SOUND_BELOW_PEAK * self._cell
 
     def _outstanding(
         self,
@@ -157,8 +169,8 @@ class Clicks:
         return outstanding
 
     def _keep(self, cell: int, channel: int, height: float, power: float) -> None:
-        if len(self._found) < MAX_KEPT:
-            self._found.add((cell, channel, height, power))
+        if len(self._found) + len(self._new) < MAX_KEPT:
+            self._new.add((cell, channel, height, power))
 
     def _scan(self, cells: Cells, before: int, channel: int, start: int) -> None:
         """Keep what stands out of the cells from one on, and mark what may.

@@ -18,7 +18,8 @@ GRAIN = 2.0  # steps of the bit depth that still are silence
 KEPT_S = 0.1  # of the sound at either end, for how filters ring there and how the sound goes on; NEAR_S of an end
 FOLLOWED_S = 10.0  # by more than this, so that no more is kept block by block
 EDGE_SHARE = 0.2  # of the largest sample nearby, which an edge in mid-wave reaches and a fade does not
-BELOW_PEAK = 1e-2  # 40 dB: an edge that quiet, under the file's peak, does not matter
+BELOW_PEAK = 10 ** (-36 / 20)  # an edge that quiet, under the file's peak, does not matter
+AUDIBLE = 1e-3  # -60 dBFS: nor does one that no one hears, as where a quiet sound fades out
 RING_S = 0.005  # the longest that a converter of sample rates rings before an edge,
 RING_SHARE = 0.1  # as high as this share of the edge at most, and
 RING_HZ = 0.25  # at this share of the rate or more: what fades in is slower
@@ -115,10 +116,10 @@ class Cuts:
         sizes = np.abs(samples)
         channel = int(sizes[:, 0].argmax())
         edge, nearby = float(sizes[channel, 0]), float(sizes[channel].max())
-        if _jumps(samples[channel], EDGE_SHARE * nearby) and edge >= BELOW_PEAK * self._peak:
+        least = max(BELOW_PEAK * self._peak, AUDIBLE)
+        if _jumps(samples[channel], EDGE_SHARE * nearby) and edge >= least:
             return Edge(at / self._rate, decibels(edge), channel + 1, True)
         rung = [(_after_ringing(row, self._rate), 0, number) for number, row in enumerate(samples, 1)]
-        least = BELOW_PEAK * self._peak
         ramps = [
             (*abrupt.edge(row, self._rate, self._step, least, start=way > 0), number)
             for number, row in enumerate(kept, 1)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.signal import butter, sosfilt
 
 from tests.support.waves import join, noise, silence, sine
 
@@ -165,3 +166,40 @@ def test_several_are_counted_and_the_sharpest_is_shown(found_by):
 @pytest.mark.parametrize("samples", [silence(), silence(seconds=1 / 48_000) + 0.5, tone(), noise(channels=2)])
 def test_sounds_without_clicks_pass(codes_of, samples):
     assert codes_of("click", samples) == []
+
+
+def struck(at_s, *, seed, seconds=0.5):
+    """A stroke of 2 ms on a low body that dies away, from its first frame on."""
+    times = np.arange(round(seconds * 48_000)) / 48_000
+    draws = np.random.default_rng(seed)
+    low, bright = (
+        sosfilt(butter(2, hz, fs=48_000, output="sos"), draws.standard_normal(len(times))) for hz in (300, 8_000)
+    )
+    body = 0.1 * low * np.minimum(1.0, times / 0.002) * np.exp(-times / 0.15)
+    return (body + 0.2 * bright * np.exp(-(((times - at_s) / 0.0008) ** 2)))[:, np.newaxis]
+
+
+@pytest.mark.parametrize("at_s", [0.003, 0.006, 0.012])
+def test_the_attack_of_a_sound_is_no_click(codes_of, at_s):
+    assert [codes_of("click", struck(at_s, seed=seed)) for seed in range(6)] == [[]] * 6
+
+
+def test_a_click_on_an_attack_is_found_where_it_stands_out(codes_of):
+    dull = np.sin(2 * np.pi * 120 * np.arange(24_000) / 48_000) * np.exp(-np.arange(24_000) / 9_600)
+    assert codes_of("click", dull[:, np.newaxis]) == []
+    assert codes_of("click", clicked(dull[:, np.newaxis], 0.2, at=480)) == ["click:isolated"]
+
+
+def test_crackle_that_is_the_sound_is_no_click(codes_of):
+    # 120 strokes of about one height in two seconds of hiss, as leather creaks and fire burns.
+    draws = np.random.default_rng(5)
+    crackle = 0.02 * draws.standard_normal(96_000)
+    for at in draws.integers(2_000, 94_000, 120):
+        crackle[at : at + 48] += 0.2 * draws.uniform(0.7, 1.0) * draws.standard_normal(48) * np.exp(-np.arange(48) / 6)
+    assert codes_of("click", crackle[:, np.newaxis]) == []
+
+
+def test_clicks_that_no_one_hears_are_not_named(codes_of):
+    quiet = 10 ** (-50 / 20) * tone()  # its peak is at -56 dBFS
+    assert codes_of("click", clicked(quiet, 10 ** (-62 / 20))) == []
+    assert codes_of("click", clicked(quiet, 10 ** (-52 / 20))) == ["click:isolated"]

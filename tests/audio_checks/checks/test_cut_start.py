@@ -44,7 +44,7 @@ def test_silence_before_it_does_not_hide_it(found_by):
 
 
 # 40 dB under the peak of -6 dBFS.
-@pytest.mark.parametrize(("dbfs", "codes"), [(-45.0, MID_WAVE), (-47.0, [])])
+@pytest.mark.parametrize(("dbfs", "codes"), [(-41.0, MID_WAVE), (-43.0, [])])
 def test_what_is_quiet_does_not_matter(codes_of, dbfs, codes):
     quiet = sine(hz=300, dbfs=dbfs, phase=np.pi / 2, seconds=0.1)
     assert codes_of("cut-start", join(quiet, sine(hz=300))) == codes
@@ -129,3 +129,16 @@ def test_an_attack_is_no_cut(codes_of):
     assert codes_of("cut-start", ramped(noise(seed=4) * np.exp(-times / 0.015), 6)) == []
     kick = np.sin(2 * np.pi * 60 * times) * np.exp(-times / 0.2)
     assert codes_of("cut-start", ramped(0.3 * kick + noise(seed=4) * np.exp(-times / 0.003), 6)) == []
+
+
+@pytest.mark.parametrize("dbfs", [-48.0, -52.0, -59.6])
+@pytest.mark.parametrize("fade_s", [0.1, 0.3])
+def test_a_quiet_sound_that_fades_in_is_not_cut(codes_of, dbfs, fade_s):
+    for sound in (sine(hz=700, dbfs=dbfs), noise(dbfs=dbfs - 12, seed=5)):
+        fade = np.minimum(1.0, np.arange(len(sound)) / (fade_s * 48_000))
+        assert codes_of("cut-start", sound * np.square(fade)[:, np.newaxis]) == []
+
+
+def test_a_quiet_sound_in_mid_wave_is_cut_where_it_can_be_heard(codes_of):
+    assert codes_of("cut-start", sine(hz=50, dbfs=-52, phase=np.pi / 2)) == MID_WAVE
+    assert codes_of("cut-start", sine(hz=50, dbfs=-62, phase=np.pi / 2)) == []

@@ -41,7 +41,7 @@ def test_silence_after_it_does_not_hide_it(found_by):
     assert finding.end_s == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize(("dbfs", "codes"), [(-45.0, MID_WAVE), (-47.0, [])])
+@pytest.mark.parametrize(("dbfs", "codes"), [(-41.0, MID_WAVE), (-43.0, [])])
 def test_what_is_quiet_does_not_matter(codes_of, dbfs, codes):
     quiet = sine(hz=300, dbfs=dbfs, phase=np.pi / 2, seconds=0.1)
     assert codes_of("cut-tail", join(sine(hz=300), quiet[::-1])) == codes
@@ -72,7 +72,7 @@ def test_a_converter_of_sample_rates_does_not_hide_it(found_by, rung):
 def test_a_cut_that_is_converted_and_quiet_does_not_matter(codes_of):
     quiet = join(sine(hz=300), 0.008 * ending(0.8, hz=300), silence(seconds=0.1))
     assert codes_of("cut-tail", resample(quiet, 48_000, 44_100), rate=44_100) == []
-    loud = join(sine(hz=300), 0.02 * ending(0.8, hz=300), silence(seconds=0.1))
+    loud = join(sine(hz=300), 0.03 * ending(0.8, hz=300), silence(seconds=0.1))
     assert codes_of("cut-tail", resample(loud, 48_000, 44_100), rate=44_100) == MID_WAVE
 
 
@@ -121,3 +121,16 @@ def test_a_fade_that_is_too_short_does_not_hide_it(found_by, rate, frames, pause
 def test_a_fade_of_a_millisecond_is_an_end(codes_of):
     for sound in (sine(hz=300, phase=1.2), sine(hz=3_000, phase=1.2), noise(seed=4)):
         assert codes_of("cut-tail", ramped(sound, 48)) == []
+
+
+@pytest.mark.parametrize("dbfs", [-48.0, -52.0, -59.6])
+@pytest.mark.parametrize("fade_s", [0.1, 0.3])
+def test_a_quiet_sound_that_fades_out_is_not_cut(codes_of, dbfs, fade_s):
+    for sound in (sine(hz=700, dbfs=dbfs), noise(dbfs=dbfs - 12, seed=5)):
+        fade = np.minimum(1.0, np.arange(len(sound)) / (fade_s * 48_000))
+        assert codes_of("cut-tail", sound * np.square(fade[::-1])[:, np.newaxis]) == []
+
+
+def test_a_quiet_sound_in_mid_wave_is_cut_where_it_can_be_heard(codes_of):
+    assert codes_of("cut-tail", 10 ** (-46 / 20) * ending(1.0)) == MID_WAVE  # at -52 dBFS
+    assert codes_of("cut-tail", 10 ** (-56 / 20) * ending(1.0)) == []  # at -62 dBFS

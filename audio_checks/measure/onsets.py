@@ -1,0 +1,136 @@
+"""Distinguish a click from an attack and from crackle, by the half-milliseconds around it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from audio_checks.measure.cells import Cells
+
+BEYOND = 2  # cells: where the surroundings of a click begin, on either side
+CLOSE = 6  # cells that are close to a click: 3 ms
+LATE = 8  # cells, 4 ms, after which a click of any shape is over
+SPANS = (10, 20)  # cells, 5 and 10 ms, in which the sound before and after it are compared
+LEAD = (30, 80)  # cells, 15 to 40 ms, before a click: where these are silent, the sound begins at the click
+TAIL = 30  # cells of the sound that begins there
+BLOCK = 6  # cells, 3 ms, of which the sharpest counts as one moment
+TINY = 1e-24
+
+ISOLATED_DB = 35.0  # a click that stands out so far of both sides is one, wherever it is in a sound,
+FIRST_DB = 50.0  # and so far where the sound begins at it
+LOUDER_DB = 6.0  # a sound whose highs are louder by this after a click is struck there
+SILENT_DB, NOTHING_DB = 40.0, 60.0  # under the sound that begins: what counts as a pause before it, and as silence
+TRANSIENT_DB = 16.0  # of crackle and creaks each moment stands out so far of its sides:
+ALIKE_DB, ALIKE = 12.0, 40  # so many moments of a file within so many dB of it,
+NEARLY_DB, NEARLY = 4.0, 4  # and so many of them nearly as sharp, itself among them
+
+
+class Surroundings(NamedTuple):
+    """Levels around a click, in dB.
+
+    Attributes
+    ----------
+    sharpness_db : float
+        The square of its largest sixth difference.
+    over_before_db, over_after_db : float
+        How far that stands over the mean square of the sixth differences in the 3 ms before and after.
+    louder_db : float
+        How much more power sixth differences have from 4 ms after it than before it, in 5 or 10 ms.
+    begins_db : float
+        How far the sound in the 15 ms from it on stands over what came 15 to 40 ms before it.
+    """
+
+    sharpness_db: float
+    over_before_db: float
+    over_after_db: float
+    louder_db: float
+    begins_db: float
+
+
+class Heights:
+    """Counts the moments of each channel by how sharp they are, in steps of 1 dB."""
+
+    LOWEST_DB, COUNT = -200, 280
+
+    def __init__(self) -> None:
+        self._counts = np.zeros((0, self.COUNT), np.int64)
+
+    def add(self, sharpness: NDArray[np.float64]) -> None:
+        """Take the sharpness of the next cells, shape (channels, cells)."""
+        channels, count = sharpness.shape
+        if not len(self._counts):
+            self._counts = np.zeros((channels, self.COUNT), np.int64)
+        for channel, row in enumerate(sharpness):
+            blocks = np.maximum.reduceat(row, np.arange(0, count, BLOCK)) if count else row
+            levels = _decibels(np.square(blocks)) - self.LOWEST_DB
+            self._counts[channel] += np.bincount(
+                np.clip(levels, 0, self.COUNT - 1).astype(np.intp), minlength=self.COUNT
+            )
+
+    def reaching(self, level_db: float, channel: int) -> int:
+        """Return how many moments of a channel are about as sharp as a level, or sharper."""
+        first = min(max(0, round(level_db) - self.LOWEST_DB), self.COUNT - 1)
+        return int(self._counts[channel, first:].sum())
+
+
+def surroundings(cells: Cells, places: Sequence[tuple[int, int]], before: int, cell_frames: int) -> list[Surroundings]:
+    """Return the surroundings of some clicks.
+
+    Parameters
+    ----------
+    cells : Cells
+        Those looked at, with 80 before each click and 30 after it; what is missing counts as silence.
+    places : sequence of (int, int)
+        Cell and channel of each click.
+    before : int
+        The cell that the first of `cells` is.
+    cell_frames : int
+        Frames of each cell.
+    """
+    channels = {channel for _, channel in places}
+    sums = {channel: np.concatenate(([0.0], np.cumsum(cells.edges[channel]))) for channel in channels}
+    return [_around(cells, sums[channel], cell_frames, cell - before, channel) for cell, channel in places]
+
+
+def is_isolated(around: Surroundings, heights: Heights, channel: int) -> bool:
+    """Return whether a sharp moment is a click: neither the attack of a sound nor one of many alike."""
+    over_db = min(around.over_before_db, around.over_after_db)
+    if over_db >= (FIRST_DB if around.begins_db > NOTHING_DB else ISOLATED_DB):
+        return True
+    if around.louder_db > LOUDER_DB or around.begins_db > SILENT_DB:
+        return False
+    alike = heights.reaching(around.sharpness_db - ALIKE_DB, channel)
+    nearly = heights.reaching(around.sharpness_db - NEARLY_DB, channel)
+    return over_db < TRANSIENT_DB or alike < ALIKE or nearly < NEARLY
+
+
+def _around(cells: Cells, sums: NDArray[np.float64], cell_frames: int, cell: int, channel: int) -> Surroundings:
+    def mean(start: int, end: int) -> float:
+        """Return the mean square of the sixth differences from one cell, counted from the click, to another."""
+        first, last = max(0, cell + start), max(0, min(len(sums) - 1, cell + end))
+        return float(sums[last] - sums[first]) / ((end - start) * cell_frames) if last > first else 0.0
+
+    sharpest = float(cells.sharpness[channel, max(0, cell - 1) : cell + 2].max()) ** 2
+    powers = cells.squares[channel]
+    lead = powers[max(0, cell - LEAD[1]) : max(0, cell - LEAD[0])].max(initial=0.0)
+    sound = powers[cell : cell + TAIL].max(initial=0.0)
+    louder = max(_ratio_db(mean(LATE, LATE + span), mean(-span - BEYOND, -BEYOND)) for span in SPANS)
+    return Surroundings(
+        sharpness_db=_ratio_db(sharpest, 1.0),
+        over_before_db=_ratio_db(sharpest, mean(-CLOSE - BEYOND + 1, -BEYOND + 1)),
+        over_after_db=_ratio_db(sharpest, mean(BEYOND, CLOSE + BEYOND)),
+        louder_db=louder,
+        begins_db=_ratio_db(sound, lead),
+    )
+
+
+def _ratio_db(power: float, other: float) -> float:
+    return 10 * math.log10((power + TINY) / (other + TINY))
+
+
+def _decibels(powers: NDArray[np.float64]) -> NDArray[np.float64]:
+    return 10 * np.log10(powers + TINY)
