@@ -19,6 +19,7 @@ from audio_checks.measure.faults import DETECTORS, Faults
 from audio_checks.measure.levels import Levels
 from audio_checks.measure.likeness import Likeness
 from audio_checks.measure.loudness import Loudness, channel_weights
+from audio_checks.measure.pauses import Pauses
 from audio_checks.measure.phase import Phase
 from audio_checks.measure.seam import Seam
 from audio_checks.measure.spectrum import Spectrum
@@ -60,6 +61,7 @@ FIGURES: dict[str, tuple[str, ...]] = {
     "edges": Edges.FIGURES,
     "cuts": Cuts.FIGURES,
     **DETECTORS,
+    "pauses": Pauses.FIGURES,
     "phase": Phase.FIGURES,
     "steps": Steps.FIGURES,
     "likeness": Likeness.FIGURES,
@@ -76,6 +78,7 @@ MAKERS: dict[str, Callable[[wav.WavLayout, Survey], Accumulator]] = {
     "loudness": lambda layout, _: _loudness(layout),
     "edges": lambda layout, survey: Edges(*_size(layout), survey=survey),
     "cuts": lambda layout, survey: Cuts(*_size(layout), step=_step(layout), survey=survey),
+    "pauses": lambda layout, survey: Pauses(*_size(layout), survey=survey),
     "phase": lambda layout, survey: Phase(*_size(layout), survey=survey),
     "steps": lambda layout, _: Steps(*_size(layout), step=_step(layout)),
     "likeness": lambda layout, _: Likeness(*_size(layout)),

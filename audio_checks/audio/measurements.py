@@ -27,12 +27,14 @@ PLACES = frozenset(
         "mean_spectrum",
         "mono_loss_spans",
         "repeat_places",
+        "pauses",
         "soft_spans",
         "start_edge",
     }
 )
 """Figures that only checks and judgements read; reports list plain numbers."""
 
+INAUDIBLE_BELOW_DBFS = -50.0  # peak of a sound whose faults no one hears
 CUT_OFF_WITHIN_DB = 0.1  # of the highest sample: flat tops that low are what sets the peak
 
 
@@ -126,6 +128,11 @@ class Measurements:
         return float(head), float(tail)
 
     @property
+    def pauses(self) -> tuple[tuple[float, float], ...]:
+        """Silent stretches of 0.6 s or more with sound on both sides, each from when to when, in seconds."""
+        return tuple(self._file.figure("pauses"))
+
+    @property
     def clipped_runs(self) -> int:
         """Crests that are cut off, at full scale or at a lower ceiling."""
         return int(self._file.figure("clipped_runs"))
@@ -134,6 +141,11 @@ class Measurements:
     def clipped_spans(self) -> tuple[FlatTop, ...]:
         """The first of these flat tops."""
         return tuple(self._file.figure("clipped_spans"))
+
+    @property
+    def is_inaudible(self) -> bool:
+        """Whether the whole sound lies so low that no one hears what is wrong with it: that is then its level."""
+        return self.sample_peak_dbfs < INAUDIBLE_BELOW_DBFS
 
     @property
     def is_cut_off(self) -> bool:

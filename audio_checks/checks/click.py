@@ -23,13 +23,15 @@ if TYPE_CHECKING:
 SEVERITY = "warning"
 LABEL = "Clicks"
 NOT_FIXED = "Taking it out changes the sound around it, so it is done by ear: in the session, or in a restoration tool."
-FIGURES = ("clicks", "click_places")
+FIGURES = ("clicks", "click_places", "sample_peak_dbfs")
 PLACES_NAMED = 3
 AROUND_S = 0.0005
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield one `click:isolated` for the file, at its sharpest click, when there is any."""
+    if file.measurements.is_inaudible:
+        return
     places = file.measurements.click_places
     if not places:
         return

@@ -32,12 +32,14 @@ NOT_FIXED = (
     "What was cut off at the top is gone, and a lower level does not bring it back: lower the level before the "
     "limiter or converter, and export again."
 )
-FIGURES = ("clipped_runs", "clipped_spans", "soft_tops", "soft_spans")
+FIGURES = ("clipped_runs", "clipped_spans", "soft_tops", "soft_spans", "sample_peak_dbfs")
 PLACES_NAMED = 3
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `clipping:flat-tops` for crests that are cut off, else `clipping:soft-tops` for flattened ones."""
+    if file.measurements.is_inaudible:
+        return
     figures = file.measurements
     if figures.clipped_runs:
         yield _finding("flat-tops", "clipped run", figures.clipped_runs, figures.clipped_spans)

@@ -23,13 +23,15 @@ if TYPE_CHECKING:
 SEVERITY = "warning"
 LABEL = "Dropouts"
 NOT_FIXED = "The missing sound is not in the file: export it again from the session."
-FIGURES = ("dropouts", "dropout_places", "repeats", "repeat_places")
+FIGURES = ("dropouts", "dropout_places", "repeats", "repeat_places", "sample_peak_dbfs")
 PLACES_NAMED = 3
 FIX = "export it again with a larger buffer or offline; if the recording has it, record again or repair the place"
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `dropout:hole` at the longest hole, and `dropout:repeat` at the longest repeat."""
+    if file.measurements.is_inaudible:
+        return
     holes = [(start_s, end_s) for start_s, end_s, _ in file.measurements.dropout_places]
     if holes:
         yield _finding("hole", "hole", file.measurements.dropouts, holes)

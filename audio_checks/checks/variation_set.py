@@ -4,12 +4,15 @@ Why: the game picks one of them at random each time. One that is louder or longe
 sticks out at every tenth step; two that are alike are heard as a repeat, which a set is there to avoid.
 How to fix: bring the one that stands out to the level and length of the others; replace one of two
 that are alike by another take.
-Source: integrated loudness, for sounds under 0.4 s the loudest 0.4 s: within 2 LU over the set. Length
-within 25 % of the middle of the others. Alike are sounds whose octave bands follow each other within
-0.4 dB once their levels are matched. It needs the sound list, and is asked once every variation is there.
-The server shows it to both sides, and returns no take for it.
+Source: integrated loudness, for sounds under 0.4 s the loudest 0.4 s: within 2 LU over the set, or what
+`[limits] variation_level_lu` says. Without that it is 4 LU for footsteps, foley, weapons and impacts, which vary on
+purpose; and a set of five or more whose levels spread may do so, up to 6 LU: then 3.5 times the middle distance from
+the middle counts. Length within 25 % of the middle of the others. Alike are sounds whose octave bands follow each
+other within 0.4 dB once their levels are matched. It needs the sound list, and is asked once every variation is
+there. The server shows it to both sides, and returns no take for it.
 """
 
+import re
 import statistics
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
@@ -25,9 +28,13 @@ if TYPE_CHECKING:
 SEVERITY = "warning"
 LABEL = "Inconsistent variation"
 OVER_FILES = True
+LIMITS = {"variation_level_lu": (0.0, 60.0, "Level within a set")}
 NOT_FIXED = "A set is balanced by ear, all of it together: in the session."
 FIGURES = ("integrated_lufs", "short_loudness_lufs", "likeness_print")
-MOST_SPREAD_LU = 2.0
+MOST_SPREAD_LU, MOST_SPREAD_VARIED_LU = 2.0, 4.0
+VARIED = re.compile(r"foot|step|foley|impact|hit|weapon|gun|shot", re.IGNORECASE)  # categories that vary on purpose
+VARIED_KIND = "natural-decay"
+FEWEST_SPREAD, SPREADS, MOST_SPREAD_OF_SET_LU = 5, 3.5, 6.0  # a set that spreads as a whole has its own limit
 MOST_LENGTH_OFF = 0.25
 LEAST_UNLIKE_DB = 0.4
 EPSILON = 1e-9
@@ -79,12 +86,13 @@ def _chosen(files: "Sequence[JudgedFile]", places: Sequence[int]) -> Set:
 def _of_one_set(files: "Sequence[JudgedFile]", places: Sequence[int], chosen: Set) -> Iterator[tuple[int, Finding]]:
     levels, lengths = _levels(files, places), {place: _duration_s(files[place]) for place in places}
     levels_off = _off(levels, files, places, chosen)
-    most_off = _most_off(levels, levels_off, chosen, files[places[0]].spec.limits.tolerance_db)
+    limit = _limit_lu(files[places[0]].spec, [levels[place] for place in chosen.values() if place in levels])
+    most_off = _most_off(levels, levels_off, chosen, limit + files[places[0]].spec.limits.tolerance_db)
     lengths_off = _off(lengths, files, places, chosen)
     for place in places:
         off = levels_off.get(place)
         if off is not None and most_off is not None and abs(off) > most_off:
-            yield place, _level(off, levels[place], files[place])
+            yield place, _level(off, levels[place], files[place], limit)
         off = lengths_off.get(place)
         if off is not None and abs(off) > MOST_LENGTH_OFF * (lengths[place] - off):
             yield place, _length(off, lengths[place], files[place])
@@ -116,13 +124,26 @@ def _off(
     return far
 
 
-def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set, tolerance_db: float) -> float | None:
+def _limit_lu(spec: DeliverySpec, levels: Sequence[float]) -> float:
+    """Return how far one variation's level may lie from those of the others, in LU."""
+    stated = spec.limits.others.get("variation_level_lu")
+    if stated is not None:
+        return stated
+    varies = spec.kind == VARIED_KIND or VARIED.search(spec.category or "") is not None
+    limit = MOST_SPREAD_VARIED_LU if varies else MOST_SPREAD_LU
+    if len(levels) < FEWEST_SPREAD:
+        return limit
+    middle = statistics.median(levels)
+    spread = SPREADS * statistics.median(abs(level - middle) for level in levels)
+    return max(limit, min(spread, MOST_SPREAD_OF_SET_LU))
+
+
+def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set, limit: float) -> float | None:
     """Return beyond which distance a file is named; None where none is.
 
     One that is farther from the middle than the whole set may spread is named. Where none is, but the
     set spreads too far all the same, those that lie farthest are.
     """
-    limit = MOST_SPREAD_LU + tolerance_db
     known_levels = [levels[place] for place in chosen.values() if place in levels]
     if len(known_levels) < 2:
         return None
@@ -130,14 +151,14 @@ def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set
     return limit if farthest > limit or max(known_levels) - min(known_levels) <= limit else farthest - EPSILON
 
 
-def _level(off: float, level: float, one: "JudgedFile") -> Finding:
+def _level(off: float, level: float, one: "JudgedFile", limit: float) -> Finding:
     turn, how = ("lower", "louder") if off > 0 else ("raise", "quieter")
     return Finding(
         code="variation-set:level",
-        message=f"_{one.variation:02} is {abs(off):.1f} LU {how} than the rest of its set, limit {MOST_SPREAD_LU:g} LU",
+        message=f"_{one.variation:02} is {abs(off):.1f} LU {how} than the rest of its set, limit {limit:.3g} LU",
         fix=f"{turn} its level by {abs(off):.1f} dB, to {level - off:.1f} LUFS",
         measured=off,
-        limit=MOST_SPREAD_LU,
+        limit=limit,
         unit="LU",
     )
 

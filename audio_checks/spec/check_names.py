@@ -22,9 +22,10 @@ CHECKS = Path(version.__file__).with_name("checks")
 # is kept for a later version, so that a spec written for one is understood.
 ORDER: tuple[str, ...] = (
     "structure", "container", "encoding", "sample-rate", "bit-depth", "channels", "duration", "naming", "sample-peak",
-    "true-peak", "loudness", "dc-offset", "silence", "head-silence", "tail-silence", "noise-floor", "clipping",
-    "placeholder", "cut-start", "cut-tail", "click", "dropout", "hum", "false-stereo", "phase", "loop-points",
-    "padded-bits", "metadata", "duplicate", "variation-set", "baked-reverb", "reversed", "upsampled", "lossy",
+    "true-peak", "loudness", "dc-offset", "silence", "low-level", "head-silence", "tail-silence", "internal-silence",
+    "noise-floor", "clipping", "placeholder", "cut-start", "cut-tail", "click", "dropout", "hum", "false-stereo",
+    "phase", "loop-points", "padded-bits", "metadata", "duplicate", "variation-set", "baked-reverb", "reversed",
+    "upsampled", "lossy",
 )  # fmt: skip
 STATED = re.compile(r"^(SEVERITY|OVER_FILES|LIMITS) = (.+?)(?:  #.*)?$", re.MULTILINE)  # each on one line
 

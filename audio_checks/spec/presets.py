@@ -59,9 +59,10 @@ sample_peak_dbfs = -0.1
 true_peak_dbtp = -1.0               # a warning; an error for music, voice and cinematics, below
 dc_offset_percent = 1.0
 silence_below_dbfs = -90.0          # a file that never exceeds this is silent
-head_silence_ms = 5
-tail_silence_ms = 100
-edge_silence_below_dbfs = -60.0     # what counts as silence at head and tail, or 60 dB under the file's peak
+low_level_dbfs = -40.0              # and one that never exceeds this too quiet
+head_silence_ms = 10
+tail_silence_ms = 250               # of digital silence: a natural decay is none
+edge_silence_below_dbfs = -60.0     # what counts as silence at the head, or 60 dB under the file's peak
 tolerance_db = 0.05                 # a level fails when it is more than this beyond its limit
 mono_loss_db = 6.0                  # what a stereo sound may lose in mono; channels that have nothing in common lose 3
 # loudness_lufs = {{ min = -40.0, max = -10.0 }}
@@ -98,12 +99,12 @@ checks.true-peak = "error"
 
 [categories.vo]
 kind = "voice"
-limits = {{ head_silence_ms = 50, tail_silence_ms = 150 }}
+limits.head_silence_ms = 50
 checks.true-peak = "error"
 
 [categories.narration]
 kind = "voice"
-limits = {{ head_silence_ms = 50, tail_silence_ms = 150 }}
+limits.head_silence_ms = 50
 checks.true-peak = "error"
 
 [categories.ui]

@@ -10,6 +10,7 @@ from audio_checks.measure import (
     in_phase,
     lulls,
     noise_floor,
+    onsets,
     repeats,
     straight_tops,
 )
@@ -40,7 +41,11 @@ def thresholds() -> dict[str, str]:
         f" before and after, and is predicted {rules.BURST_HARDER_THAN_BESIDE:g} and"
         f" {rules.BURST_HARDER_THAN_AROUND:g} times as badly, in a sound whose sixth differences have there the same"
         f" power before as after, within {power_decibels(clicks.BURST_GOES_ON):.1f} dB."
-        f" What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the file's peak counts for nothing.",
+        f" What stands out less than {onsets.ISOLATED_DB:g} dB of the 3 ms on both sides is none where the highs are"
+        f" {onsets.LOUDER_DB:g} dB louder after it, where the sound begins there, {onsets.SILENT_DB:g} dB over the"
+        f" {(onsets.LEAD[1] - onsets.LEAD[0]) / 2:g} ms of silence before, or where {onsets.ALIKE} moments of the file"
+        f" are as sharp within {onsets.ALIKE_DB:g} dB. What lies {-decibels(clicks.BELOW_PEAK):.0f} dB under the"
+        f" file's peak, or under {decibels(clicks.AUDIBLE):.0f} dBFS, counts for nothing.",
         "dropout": f"a hole is {dropouts.SHORTEST / 2:g} to {dropouts.LONGEST / 2:g} ms in which no step exceeds"
         f" {dropouts.STILL * 2**15:.1f} units of 16 bit, or nothing but a value that leaks away or a straight"
         f" line, or that lie {power_decibels(lulls.UNDER):.0f} dB under the sound and are level, within"

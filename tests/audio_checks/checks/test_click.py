@@ -200,6 +200,6 @@ def test_crackle_that_is_the_sound_is_no_click(codes_of):
 
 
 def test_clicks_that_no_one_hears_are_not_named(codes_of):
-    quiet = 10 ** (-50 / 20) * tone()  # its peak is at -56 dBFS
+    quiet = 10 ** (-40 / 20) * tone()  # its peak is at -46 dBFS
     assert codes_of("click", clicked(quiet, 10 ** (-62 / 20))) == []
-    assert codes_of("click", clicked(quiet, 10 ** (-52 / 20))) == ["click:isolated"]
+    assert codes_of("click", clicked(quiet, 10 ** (-58 / 20))) == ["click:isolated"]

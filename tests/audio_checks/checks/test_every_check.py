@@ -69,6 +69,8 @@ def test_without_limits_nothing_is_found(found_by):
         "dropout",
         "false-stereo",
         "hum",
+        "internal-silence",
+        "low-level",
         "padded-bits",
         "placeholder",
     }

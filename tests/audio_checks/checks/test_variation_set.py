@@ -56,6 +56,30 @@ def test_levels(tmp_path, levels_db, named, channels):
     assert [place for place, one in enumerate(found, start=1) if one == ["level"]] == named
 
 
+def footsteps(tmp_path, levels_db, tables):
+    spec = parse_spec(f"format = 1\naccept.channels = 'any'\n[files]\n'*' = 'footsteps'\n{tables}")
+    steps(tmp_path, levels_db)
+    return codes(found_in(sorted(tmp_path.glob("*.wav")), len(levels_db), spec))
+
+
+@pytest.mark.parametrize(
+    ("off_db", "tables", "named"),
+    [
+        (3.8, "", False),
+        (4.3, "", True),
+        (3.8, "[categories.footsteps]\nlimits.variation_level_lu = 3", True),
+        (4.8, "[categories.footsteps]\nlimits.variation_level_lu = 5", False),
+    ],
+)
+def test_footsteps_may_vary_more(tmp_path, off_db, tables, named):
+    assert footsteps(tmp_path, [0, 0, off_db, 0], tables)[2] == (["level"] if named else [])
+
+
+def test_a_set_that_spreads_on_purpose_is_level(tmp_path):
+    assert codes(steps(tmp_path, [0, 1, 2, 3, 4, 5])) == [[]] * 6  # 1.5 LU from the middle in the middle: up to 5.25
+    assert codes(steps(tmp_path, [0, 1, 2, 3, 4, 15]))[5] == ["level"]
+
+
 def test_the_distance_to_the_middle_of_the_others_is_reported(tmp_path):
     found = steps(tmp_path, [0, 0, 4, 0])[2][0]
     assert found.measured == pytest.approx(4, abs=0.1)
