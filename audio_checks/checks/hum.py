@@ -23,13 +23,11 @@ if TYPE_CHECKING:
 SEVERITY = "warning"
 LABEL = "Hum"
 NOT_FIXED = "Taking it out changes the sound around it, so it is done by ear: in the session, or in a restoration tool."
-FIGURES = ("hum_dbfs", "hum_hz", "sample_peak_dbfs")
+FIGURES = ("hum_dbfs", "hum_hz")
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `hum:mains` when steady multiples of 50 or 60 Hz are found."""
-    if file.measurements.is_inaudible:
-        return
     level, mains_hz = file.measurements.hum_dbfs, file.measurements.hum_hz
     if level is None or mains_hz is None:
         return

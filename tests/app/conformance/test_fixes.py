@@ -346,7 +346,7 @@ def test_the_review_room_says_what_a_fix_would_do(world: World) -> None:
 @pytest.mark.slow
 def test_an_offset_is_taken_out_and_its_start_shown(world: World) -> None:
     add_cues(world, {"name": "Airlock cycle"})
-    fix = fix_of(world, returned(world, wav_bytes(sine(hz=440, dbfs=-50.0, seconds=0.5) + 0.05)))
+    fix = fix_of(world, returned(world, wav_bytes(sine(hz=440, dbfs=-32.0, seconds=0.5) + 0.05)))
     assert (fix["state"], fix["left"]) == ("made", [])
     assert fix["says"] == "DC offset of 5.00 % taken out."
     assert (fix["before"]["dc_offset_percent"], fix["after"]["dc_offset_percent"]) == pytest.approx(

@@ -75,11 +75,11 @@ def test_the_designer_reads_it_and_does_not_write_it(world: World) -> None:
 
 def test_a_new_version_is_kept_beside_the_old(world: World, published: list[tuple[str, dict[str, Any]]]) -> None:
     first = current(world)
-    toml = first["toml"].replace("tail_silence_ms = 100", "tail_silence_ms = 250")
+    toml = first["toml"].replace("tail_silence_ms = 250 ", "tail_silence_ms = 400 ")
     body = {"toml": toml, "note": "Longer tails.", "based_on_version": 1}
     saved = world.producer.put(spec_path(world), json=body).json()
     assert (saved["version"], saved["note"]) == (2, "Longer tails.")
-    assert saved["resolved"]["limits"]["tail_silence_ms"] == 250
+    assert saved["resolved"]["limits"]["tail_silence_ms"] == 400
     assert saved["toml"] == toml  # to the letter, comments too
     assert world.producer.get(spec_path(world, "/versions/1")).json()["toml"] == first["toml"]
     versions = world.designer.get(spec_path(world, "/versions")).json()

@@ -9,7 +9,7 @@ from audio_checks.fixing import fix_master as fix
 from tests.support.waves import chunk, join, silence, sine, write_wav
 
 SPEC = parse_spec("format = 1\n[limits]\nhead_silence_ms = 0\ntail_silence_ms = 0\nsample_peak_dbfs = -1.0\n")
-HEAD, SOUND, TAIL = 9_600, 4_800, 4_800  # frames: 9600 and 4800 are cut
+HEAD, SOUND, TAIL = 9_600, 4_800, 14_400  # frames: 9600 and 14400 are cut
 
 
 def cue(*points):

@@ -20,7 +20,7 @@ class TestPresets:
         assert (spec.name, spec.warnings, spec.not_run) == ("Shield Wing", (), ())
         limits = spec.limits
         assert (limits.sample_peak_dbfs, limits.true_peak_dbtp, limits.tolerance_db) == (-0.1, -1.0, 0.05)
-        assert (limits.head_silence_ms, limits.tail_silence_ms, limits.silence_below_dbfs) == (10.0, 250.0, -90.0)
+        assert (limits.head_silence_ms, limits.tail_silence_ms, limits.silence_below_dbfs) == (5.0, 250.0, -90.0)
         assert spec.accept.duration_s.max == 30.0
         assert spec.for_category("ambience").accept.duration_s.max == 300.0
         assert spec.for_category("music").accept.duration_s.max == 300.0
