@@ -58,7 +58,8 @@ export function BeginContract({ project, contracts }: { project: Project; contra
   })
   const from = source ?? (last ? LAST : LIBRARY)
   const template = from === LAST || from === LIBRARY ? null : from
-  const money = currency ?? (from === LAST ? last?.currency : undefined) ?? 'USD'
+  const ofProject = contracts.at(-1)?.currency // the newest
+  const money = currency ?? (from === LAST ? last?.currency : undefined) ?? ofProject ?? 'USD'
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (begin.isPending || chosen === null) return

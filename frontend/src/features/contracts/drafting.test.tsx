@@ -86,6 +86,30 @@ describe('a producer', () => {
     )
   })
 
+  test('begins in the currency of the project’s newest contract where the designer has none', async () => {
+    const designer = { id: 'x3', name: 'Sound designer' }
+    const project = {
+      ...{ id: 'p1', studio: { id: 's1', name: 'Shield Wing studio' }, nda_needed: false },
+      mine: { is_producer: true, is_team: true },
+      engagements: [{ id: 'e1', kind: 'contract', ended_at: null, designer }],
+    }
+    const earlier = { ...CONTRACT, designer: { id: 'x9', name: 'Another designer' } }
+    serve(
+      contractAnswers({
+        'GET /v1/projects/p1': project,
+        'GET /v1/projects/p1/contracts': [
+          { ...earlier, id: 'c7', currency: 'GBP' },
+          { ...earlier, id: 'c8', currency: 'EUR' },
+        ],
+        'GET /v1/studios/s1/contract-templates': [],
+        'GET /v1/projects/p1/last-contract': { contract: null },
+      }),
+    )
+    openApp('/projects/p1/contracts')
+    const form = within(await screen.findByRole('form', { name: 'New contract' }))
+    expect(form.getByLabelText('Currency')).toHaveValue('EUR')
+  })
+
   test('deletes a template only when that is confirmed', async () => {
     const project = {
       ...{ id: 'p1', studio: { id: 's1', name: 'Shield Wing studio' }, nda_needed: false, engagements: [] },
