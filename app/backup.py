@@ -1,32 +1,41 @@
 """A copy of everything a server keeps, in one folder, and a new server out of it.
 
 The database is copied first and the blobs after it: a blob is stored before a row names it and never changes,
-so whatever the copied database names is there. Blobs that were copied before are not copied again.
+so whatever the copied database names is there. Blobs that were copied before are not copied again, but a share of them
+is read each time. A blob that nothing names any more goes when no copied database is left that named it.
 """
 
+import json
 import os
 import shutil
 import sqlite3
 import subprocess
 from contextlib import closing, suppress
 from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from pathlib import Path
+from uuid import UUID
 
 import sqlalchemy as sa
 from sqlalchemy.engine import URL
 
 from app.kit import clock
 from app.kit.db import Database
+from app.kit.health import NotReady
 from app.kit.plural import counted
 from app.kit.runtime import Runtime
-from app.kit.storage import FolderStore, Store
-from app.migrate import CannotUpgrade, ensure_upgradable, migrate
+from app.kit.storage import BlobAltered, BlobMissing, FolderStore, Store
+from app.migrate import CannotUpgrade, ensure_at_head, ensure_upgradable, migrate
+from app.operations import blob_queries
 from app.row_security import make_request_role
 
 BLOBS = "blobs"
 PREFIX = "database-"
 SQLITE, POSTGRES = ".sqlite", ".dump"
 PARTIAL = ".partial"
+UNNAMED = "unnamed.json"  # since when no row names a blob of the backup
+STAMP = "%Y%m%dT%H%M%S.%fZ"
+SHARES = 14  # of the blobs that were copied before, one in so many is read again
 
 
 class BackupRefused(Exception):
@@ -42,16 +51,31 @@ class Copied:
     size_bytes: int = 0
     there_before: int = 0
     damaged: list[str] = field(default_factory=list)
+    healed: list[str] = field(default_factory=list)  # were damaged in the backup, and are copied again
+    lost: list[str] = field(default_factory=list)  # named by the database, and in neither place
+    expired: int = 0  # of the backup, which no copied database names any more
+
+
+@dataclass
+class RestoredSounds:
+    """The counts of blobs stored again, and those that the backup could not give."""
+
+    blobs: int = 0
+    size_bytes: int = 0
+    whole: int = 0
+    damaged: list[str] = field(default_factory=list)
 
 
 def back_up(runtime: Runtime, folder: Path, *, keep: int) -> Copied:
-    """Copy database and blobs into a folder; of databases copied before keep so many, of blobs all.
+    """Copy database and blobs into a folder; of databases copied before keep so many, and the blobs that they name.
 
     Raises BackupRefused where the database cannot be copied. A blob that is not what its name says is left out.
     """
     folder.mkdir(parents=True, exist_ok=True)
     suffix = SQLITE if runtime.database.is_sqlite else POSTGRES
-    target = folder / f"{PREFIX}{clock.now():%Y%m%dT%H%M%S.%fZ}{suffix}"
+    now = clock.now()
+    target = folder / f"{PREFIX}{now:{STAMP}}{suffix}"
+    named = _named(runtime)
     partial = target.with_name(target.name + PARTIAL)
     try:
         _dump(runtime.database, partial)
@@ -59,10 +83,91 @@ def back_up(runtime: Runtime, folder: Path, *, keep: int) -> Copied:
     finally:
         partial.unlink(missing_ok=True)
     copied = Copied(target)
-    _copy_blobs(runtime.store, FolderStore(folder / BLOBS), copied)
+    blobs = FolderStore(folder / BLOBS)
+    _reread_share(runtime.store, blobs, now.toordinal() % SHARES, copied)
+    in_store = _copy_blobs(runtime.store, blobs, copied)
     for old in _databases(folder)[:-keep]:
         old.unlink()
+    still_named = _named(runtime)
+    if named is None or still_named is None:
+        return copied
+    in_backup = {(studio_id, blob.sha256) for studio_id, blob in blobs.blobs()}
+    copied.lost = sorted(f"{studio_id}/{sha256}" for studio_id, sha256 in (named & still_named) - in_backup)
+    copied.lost = [blob for blob in copied.lost if blob not in copied.damaged]
+    _expire(folder, blobs, in_backup - in_store - named - still_named, now, copied)
     return copied
+
+
+def restore_sounds(runtime: Runtime, folder: Path) -> RestoredSounds:
+    """Store again every blob that the database names and the store lacks, or holds altered, out of a backup."""
+    if not (folder / BLOBS).is_dir():
+        raise BackupRefused(f"{folder} holds no backup; name the folder that `soundlist backup` wrote to")
+    if (named := _named(runtime)) is None:
+        raise BackupRefused("the database has not the tables of this version; run: soundlist migrate")
+    backup, restored = FolderStore(folder / BLOBS), RestoredSounds()
+    for studio_id, sha256 in sorted(named):
+        try:
+            runtime.store.verify(studio_id, sha256)
+            restored.whole += 1
+            continue
+        except (BlobMissing, BlobAltered):
+            pass
+        try:
+            restored.size_bytes += runtime.store.put(studio_id, backup.stream(studio_id, sha256)).size_bytes
+            restored.blobs += 1
+        except (BlobMissing, BlobAltered):
+            restored.damaged.append(f"{studio_id}/{sha256}")
+    return restored
+
+
+def _named(runtime: Runtime) -> set[tuple[UUID, str]] | None:
+    """Return the blobs that rows name; None where the tables are not those of this version."""
+    try:
+        ensure_at_head(runtime)
+    except NotReady:
+        return None
+    with runtime.database.reading() as session:
+        return {
+            (studio_id, sha256)
+            for studio_id in blob_queries.studio_ids(session)
+            for sha256 in blob_queries.named_blobs(session, studio_id)
+        }
+
+
+def _reread_share(store: Store, backup: FolderStore, share: int, copied: Copied) -> None:
+    """Read a share of the blobs of a backup; one that is damaged and whole in the store is copied again."""
+    for studio_id, blob in backup.blobs():
+        if int(blob.sha256[:8], 16) % SHARES != share:
+            continue
+        try:
+            backup.verify(studio_id, blob.sha256)
+            continue
+        except BlobAltered:
+            pass
+        try:
+            backup.put(studio_id, store.stream(studio_id, blob.sha256))
+            copied.healed.append(f"{studio_id}/{blob.sha256}")
+        except (BlobAltered, BlobMissing):
+            copied.damaged.append(f"{studio_id}/{blob.sha256}")
+
+
+def _expire(folder: Path, blobs: FolderStore, unnamed: set[tuple[UUID, str]], now: datetime, copied: Copied) -> None:
+    """Delete the blobs of a backup that were unnamed and gone from the store before the oldest database in it was copied."""
+    file, oldest = folder / UNNAMED, _databases(folder)[0].name.removeprefix(PREFIX).partition("Z")[0]
+    known = json.loads(file.read_text()) if file.exists() else {}
+    since = {
+        f"{studio_id}/{sha256}": known.get(f"{studio_id}/{sha256}", now.isoformat()) for studio_id, sha256 in unnamed
+    }
+    for studio_id, sha256 in unnamed:
+        if datetime.fromisoformat(since[f"{studio_id}/{sha256}"]) < datetime.strptime(f"{oldest}Z", STAMP).replace(
+            tzinfo=UTC
+        ):
+            blobs.delete(studio_id, sha256)
+            del since[f"{studio_id}/{sha256}"]
+            copied.expired += 1
+    partial = file.with_name(UNNAMED + PARTIAL)
+    partial.write_text(json.dumps(since))
+    partial.replace(file)
 
 
 def restore(runtime: Runtime, folder: Path, database: Path | None = None) -> Copied:
@@ -103,16 +208,23 @@ def _databases(folder: Path) -> list[Path]:
     return sorted(path for path in folder.glob(f"{PREFIX}*") if path.suffix in (SQLITE, POSTGRES))
 
 
-def _copy_blobs(source: Store, target: Store, copied: Copied) -> None:
+def _copy_blobs(source: Store, target: Store, copied: Copied) -> set[tuple[UUID, str]]:
+    """Copy the blobs that the target has not; return all that the source has."""
     there = {(studio_id, blob) for studio_id, blob in target.blobs()}
+    in_source = set()
     for studio_id, blob in source.blobs():
+        in_source.add((studio_id, blob.sha256))
         if (studio_id, blob) in there:
             copied.there_before += 1
-        elif target.put(studio_id, source.stream(studio_id, blob.sha256)) != blob:
+            continue
+        try:
+            target.put(studio_id, source.stream(studio_id, blob.sha256))
+        except BlobAltered:
             copied.damaged.append(f"{studio_id}/{blob.sha256}")
         else:
             copied.blobs += 1
             copied.size_bytes += blob.size_bytes
+    return in_source
 
 
 def _dump(database: Database, target: Path) -> None:

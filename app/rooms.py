@@ -194,6 +194,7 @@ JOB_MODULES = (
     "app.notifications.notice_jobs",
     "app.notifications.security_jobs",
     "app.webhooks.jobs",
+    "app.operations.jobs",
 )
 PARSERS = (
     "app.accounts.picture_drawing",

@@ -29,7 +29,12 @@ NEVER_ALTERED = frozenset(  # what was said and owed stands
         *("contracts_ledger_lines", "contracts_invoice_lines"),
     }
 )
-SERVERS_OWN = frozenset({"kit_heartbeats", "accounts_rate_limits", "accounts_sign_ups"})
+SERVERS_OWN = frozenset(
+    {
+        *("kit_heartbeats", "accounts_rate_limits", "accounts_sign_ups"),
+        *("operations_scrubs", "operations_damaged_blobs"),
+    }
+)
 PERSONAL = frozenset(
     {
         *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),

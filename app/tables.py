@@ -16,6 +16,7 @@ from app.kit import http as _http
 from app.kit.db import Base
 from app.money import models as _money
 from app.notifications import models as _notifications
+from app.operations import models as _operations
 from app.projects import models as _projects
 from app.references import models as _references
 from app.renders import models as _renders

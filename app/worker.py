@@ -63,6 +63,7 @@ CHORES = (
     "notifications.notify_overdue_checks",
     "notifications.delete_old_notices",
     "webhooks.delete_old_calls",
+    "operations.scrub_blobs",
 )
 
 

@@ -1,6 +1,5 @@
 """The record of a contract: what was agreed, delivered, accepted and paid, chained by hashes."""
 
-import hashlib
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
@@ -17,7 +16,7 @@ from app.agreements.models import Contract, ContractEvent, ContractVersion
 from app.kit import clock
 from app.kit.record import Entry, canonical, faults, link
 from app.kit.storage import Store
-from app.kit.storage.store import BlobMissing
+from app.kit.storage.store import BlobAltered, BlobMissing
 
 FORMAT = 1
 HOW = (
@@ -159,11 +158,10 @@ def text_faults(session: Session, store: Store, contract: Contract) -> Iterator[
             yield f"the text of version {version.number} was altered"
         if version.pdf_sha256 is not None:
             try:
-                pdf = store.read(contract.studio_id, version.pdf_sha256)
+                store.verify(contract.studio_id, version.pdf_sha256)
             except BlobMissing:
                 yield f"the PDF of version {version.number} is not in the store"
-                continue
-            if hashlib.sha256(pdf).hexdigest() != version.pdf_sha256:
+            except BlobAltered:
                 yield f"the PDF of version {version.number} was altered"
     for seal in queries.sealed_versions(session, contract.id).values():
         if not _is_kept(store, contract, seal.file_sha256):
@@ -179,6 +177,7 @@ def text_faults(session: Session, store: Store, contract: Contract) -> Iterator[
 
 def _is_kept(store: Store, contract: Contract, sha256: str) -> bool:
     try:
-        return hashlib.sha256(store.read(contract.studio_id, sha256)).hexdigest() == sha256
-    except BlobMissing:
+        store.verify(contract.studio_id, sha256)
+    except (BlobMissing, BlobAltered):
         return False
+    return True

@@ -24,7 +24,7 @@ from app.deliveries.models import Take
 from app.deliveries.schemas import Sources
 from app.deliveries.source_rules import words_of
 from app.deliveries.sources import sources_of
-from app.kit.storage import Store
+from app.kit.storage import READ_AGAIN_FIX, BlobAltered, BlobMissing, Store
 from app.money.downloads import closed_downloads
 from app.projects.models import Project
 from app.projects.queries import current_spec
@@ -44,6 +44,7 @@ SUMS = "SHA256SUMS"
 PLACEHOLDER_CODE = "placeholder:marked"
 SAME_SOUND = ("sample_rate_hz", "bit_depth", "encoding", "channels", "loop_points")
 NAMES_SHOWN = 3
+VERIFIED_AHEAD_BYTES = 1 << 30
 PATHS_SHOWN = 200
 
 
@@ -391,9 +392,28 @@ def stored_entry(store: Store, studio_id: UUID, path: str, sha256: str, size_byt
 
 
 def ensure_stored(store: Store, studio_id: UUID, entries: Sequence[Entry]) -> None:
-    """Raise BlobDamaged unless the store holds every file, as long as it should be."""
+    """Raise BlobDamaged unless the store holds every file, as long as it should be and, in the first GiB, whole.
+
+    What comes after that is hashed when its turn comes in the ZIP, which breaks off before a damaged file.
+    """
     sizes_bytes = store.sizes_bytes(studio_id, {entry.sha256 for entry in entries})
+    ahead_bytes = 0
     for entry in entries:
-        if sizes_bytes.get(entry.sha256) != entry.size_bytes:
-            message = f"{entry.path} is lost or damaged in the store; restore {entry.sha256} from a backup"
-            raise BlobDamaged(message, errors=[{"where": entry.path, "message": "lost or damaged in the store"}])
+        is_whole = sizes_bytes.get(entry.sha256) == entry.size_bytes
+        ahead_bytes += entry.size_bytes
+        if is_whole and ahead_bytes <= VERIFIED_AHEAD_BYTES:
+            is_whole = _is_intact(store, studio_id, entry.sha256)
+        if not is_whole:
+            raise BlobDamaged(
+                f"{entry.path} (SHA-256 {entry.sha256}) is lost or damaged in the store",
+                errors=[{"where": entry.path, "message": "lost or damaged in the store"}],
+                fix=READ_AGAIN_FIX,
+            )
+
+
+def _is_intact(store: Store, studio_id: UUID, sha256: str) -> bool:
+    try:
+        store.ensure_intact(studio_id, sha256)
+    except (BlobAltered, BlobMissing):
+        return False
+    return True

@@ -12,7 +12,7 @@ from app.deliveries.queries import take_with_cue
 from app.kit.events import publish
 from app.kit.queue import BULK, Payload, job
 from app.kit.runtime import Runtime
-from app.kit.storage import BlobMissing
+from app.kit.storage import BlobAltered, BlobMissing
 from audio_checks import (
     FINGERPRINT_VERSION,
     KnownSound,
@@ -40,7 +40,8 @@ def compare_take(runtime: Runtime, payload: Payload) -> None:
     if not is_known:
         try:
             known = _known(runtime, studio_id, sha256, size_bytes)
-        except BlobMissing as error:  # nothing is recorded: once it is restored, the next check or approval compares it
+        except (BlobAltered, BlobMissing) as error:
+            # Nothing is recorded: once it is restored, the next check or approval compares it.
             log.warning("a master could not be compared", sha256=sha256, error=str(error))
             return
         with runtime.database.writing() as session:

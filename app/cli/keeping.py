@@ -35,13 +35,21 @@ def backup(
 def restore(
     folder: Annotated[Path, typer.Argument(help="A folder that `soundlist backup` wrote to.")],
     database: Annotated[Path | None, typer.Option(help="A copy of the database in it; the newest if left out.")] = None,
+    sounds: Annotated[
+        bool, typer.Option("--sounds", help="Leave the database, and store again what is missing or altered.")
+    ] = False,
 ) -> None:
     """Fill an empty database and a store, whichever the settings name, from a backup."""
-    from app.backup import BackupRefused
+    from app.backup import BackupRefused, restore_sounds
     from app.backup import restore as restore_backup
 
     runtime = opened(read_settings_or_exit())
     try:
+        if sounds:
+            restored = restore_sounds(runtime, folder)
+            typer.echo(f"restored: {restored.blobs} blobs of {restored.size_bytes} bytes; {restored.whole} were whole")
+            _report_blobs("not in the backup, or damaged there", restored.damaged)
+            return
         _report_copied("restored", restore_backup(runtime, folder, database))
     except (BackupRefused, Refused) as error:
         raise refusal([str(error)]) from None
@@ -54,9 +62,55 @@ def _report_copied(done: str, copied: "Copied") -> None:
         f"{done}: {copied.database.name}, {copied.blobs} blobs of {copied.size_bytes} bytes; "
         f"{copied.there_before} were there before"
     )
-    for blob in copied.damaged:
-        typer.echo(f"left out, for its bytes are not what its name says: {blob}", err=True)
-    if copied.damaged:
+    for blob in copied.healed:
+        typer.echo(f"was damaged in the backup, and is copied again: {blob}", err=True)
+    for blob in copied.lost:
+        typer.echo(f"named by the database, and neither in the store nor in the backup: {blob}", err=True)
+    _report_blobs("left out, for its bytes are not what its name says", copied.damaged)
+    if copied.lost:
+        raise typer.Exit(1)
+
+
+def _report_blobs(fault: str, blobs: list[str]) -> None:
+    for blob in blobs:
+        typer.echo(f"{fault}: {blob}", err=True)
+    if blobs:
+        raise typer.Exit(1)
+
+
+@cli.command()
+def scrub(
+    rate: Annotated[float, typer.Option(min=0, help="MiB that are read a second at most; 0: no limit.")] = 64,
+    delete_orphans: Annotated[
+        bool, typer.Option("--delete-orphans", help="Delete files older than a day that nothing names.")
+    ] = False,
+) -> None:
+    """Read every stored file, compare it with its hash, and name what is missing, altered or orphaned."""
+    from app.operations import scrubbing
+
+    runtime = opened(read_settings_or_exit())
+    try:
+        pass_ = scrubbing.begin(runtime.database)
+        limit = scrubbing.RateLimit(rate * (1 << 20))
+        damages = []
+        for damage in scrubbing.run(runtime, pass_, rate=limit):
+            damages.append(damage)
+            typer.echo(str(damage), err=True)
+        orphans = scrubbing.delete_orphans(runtime) if delete_orphans else scrubbing.orphans(runtime)
+        sizes_bytes = []
+        for studio_id, blob in orphans:
+            sizes_bytes.append(blob.size_bytes)
+            typer.echo(f"{'deleted' if delete_orphans else 'orphaned'}: {studio_id}/{blob.sha256}")
+        typer.echo(
+            f"scrubbed: {pass_.blobs} files of {pass_.size_bytes} bytes, {pass_.missing} missing, "
+            f"{pass_.altered} altered, {len(sizes_bytes)} orphaned of {sum(sizes_bytes)} bytes"
+        )
+    except Refused as error:
+        raise refusal([str(error)]) from None
+    finally:
+        runtime.close()
+    if damages:
+        typer.echo("upload the same files again, or run: soundlist restore FOLDER --sounds", err=True)
         raise typer.Exit(1)
 
 

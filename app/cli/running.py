@@ -66,11 +66,11 @@ def _apart(work: Callable[[], None]) -> None:
 
 def _serve(runtime: Runtime, listening: Callable[[], socket.socket], *, place: int = 0) -> None:
     from app.kit import metrics, processes, serving
-    from app.main import create_app
+    from app.main import collectors, create_app
 
     settings = runtime.settings
     try:
-        with metrics.listening(settings, metrics.collectors(runtime), place=place):
+        with metrics.listening(settings, collectors(runtime), place=place):
             serving.serve(create_app(runtime), listening(), drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)
     except (metrics.CannotListen, processes.PortTaken) as error:
         raise refusal([str(error)]) from None

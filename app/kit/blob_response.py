@@ -8,7 +8,7 @@ from uuid import UUID
 from fastapi import Request, Response
 from fastapi.responses import RedirectResponse, StreamingResponse
 
-from app.kit.storage import Store
+from app.kit.storage import READ_BYTES, Store
 
 # What is stored never changes, and may be seen by authorized callers only, so no shared cache keeps it.
 IMMUTABLE = "private, max-age=31536000, immutable"
@@ -31,10 +31,12 @@ def blob_response(
 ) -> Response:
     """Answer with a blob, or a range of it; with `by_link`, send the caller to the store where that offers links.
 
-    Raises BlobMissing and StoreUnavailable before anything is sent.
+    Raises BlobMissing, BlobAltered and StoreUnavailable before anything is sent: a blob is hashed before its first
+    byte, or a link to it, leaves, and again while a whole one is sent.
     """
     disposition = None if file_name is None else _attachment(file_name)
-    if by_link:
+    if by_link and store.public_origin is not None:
+        store.ensure_intact(studio_id, sha256)
         url = store.signed_url(studio_id, sha256, media_type=media_type, disposition=disposition)
         if url is not None:
             return RedirectResponse(url, 307, {"Cache-Control": WHILE_SIGNED})
@@ -45,9 +47,12 @@ def blob_response(
         given["Content-Disposition"] = disposition
     if etag in request.headers.get("if-none-match", ""):
         return Response(status_code=304, headers=given)
+    store.ensure_intact(studio_id, sha256)
     size_bytes = store.size_bytes(studio_id, sha256)
     asked = request.headers.get("range") if request.headers.get("if-range", etag) == etag else None
     span = _span(asked, size_bytes)
+    if span is None and size_bytes <= READ_BYTES:
+        return Response(store.read(studio_id, sha256), 200, given, media_type)
     if span is None:
         content = store.stream(studio_id, sha256)
         return StreamingResponse(content, 200, {**given, "Content-Length": str(size_bytes)}, media_type)

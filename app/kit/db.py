@@ -44,6 +44,7 @@ UNAVAILABLE_STATES = frozenset(
     {"57P01", "57P02", "57P03", "53300"}
 )  # shut down, crashed, not up yet, too many connections
 UNIQUE_VIOLATION = "23505"
+DISK_FULL = "53100"
 CONFLICT_STATES = frozenset({"40001", "40P01"})  # serialization failure, deadlock
 CONNECTION = {
     # Row policies raise the planner's cost estimates, and JIT compilation takes longer than any of our statements.
@@ -71,13 +72,22 @@ def is_unavailable(error: BaseException) -> bool:
     if not isinstance(error, sa.exc.DBAPIError):
         return False
     if isinstance(error.orig, sqlite3.OperationalError):
-        return error.orig.sqlite_errorcode & 0xFF == sqlite3.SQLITE_BUSY
+        return error.orig.sqlite_errorcode & 0xFF in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_IOERR)
     if error.connection_invalidated:
         return True
     state = getattr(error.orig, "sqlstate", None)
     return isinstance(error, sa.exc.OperationalError) and (
         state is None or state[:2] == "08" or state in UNAVAILABLE_STATES
     )
+
+
+def is_full(error: BaseException) -> bool:
+    """Whether an error means that the database's disk, or the size that it may have, is used up."""
+    if not isinstance(error, sa.exc.DBAPIError):
+        return False
+    if isinstance(error.orig, sqlite3.Error):
+        return getattr(error.orig, "sqlite_errorcode", 0) & 0xFF == sqlite3.SQLITE_FULL
+    return getattr(error.orig, "sqlstate", None) == DISK_FULL
 
 
 def is_conflict(error: BaseException) -> bool:

@@ -19,7 +19,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from app import logs
 from app.kit import metrics
 from app.kit.bodies import BodyTooLarge, BodyTooSlow
-from app.kit.db import is_conflict, is_unavailable, new_id
+from app.kit.db import is_conflict, is_full, is_unavailable, new_id
 from app.kit.errors import FieldProblem, Refused
 from app.kit.http import PROBLEM_TYPE, Problem
 from app.kit.idempotency import SAFE_METHODS, RightsOf
@@ -95,6 +95,12 @@ def install(
             log.warning("two changes at the same time", error=str(error))
             detail = "someone changed the same thing at the same moment; your change was not saved"
             return _problem(request, 409, "crossed", detail, fix="reload, then make your change again")
+        if is_full(error):
+            log.error("the database is full", error=str(error))
+            detail = "the server's disk is full; your change was not saved"
+            return _problem(
+                request, 507, "disk-full", detail, fix="ask the operator to free disk space, then try again"
+            )
         if not is_unavailable(error):
             raise error
         log.warning("the database does not answer", error=str(error))

@@ -132,4 +132,4 @@ def figures(request: Request) -> Response:
         )
     if not metrics.is_authorized(request.headers.get("authorization", ""), token):
         raise MetricsTokenNeeded("send the token of SOUNDLIST_METRICS_TOKEN as a bearer")
-    return Response(metrics.exposition(metrics.collectors(runtime)), media_type=metrics.CONTENT_TYPE)
+    return Response(metrics.exposition(request.app.state.collectors), media_type=metrics.CONTENT_TYPE)

@@ -80,6 +80,7 @@ class KeptKind(StrEnum):
     GUEST_COPIES = "guest_copies"  # previews as guests get them
     ROSTER_REELS = "roster_reels"  # sounds of reels on the roster, and samples that came with bids
     DOCUMENTS = "documents"  # contracts, and the keys that go with packs
+    UPLOADS = "uploads"  # finished, and not yet used; not counted as kept
 
 
 class KeptFiles(Schema):
@@ -141,11 +142,25 @@ class ServerOperations(Schema):
     workers: list[WorkerRead] = Field(description="Those that said within the hour that they live.")
 
 
+class ScrubRead(Schema):
+    """The newest pass over all stored files: each is read and compared with its hash."""
+
+    started_at: datetime
+    finished_at: datetime | None = Field(description="Null while it goes on.")
+    files: int
+    size_bytes: int
+    missing: int = Field(description="Files that the database names and the store lacks.")
+    altered: int = Field(description="Files whose content is not what was stored.")
+    orphaned: int = Field(description="Files that nothing in the database names.")
+    orphaned_bytes: int
+
+
 class ServerStorage(Schema):
     """The storage of the whole server."""
 
     studios: list[StorageRead] = Field(description="The largest first.")
     free_bytes: int | None = Field(description="What the disk of the store has left; null where the store is a bucket.")
+    scrub: ScrubRead | None = Field(description="Null until the first pass over all stored files begins.")
 
 
 class DepartureKind(StrEnum):

@@ -13,13 +13,15 @@ from app.kit.db import bypass_row_policies
 from app.kit.http import Page, bad_cursor, number_in
 from app.kit.queue import JobCount, JobQueue, Lane, UnfinishedJob
 from app.kit.storage import Store
-from app.operations import queries
+from app.operations import blob_queries, queries
 from app.operations.errors import JobNotFound, JobNotParked
+from app.operations.models import Scrub
 from app.operations.schemas import (
     JobCountRead,
     JobRead,
     JobState,
     LaneRead,
+    ScrubRead,
     ServerOperations,
     ServerStorage,
     StorageRead,
@@ -92,8 +94,8 @@ def server_operations(session: Session, *, queue: JobQueue, alive_within: timede
 def server_storage(session: Session, *, store: Store) -> ServerStorage:
     """Return what every studio keeps to the operator."""
     with bypass_row_policies(session):  # sums over every studio, and no row of any
-        storage = queries.storage(session)
-    return ServerStorage(studios=storage, free_bytes=store.free_bytes())
+        storage, scrub = queries.storage(session), blob_queries.newest_scrub(session)
+    return ServerStorage(studios=storage, free_bytes=store.free_bytes(), scrub=scrub and _scrub_read(scrub))
 
 
 def server_jobs(
@@ -151,6 +153,19 @@ def _parked(queue: JobQueue, job_id: str, studio_id: UUID | None) -> UnfinishedJ
     if job.state != JobState.PARKED:
         raise JobNotParked(f"this job is {job.state}; only a failed job can be tried again")
     return job
+
+
+def _scrub_read(scrub: Scrub) -> ScrubRead:
+    return ScrubRead(
+        started_at=scrub.started_at,
+        finished_at=scrub.finished_at,
+        files=scrub.blobs,
+        size_bytes=scrub.size_bytes,
+        missing=scrub.missing,
+        altered=scrub.altered,
+        orphaned=scrub.orphaned,
+        orphaned_bytes=scrub.orphaned_bytes,
+    )
 
 
 def _counts_read(counts: Sequence[JobCount]) -> list[JobCountRead]:

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_8838c778"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_31400b10"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -93,6 +93,31 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("id", name=op.f("pk_kit_uploads")),
     )
     op.create_index(op.f("ix_kit_uploads_studio_id"), "kit_uploads", ["studio_id"])
+    op.create_table(
+        "operations_damaged_blobs",
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("sha256", sa.String(), nullable=False),
+        sa.Column("kind", sa.String(), nullable=False),
+        sa.Column("state", sa.Enum("missing", "altered", name="blobstate", native_enum=False, length=32), nullable=False),
+        sa.Column("found_at", sa.DateTime(timezone=True), nullable=False),
+        sa.PrimaryKeyConstraint("studio_id", "sha256", name=op.f("pk_operations_damaged_blobs")),
+    )
+    op.create_table(
+        "operations_scrubs",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("started_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("finished_at", sa.DateTime(timezone=True)),
+        sa.Column("last_studio_id", sa.Uuid()),
+        sa.Column("last_sha256", sa.String()),
+        sa.Column("blobs", sa.Integer(), nullable=False),
+        sa.Column("size_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("missing", sa.Integer(), nullable=False),
+        sa.Column("altered", sa.Integer(), nullable=False),
+        sa.Column("orphaned", sa.Integer(), nullable=False),
+        sa.Column("orphaned_bytes", sa.BigInteger(), nullable=False),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_operations_scrubs")),
+    )
+    op.create_index(op.f("ix_operations_scrubs_started_at"), "operations_scrubs", ["started_at"])
     op.create_table(
         "accounts_desk_tokens",
         sa.Column("id", sa.Uuid(), nullable=False),

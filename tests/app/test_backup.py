@@ -4,6 +4,7 @@ import io
 import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
+from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,12 @@ import sqlalchemy as sa
 from anyio.from_thread import start_blocking_portal
 from typer.testing import CliRunner
 
-from app.backup import BackupRefused, back_up, restore
+from app.backup import SHARES, BackupRefused, back_up, restore
 from app.cli import cli
+from app.kit import clock
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
+from app.kit.uploads.model import Upload
 from app.main import create_app
 from app.migrate import ensure_at_head, migrate
 from app.renders.take_jobs import prepare_take
@@ -113,7 +116,7 @@ def test_blobs_are_copied_once_and_old_databases_go(opened: Opened, tmp_path: Pa
         second = back_up(old.runtime, folder, keep=2)
         assert (second.blobs, second.size_bytes, second.there_before) == (1, 7, 1)
         back_up(old.runtime, folder, keep=2)
-    assert len([path for path in folder.iterdir() if path.is_file()]) == 2
+    assert len(list(folder.glob("database-*"))) == 2
 
 
 @pytest.mark.slow
@@ -128,6 +131,47 @@ def test_an_altered_blob_is_named_and_left_out(opened: Opened, tmp_path: Path):
         copied = back_up(old.runtime, tmp_path / "backup", keep=1)
     assert copied.damaged == [f"{world.studio_id}/{sha256}"]
     assert not list((tmp_path / "backup").rglob(sha256))
+
+
+@pytest.mark.slow
+def test_a_damaged_copy_is_read_again_within_two_weeks_and_made_good(
+    opened: Opened, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    folder = tmp_path / "backup"
+    with opened("old") as old:
+        migrate(old.runtime.database)
+        world = World(old)
+        sha256 = old.runtime.store.put(world.studio_id, [b"a sound"]).sha256
+        back_up(old.runtime, folder, keep=1)
+        [file] = folder.rglob(sha256)
+        file.chmod(0o640)
+        file.write_bytes(b"a sOund")
+        healed = []
+        for day in range(SHARES):
+            now = clock.now() + timedelta(days=1) if day else clock.now()
+            monkeypatch.setattr(clock, "now", lambda now=now: now)
+            healed += back_up(old.runtime, folder, keep=1).healed
+        assert healed == [f"{world.studio_id}/{sha256}"]
+        assert file.read_bytes() == b"a sound"
+
+
+@pytest.mark.slow
+def test_what_nothing_names_leaves_the_backup_with_the_last_database_that_named_it(opened: Opened, tmp_path: Path):
+    folder = tmp_path / "backup"
+    with opened("old") as old:
+        migrate(old.runtime.database)
+        world = World(old)
+        sha256 = old.runtime.store.put(world.studio_id, [b"a sound"]).sha256
+        upload = Upload(
+            studio_id=world.studio_id, owner_id=world.producer_id, scope="test", file_name="a.wav", length=7,
+            sha256=sha256, finished_at=clock.now(),
+        )  # fmt: skip
+        old.in_database(lambda session: session.add(upload))
+        back_up(old.runtime, folder, keep=2)
+        old.in_database(lambda session: session.execute(sa.delete(Upload)))
+        old.runtime.store.delete(world.studio_id, sha256)
+        assert [back_up(old.runtime, folder, keep=2).expired for _ in range(4)] == [0, 0, 1, 0]
+        assert list(folder.rglob(sha256)) == []
 
 
 @pytest.mark.slow

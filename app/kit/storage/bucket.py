@@ -1,6 +1,5 @@
 """Blobs in a bucket of an S3 server, or in a part of one. ETags are not checksums: what counts is hashed again."""
 
-import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -9,10 +8,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from uuid import UUID
 
+from app.kit import clock
 from app.kit.db import new_id
-from app.kit.storage.direct import DirectUploads
+from app.kit.storage.direct import RENEWED_AFTER, DirectUploads
 from app.kit.storage.multipart import AlreadyStored, Multipart, MultipartGone, parts_of
-from app.kit.storage.objects import Objects
+from app.kit.storage.objects import Objects, ObjectState
 from app.kit.storage.retry_policy import RetryPolicy
 from app.kit.storage.signing import Key, Signer
 from app.kit.storage.store import (
@@ -22,7 +22,6 @@ from app.kit.storage.store import (
     StoredBlob,
     StoreUnavailable,
     StoreUnready,
-    altered,
     missing,
 )
 from app.settings import BucketAddress
@@ -35,7 +34,7 @@ PROBING = RetryPolicy(tries=1, connect_timeout_s=3.0, read_timeout_s=5.0)  # rea
 
 
 class BucketStore(Store):
-    """A bucket; what is under a hash is put there only while nothing is."""
+    """A bucket; what is under a hash is put there again only if it is altered, or was stored more than an hour ago."""
 
     def __init__(
         self,
@@ -46,6 +45,7 @@ class BucketStore(Store):
         direct: bool = False,
         patience: RetryPolicy = RETRY_POLICY,
     ) -> None:
+        super().__init__()
         self.staging_root = staging_root.resolve()
         self.address = address
         self._root = f"{address.prefix}/" if address.prefix else ""
@@ -64,15 +64,23 @@ class BucketStore(Store):
         return f"{self._root}{studio_id}/{sha256[:2]}/{sha256}"
 
     def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
-        """Store a finished file under its hash, unless something is there."""
+        """Store a finished file under its hash, unless it is there, whole and stored within the last hour."""
         key, stored = self.key(studio_id, sha256), StoredBlob(sha256, source.stat().st_size)
         if parts_of(stored.size_bytes) == 1:
             is_new = self._objects.put_new(key, source.read_bytes())
         else:
             is_new = self._objects.size_bytes(key) is None and self._sent(key, source)
-        if not is_new:
-            self._ensure_there(studio_id, stored)
+        if not is_new and not self._objects.is_renewed(key, sha256, since=clock.now() - RENEWED_AFTER):
+            self._replace(key, source)
         return stored
+
+    def delete(self, studio_id: UUID, sha256: str) -> None:
+        """Delete a blob; one that is not there is deleted."""
+        self._objects.delete(self.key(studio_id, sha256))
+
+    def stored_at(self, studio_id: UUID, sha256: str) -> datetime:
+        """Return when a blob was last stored; raise BlobMissing if there is none."""
+        return self._object_state(studio_id, sha256).changed_at
 
     def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
         """Store a copy of a file, without copying it on this machine first."""
@@ -80,10 +88,7 @@ class BucketStore(Store):
 
     def size_bytes(self, studio_id: UUID, sha256: str) -> int:
         """Return the size of a blob; raise BlobMissing if there is none."""
-        size_bytes = self._objects.size_bytes(self.key(studio_id, sha256))
-        if size_bytes is None:
-            raise missing(studio_id, sha256)
-        return size_bytes
+        return self._object_state(studio_id, sha256).size_bytes
 
     def sizes_bytes(self, studio_id: UUID, sha256s: Iterable[str]) -> Mapping[str, int]:
         """Return how long each of many blobs is, many asked at once; those that are missing are left out."""
@@ -92,8 +97,7 @@ class BucketStore(Store):
             found = pool.map(lambda sha256: self._objects.size_bytes(self.key(studio_id, sha256)), asked)
             return {sha256: size for sha256, size in zip(asked, found, strict=True) if size is not None}
 
-    def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
-        """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none."""
+    def _pieces(self, studio_id: UUID, sha256: str, start: int, end: int | None) -> Pieces:
         try:
             yield from self._objects.stream(self.key(studio_id, sha256), start, end)
         except FileNotFoundError:
@@ -172,16 +176,23 @@ class BucketStore(Store):
             return False
         return True
 
+    def _replace(self, key: str, source: Path) -> None:
+        if parts_of(source.stat().st_size) == 1:
+            self._objects.put(key, source.read_bytes())
+        else:
+            self.multipart.send_file(key, source, if_absent=False)
+
     def _copy(self, studio_id: UUID, sha256: str, path: Path) -> None:
-        digest = hashlib.sha256()
         with path.open("wb") as file:
             for piece in self.stream(studio_id, sha256):
-                digest.update(piece)
                 file.write(piece)
-        if digest.hexdigest() != sha256:
-            raise altered(sha256, f"{path.stat().st_size} bytes with the SHA-256 {digest.hexdigest()}")
 
-    def _ensure_there(self, studio_id: UUID, stored: StoredBlob) -> None:
-        found = self.size_bytes(studio_id, stored.sha256)
-        if found != stored.size_bytes:
-            raise altered(stored.sha256, f"{found} bytes long, not {stored.size_bytes},")
+    def _state(self, studio_id: UUID, sha256: str) -> str:
+        state = self._object_state(studio_id, sha256)
+        return f"{state.etag} {state.size_bytes} {state.changed_at}"
+
+    def _object_state(self, studio_id: UUID, sha256: str) -> ObjectState:
+        state = self._objects.state(self.key(studio_id, sha256))
+        if state is None:
+            raise missing(studio_id, sha256)
+        return state

@@ -6,15 +6,17 @@ The sender is never trusted: what the parts became is read again, and only what 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import datetime, timedelta
 from uuid import UUID
 
+from app.kit import clock
 from app.kit.storage.multipart import Multipart, Part, checksum_header, part_length, part_start
 from app.kit.storage.objects import Objects
 from app.kit.storage.signing import Signer
 from app.kit.storage.store import Pieces, StoredBlob, altered
 
 LINK_WORKS_FOR_S = 3600
+RENEWED_AFTER = timedelta(hours=1)  # what is older is stored again, so that no deletion takes it for unused
 Place = Callable[[UUID, str], str]  # of a studio's blob of that SHA-256
 
 
@@ -81,9 +83,9 @@ class DirectUploads:
         return self._objects.stream(self.key(upload_id))
 
     def keep(self, upload_id: UUID, studio_id: UUID, stored: StoredBlob) -> None:
-        """Copy what was read to its place, unless something is there."""
+        """Copy what was read to its place, unless it is there, whole and stored within the last hour."""
         target = self._place(studio_id, stored.sha256)
-        if self._objects.size_bytes(target) is None:
+        if not self._objects.is_renewed(target, stored.sha256, since=clock.now() - RENEWED_AFTER):
             self._objects.copy(self.key(upload_id), target)
         if (found := self._objects.size_bytes(target)) != stored.size_bytes:
             raise altered(stored.sha256, f"{found} bytes long, not {stored.size_bytes},")

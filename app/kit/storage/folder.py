@@ -4,16 +4,28 @@ import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from datetime import UTC, datetime
 from pathlib import Path
 from uuid import UUID
 
-from app.kit.storage.store import READ_BYTES, Pieces, Store, StoredBlob, StoreUnready, missing
+from app.kit.db import new_id
+from app.kit.storage.store import (
+    PUT_PREFIX,
+    READ_BYTES,
+    BlobAltered,
+    Pieces,
+    Store,
+    StoredBlob,
+    StoreUnready,
+    missing,
+)
 
 
 class FolderStore(Store):
     """A folder of blobs; files on their way in wait inside it, so that storing one is a link."""
 
     def __init__(self, root: Path) -> None:
+        super().__init__()
         self.root = self.staging_root = root.resolve()
 
     def path(self, studio_id: UUID, sha256: str) -> Path:
@@ -21,28 +33,35 @@ class FolderStore(Store):
         return self.root / str(studio_id) / sha256[:2] / sha256
 
     def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
-        """Link a finished file to its place."""
+        """Link a finished file to its place; replace an altered blob there."""
         target = self.path(studio_id, sha256)
         with self._in_words():
             size_bytes = source.stat().st_size
             source.chmod(0o400)
             sync(source)
             made = make_folder(target.parent)
-            with suppress(FileExistsError):
+            try:
                 os.link(source, target)
+            except FileExistsError:
+                self._renew(studio_id, source, sha256)
             for folder in {target.parent, *made}:
                 sync(folder)
         return StoredBlob(sha256, size_bytes)
 
     def size_bytes(self, studio_id: UUID, sha256: str) -> int:
         """Return the size of a blob; raise BlobMissing if there is none."""
-        try:
-            return self.path(studio_id, sha256).stat().st_size
-        except FileNotFoundError:
-            raise missing(studio_id, sha256) from None
+        return self._stat(studio_id, sha256).st_size
 
-    def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
-        """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none."""
+    def delete(self, studio_id: UUID, sha256: str) -> None:
+        """Delete a blob; one that is not there is deleted."""
+        with self._in_words():
+            self.path(studio_id, sha256).unlink(missing_ok=True)
+
+    def stored_at(self, studio_id: UUID, sha256: str) -> datetime:
+        """Return when a blob was last stored; raise BlobMissing if there is none."""
+        return datetime.fromtimestamp(self._stat(studio_id, sha256).st_mtime, UTC)
+
+    def _pieces(self, studio_id: UUID, sha256: str, start: int, end: int | None) -> Pieces:
         try:
             file = self.path(studio_id, sha256).open("rb", buffering=0)
         except FileNotFoundError:
@@ -55,11 +74,9 @@ class FolderStore(Store):
 
     @contextmanager
     def local_copy(self, studio_id: UUID, sha256: str) -> Iterator[Path]:
-        """Give the blob's own path."""
-        path = self.path(studio_id, sha256)
-        if not path.exists():
-            raise missing(studio_id, sha256)
-        yield path
+        """Give the blob's own path, once its hash was found right."""
+        self.ensure_intact(studio_id, sha256)
+        yield self.path(studio_id, sha256)
 
     def blobs(self) -> Iterator[tuple[UUID, StoredBlob]]:
         """Yield every blob with its studio."""
@@ -93,6 +110,27 @@ class FolderStore(Store):
 
     def signed_url(self, studio_id: UUID, sha256: str, *, media_type: str, disposition: str | None) -> None:
         """Offer none: only this process reaches the folder."""
+
+    def _state(self, studio_id: UUID, sha256: str) -> str:
+        state = self._stat(studio_id, sha256)
+        return f"{state.st_ino} {state.st_size} {state.st_mtime_ns} {state.st_ctime_ns}"
+
+    def _stat(self, studio_id: UUID, sha256: str) -> os.stat_result:
+        try:
+            return self.path(studio_id, sha256).stat()
+        except FileNotFoundError:
+            raise missing(studio_id, sha256) from None
+
+    def _renew(self, studio_id: UUID, source: Path, sha256: str) -> None:
+        """Put a file in the place of a blob that is altered; mark one that is whole as stored now."""
+        target = self.path(studio_id, sha256)
+        try:
+            self.verify(studio_id, sha256)
+            os.utime(target)
+        except BlobAltered:
+            beside = self.root / f"{PUT_PREFIX}{new_id()}"
+            os.link(source, beside)
+            beside.replace(target)
 
     @contextmanager
     def _probe_file(self) -> Iterator[Path]:

@@ -136,8 +136,8 @@ class Multipart:
                 "upload-id-marker": _text(tree, "NextUploadIdMarker"),
             }
 
-    def send_file(self, key: str, source: Path) -> None:
-        """Store a large file under a key that must be absent; raise AlreadyStored or MultipartGone where it is not."""
+    def send_file(self, key: str, source: Path, *, if_absent: bool = True) -> None:
+        """Store a large file; raise AlreadyStored or MultipartGone where the key must be absent and is not."""
         multipart_id = self.begin(key)
         try:
             with source.open("rb") as file, ThreadPoolExecutor(PARTS_AT_ONCE) as pool:
@@ -148,7 +148,7 @@ class Multipart:
                     return self.send(key, multipart_id, number, content)
 
                 parts = list(pool.map(send, range(1, parts_of(size_bytes) + 1)))
-            self.complete(key, multipart_id, parts, if_absent=True)
+            self.complete(key, multipart_id, parts, if_absent=if_absent)
         except BaseException:
             with suppress(StoreUnavailable):  # what cannot be dropped now is swept later
                 self.abort(key, multipart_id)

@@ -1,6 +1,8 @@
 """The objects of one bucket, by obstore: every request is safe to send twice, and is, where the server falters."""
 
+import hashlib
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, TypeVar
 
@@ -19,6 +21,15 @@ if TYPE_CHECKING:
     from obstore.store import ClientConfig, S3Config
 
 Answer = TypeVar("Answer")
+
+
+@dataclass(frozen=True)
+class ObjectState:
+    """The size, the time of the last change and the ETag of an object."""
+
+    size_bytes: int
+    changed_at: datetime
+    etag: str
 
 
 class Objects:
@@ -45,10 +56,30 @@ class Objects:
 
     def size_bytes(self, key: str) -> int | None:
         """Return the size of an object; None if there is none."""
+        state = self.state(key)
+        return None if state is None else state.size_bytes
+
+    def state(self, key: str) -> ObjectState | None:
+        """Return the state of an object; None if there is none."""
         try:
-            return self._asked("head", lambda: obstore.head(self._bucket, key)["size"])
+            meta = self._asked("head", lambda: obstore.head(self._bucket, key))
         except FileNotFoundError:
             return None
+        return ObjectState(meta["size"], meta["last_modified"], meta["e_tag"] or "")
+
+    def is_renewed(self, key: str, sha256: str, *, since: datetime) -> bool:
+        """Whether an object was stored since an instant and has the hash; only then it is read."""
+        state = self.state(key)
+        if state is None or state.changed_at < since:
+            return False
+        digest = hashlib.sha256()
+        for piece in self.stream(key):
+            digest.update(piece)
+        return digest.hexdigest() == sha256
+
+    def put(self, key: str, content: bytes) -> None:
+        """Store an object in the place of what is there."""
+        self._asked("put", lambda: obstore.put(self._bucket, key, content, use_multipart=False))
 
     def put_new(self, key: str, content: bytes) -> bool:
         """Store an object unless there is one; return whether it was stored.

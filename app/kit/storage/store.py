@@ -5,9 +5,10 @@ import io
 import os
 import stat
 import tempfile
+import time
 from abc import ABC, abstractmethod
 from collections.abc import Generator, Iterable, Iterator, Mapping
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, closing, contextmanager
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -15,11 +16,15 @@ from typing import TYPE_CHECKING, BinaryIO
 from uuid import UUID
 
 from app.kit.errors import Refused
+from app.kit.lru_cache import LRUCache
 
 if TYPE_CHECKING:
     from app.kit.storage.direct import DirectUploads
 
 READ_BYTES = 1 << 20
+VERIFIED_FOR_S = 3600.0  # so long a blob whose size, inode and times did not change is not hashed again
+VERIFIED_KEPT = 20_000
+READ_AGAIN_FIX = "upload the same file again, or have the operator run: soundlist restore FOLDER --sounds"
 Pieces = Generator[bytes, None, None]
 # What a process left that died at it is found by these.
 PUT_PREFIX, COPY_PREFIX, MAKING_PREFIX = ".put-", ".copy-", ".making-"
@@ -66,10 +71,14 @@ class Store(ABC):
     direct: "DirectUploads | None" = None  # uploads that come to the store without passing through this process
     public_origin: str | None = None  # where browsers go for those, and for what links are signed to, if they may
 
+    def __init__(self) -> None:
+        self._verified_at: LRUCache[tuple[UUID, str, str], float] = LRUCache(VERIFIED_KEPT)
+
     @abstractmethod
     def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
         """Store a finished file below the staging root under its known hash, and leave it where it is.
 
+        An altered blob under that hash is replaced. One that is whole counts as stored now, for a later deletion.
         Until the caller has written down that the blob is stored, that file is what a restart finds.
         """
 
@@ -78,12 +87,16 @@ class Store(ABC):
         """Return the size of a blob; raise BlobMissing if there is none."""
 
     @abstractmethod
-    def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
-        """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none."""
+    def delete(self, studio_id: UUID, sha256: str) -> None:
+        """Delete a blob; one that is not there is deleted."""
+
+    @abstractmethod
+    def stored_at(self, studio_id: UUID, sha256: str) -> datetime:
+        """Return when a blob was last stored; raise BlobMissing if there is none."""
 
     @abstractmethod
     def local_copy(self, studio_id: UUID, sha256: str) -> AbstractContextManager[Path]:
-        """Give a path on this machine's disk to read a blob from; never write to it."""
+        """Give a path on this machine's disk to read a blob from, never to write to; raise BlobAltered, BlobMissing."""
 
     @abstractmethod
     def blobs(self) -> Iterator[tuple[UUID, StoredBlob]]:
@@ -96,6 +109,35 @@ class Store(ABC):
     @abstractmethod
     def signed_url(self, studio_id: UUID, sha256: str, *, media_type: str, disposition: str | None) -> str | None:
         """Return a link to a blob that works for a while without credentials; None where none is offered."""
+
+    @abstractmethod
+    def _pieces(self, studio_id: UUID, sha256: str, start: int, end: int | None) -> Pieces:
+        """Yield a blob's bytes as they are; raise BlobMissing where there is none."""
+
+    @abstractmethod
+    def _state(self, studio_id: UUID, sha256: str) -> str:
+        """Return what changes whenever a blob is written; raise BlobMissing if there is none."""
+
+    def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
+        """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none.
+
+        A whole blob is hashed on its way: its last piece is given only if the hash is right, and BlobAltered is raised
+        otherwise. A range cannot be; ensure_intact comes before it.
+        """
+        pieces = self._pieces(studio_id, sha256, start, end)
+        return pieces if start or end is not None else _verified(sha256, pieces)
+
+    def ensure_intact(self, studio_id: UUID, sha256: str) -> None:
+        """Raise BlobMissing, or BlobAltered where a blob's hash is not its name; it is read at most once an hour."""
+        key = (studio_id, sha256, self._state(studio_id, sha256))
+        verified_at = self._verified_at.get(key)
+        if verified_at is None or time.monotonic() - verified_at > VERIFIED_FOR_S:
+            self.verify(studio_id, sha256)
+            self._verified_at.keep(key, time.monotonic())
+
+    def verify(self, studio_id: UUID, sha256: str) -> int:
+        """Read a whole blob and return its size; raise BlobMissing, or BlobAltered where its hash is not its name."""
+        return sum(map(len, self.stream(studio_id, sha256)))
 
     def free_bytes(self) -> int | None:
         """Return what the store's disk has left; None where no disk of this machine bounds it."""
@@ -188,12 +230,28 @@ def key_refused() -> StoreUnavailable:
 
 def altered(sha256: str, found: str) -> BlobAltered:
     """Return the error for a blob whose content does not match its name."""
-    return BlobAltered(f"blob {sha256} is {found} in the store; restore it from a backup")
+    return BlobAltered(f"blob {sha256} is {found} in the store, and is not given out", fix=READ_AGAIN_FIX)
 
 
 def missing(studio_id: UUID, sha256: str) -> BlobMissing:
     """Return the error for a missing blob."""
-    return BlobMissing(f"blob {sha256} of studio {studio_id} is not in the store; restore it from a backup")
+    return BlobMissing(f"blob {sha256} of studio {studio_id} is not in the store", fix=READ_AGAIN_FIX)
+
+
+def _verified(sha256: str, pieces: Pieces) -> Pieces:
+    """Yield pieces, the last only if all of them have the hash."""
+    digest, last, size_bytes = hashlib.sha256(), b"", 0
+    with closing(pieces):
+        for piece in pieces:
+            digest.update(piece)
+            size_bytes += len(piece)
+            if last:
+                yield last
+            last = piece
+    if digest.hexdigest() != sha256:
+        raise altered(sha256, f"{size_bytes} bytes with the SHA-256 {digest.hexdigest()}")
+    if last:
+        yield last
 
 
 class _Flow(io.RawIOBase):

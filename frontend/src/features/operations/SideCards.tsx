@@ -7,7 +7,7 @@ import { Row, Rows } from '@/ui/Rows'
 
 import { keptQuery, operationsQuery, type Scope, type Storage } from './api'
 import classes from './Operations.module.css'
-import { laneKey, laneLine, laneWords } from './words'
+import { isDamaged, laneKey, laneLine, laneWords, scrubLine } from './words'
 
 const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   masters: 'master',
@@ -23,6 +23,7 @@ const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   guest_copies: 'copy for guests',
   roster_reels: 'reel or bid sound',
   documents: 'document',
+  uploads: 'upload',
 }
 const keptWords = ({ kept }: Storage) =>
   kept.map(({ kind, files, size_bytes }) => `${plural(files, NAMES[kind])} ${bytes(size_bytes)}`).join(', ')
@@ -44,6 +45,11 @@ export function StorageCard({ scope }: { scope: Scope }) {
         <div className={classes.inside}>
           <Refusal error={error} />
         </div>
+      )}
+      {data && scope === 'server' && (
+        <p className={`${data.scrub && isDamaged(data.scrub) ? 'strong' : 'mid'} ${classes.inside}`}>
+          {scrubLine(data.scrub)}
+        </p>
       )}
       <Rows aria-labelledby="storage">
         {studios.map((one) => (

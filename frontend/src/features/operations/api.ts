@@ -12,6 +12,7 @@ export type Lane = Schemas['LaneRead']
 export type Storage = Schemas['StorageRead']
 export type Quota = Schemas['QuotaRead']
 export type Worker = Schemas['WorkerRead']
+export type Scrub = Schemas['ScrubRead']
 
 /** The whole server, or one studio by its id. */
 export type Scope = 'server' | { studioId: string }
@@ -41,10 +42,11 @@ async function readStudio(studioId: string): Promise<Operations> {
   return { counts, lanes, workers: [], alive: workers }
 }
 
-/** What is kept, and what the disk has left where one bounds it and an operator asks. */
+/** What is kept; for an operator also the free disk, where one bounds it, and the newest pass over all files. */
 export interface Kept {
   studios: Storage[]
   freeBytes: number | null
+  scrub: Scrub | null
 }
 
 async function readKept(scope: Scope): Promise<Kept> {
@@ -52,10 +54,11 @@ async function readKept(scope: Scope): Promise<Kept> {
     return {
       studios: [await answered(api.GET('/v1/studios/{studio_id}/storage', ofStudio(scope.studioId)))],
       freeBytes: null,
+      scrub: null,
     }
   }
-  const { studios, free_bytes } = await answered(api.GET('/v1/operations/storage'))
-  return { studios, freeBytes: free_bytes }
+  const { studios, free_bytes, scrub } = await answered(api.GET('/v1/operations/storage'))
+  return { studios, freeBytes: free_bytes, scrub }
 }
 
 /** Summed up over everything delivered, so asked for once a visit and not every few seconds. */

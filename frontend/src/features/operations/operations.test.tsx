@@ -5,8 +5,8 @@ import { expect, test } from 'vitest'
 import { openApp } from '@/test/openApp'
 import { type Answers, refusal, serve } from '@/test/server'
 
-import type { JobState, Lane } from './api'
-import { inOneLine, jobWords, laneLine, laneWords } from './words'
+import type { JobState, Lane, Scrub } from './api'
+import { inOneLine, jobWords, laneLine, laneWords, scrubLine } from './words'
 
 const AT = '2026-11-21T12:00:00Z'
 const NOW = new Date('2026-11-21T12:05:00Z')
@@ -26,6 +26,16 @@ const KEPT = {
     { kind: 'masters', files: 1, size_bytes: 864_044 },
     { kind: 'game_files', files: 2, size_bytes: 1_152_088 },
   ],
+}
+const SCRUB: Scrub = {
+  started_at: AT,
+  finished_at: AT,
+  files: 812,
+  size_bytes: 2_016_132,
+  missing: 1,
+  altered: 2,
+  orphaned: 3,
+  orphaned_bytes: 1_000_000,
 }
 const STUCK = {
   id: 'e1:renders.prepare_take',
@@ -126,6 +136,7 @@ test('an operator sees the whole server, and each studio that they produce for',
         'GET /v1/operations/storage': {
           studios: [KEPT, { ...KEPT, studio_id: 's2', studio_name: 'Deep Field studio' }],
           free_bytes: 42_000_000_000,
+          scrub: SCRUB,
         },
         'GET /v1/operations/jobs': { items: [{ ...STUCK, studio_id: null, studio_name: null }], next: null },
         'GET /v1/studios/s1/operations': { counts: [], lanes: [], workers: 1 },
@@ -143,6 +154,7 @@ test('an operator sees the whole server, and each studio that they produce for',
   expect(workers[1]).toHaveTextContent('last seen')
   expect(screen.getByText(/1 worker running/)).toBeVisible()
   expect(await screen.findByText(/42.0 GB free on the disk/)).toBeVisible()
+  expect(screen.getByText(/812 files verified .* ago: 1 file missing, 2 altered/)).toBeVisible()
   const jobs = await screen.findByRole('list', { name: 'Jobs' })
   expect(within(jobs).getByText('the server')).toBeVisible()
   await userEvent.click(screen.getByRole('button', { name: 'Shield Wing studio' }))
@@ -159,7 +171,7 @@ test('limits show who is near, to an operator and to a producer', async () => {
       { ...ME, is_operator: true },
       {
         'GET /v1/operations': { counts: [], lanes: [], workers: [] },
-        'GET /v1/operations/storage': { studios: [KEPT], free_bytes: null },
+        'GET /v1/operations/storage': { studios: [KEPT], free_bytes: null, scrub: null },
         'GET /v1/operations/jobs': { items: [], next: null },
         'GET /v1/operations/quotas': [
           { studio_id: 's2', studio_name: 'Deep Field studio', quotas: [masters, people] },
@@ -232,4 +244,14 @@ test('a lane says how much of what it has, and nothing of what it has not', () =
 test('a job is called by what it does, and one without words by its own name', () => {
   expect(jobWords('renders.prepare_take')).toBe('Check a version, draw its waveform and render game files')
   expect(jobWords('orchards.pick_ripe_apples')).toBe('Pick ripe apples')
+})
+
+test('a pass over stored files is told in one line', () => {
+  expect(scrubLine(null)).toBe('No stored file has been verified yet.')
+  expect(scrubLine({ ...SCRUB, missing: 0, altered: 0 }, NOW)).toBe(
+    '812 files verified 5 min ago: none missing or altered, 3 unused files of 1.0 MB.',
+  )
+  expect(scrubLine({ ...SCRUB, missing: 0, altered: 0, orphaned: 0, finished_at: null }, NOW)).toBe(
+    '812 files verified so far: none missing or altered.',
+  )
 })

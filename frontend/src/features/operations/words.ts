@@ -1,10 +1,11 @@
-import { age, plural } from '@/ui/format'
+import { age, ago, bytes, plural } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 
-import type { JobCount, JobState, Lane, Scope } from './api'
+import type { JobCount, JobState, Lane, Scope, Scrub } from './api'
 
 /** What each job does, for people; one without words here is called by its own name. */
 const JOBS: Partial<Record<string, string>> = {
+  'operations.scrub_blobs': 'Read stored files and compare them with their hashes',
   'agreements.seal_contract': 'Seal the PDF of a signed contract',
   'agreements.seal_unsealed': 'Seal signed contracts that have no seal yet',
   'notifications.delete_old_notices': 'Delete old notices',
@@ -132,4 +133,20 @@ export function inOneLine(counts: readonly JobCount[], alive: number, now = new 
       ? 'No worker is running. Deliveries are checked once one starts.'
       : `${plural(alive, 'worker')} running.`,
   ].join(' ')
+}
+
+/** Whether a pass over all stored files has found one missing or altered. */
+export const isDamaged = ({ missing, altered }: Scrub): boolean => missing + altered > 0
+
+/** The newest pass over all stored files in one line. */
+export function scrubLine(scrub: Scrub | null, now: Date = new Date()): string {
+  if (scrub === null) return 'No stored file has been verified yet.'
+  const { files, missing, altered, orphaned, orphaned_bytes, finished_at } = scrub
+  const when = finished_at === null ? 'so far' : ago(finished_at, now)
+  const verified = `${plural(files, 'file')} verified ${when}`
+  if (isDamaged(scrub)) {
+    return `${verified}: ${plural(missing, 'file')} missing, ${altered} altered. Run soundlist scrub for their names.`
+  }
+  const unused = orphaned === 0 ? '' : `, ${plural(orphaned, 'unused file')} of ${bytes(orphaned_bytes)}`
+  return `${verified}: none missing or altered${unused}.`
 }

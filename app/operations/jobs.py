@@ -1,0 +1,29 @@
+"""Jobs that look after what the server stores."""
+
+from datetime import timedelta
+
+import structlog
+
+from app.kit import clock
+from app.kit.queue import Payload, job
+from app.kit.runtime import Runtime
+from app.operations import blob_queries, scrubbing
+
+SCRUB_EVERY = timedelta(days=1)
+SCRUB_BYTES = 2 << 30  # each five minutes, so 560 GiB a day
+SCRUB_BYTES_PER_S = 64 << 20
+log = structlog.get_logger(__name__)
+
+
+@job("operations.scrub_blobs")
+def scrub_blobs(runtime: Runtime, _payload: Payload) -> None:
+    """Read and hash some more stored files; a pass over all begins once a day."""
+    with runtime.database.reading() as session:
+        scrub = blob_queries.newest_scrub(session)
+    if scrub is None or (scrub.finished_at and clock.now() - scrub.started_at >= SCRUB_EVERY):
+        scrub = scrubbing.begin(runtime.database)
+    elif scrub.finished_at:
+        return
+    rate = scrubbing.RateLimit(SCRUB_BYTES_PER_S)
+    for damage in scrubbing.run(runtime, scrub, rate=rate, max_bytes=SCRUB_BYTES):
+        log.error("a stored file is damaged", state=damage.state, studio_id=str(damage.studio_id), sha256=damage.sha256)

@@ -1,0 +1,48 @@
+"""The tables of this room: passes over all stored files, and the files that they found damaged."""
+
+from datetime import datetime
+from enum import StrEnum
+from uuid import UUID
+
+from sqlalchemy import BigInteger
+from sqlalchemy.orm import Mapped, mapped_column
+
+from app.kit import clock
+from app.kit.db import Base, new_id
+
+
+class BlobState(StrEnum):
+    """The fault of a blob that a row names."""
+
+    MISSING = "missing"
+    ALTERED = "altered"
+
+
+class Scrub(Base):
+    """One pass over all blobs that rows name, by studio and hash, and then over those that none names."""
+
+    __tablename__ = "operations_scrubs"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    started_at: Mapped[datetime] = mapped_column(default=clock.now, index=True)
+    finished_at: Mapped[datetime | None]
+    last_studio_id: Mapped[UUID | None]  # of the blob that was verified last
+    last_sha256: Mapped[str | None]
+    blobs: Mapped[int] = mapped_column(default=0)
+    size_bytes: Mapped[int] = mapped_column(BigInteger, default=0)
+    missing: Mapped[int] = mapped_column(default=0)
+    altered: Mapped[int] = mapped_column(default=0)
+    orphaned: Mapped[int] = mapped_column(default=0)
+    orphaned_bytes: Mapped[int] = mapped_column(BigInteger, default=0)
+
+
+class DamagedBlob(Base):
+    """A blob that was missing or altered when it was verified last."""
+
+    __tablename__ = "operations_damaged_blobs"
+
+    studio_id: Mapped[UUID] = mapped_column(primary_key=True)
+    sha256: Mapped[str] = mapped_column(primary_key=True)
+    kind: Mapped[str]
+    state: Mapped[BlobState]
+    found_at: Mapped[datetime] = mapped_column(default=clock.now)
