@@ -152,7 +152,7 @@ def _reread_share(store: Store, backup: FolderStore, share: int, copied: Copied)
 
 
 def _expire(folder: Path, blobs: FolderStore, unnamed: set[tuple[UUID, str]], now: datetime, copied: Copied) -> None:
-    """Delete the blobs of a backup that were unnamed and gone from the store before the oldest database in it was copied."""
+    """Delete the blobs of a backup that were unnamed before the oldest database in it was copied."""
     file, oldest = folder / UNNAMED, _databases(folder)[0].name.removeprefix(PREFIX).partition("Z")[0]
     known = json.loads(file.read_text()) if file.exists() else {}
     since = {

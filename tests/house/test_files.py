@@ -34,6 +34,7 @@ SERVER_COMMANDS = {
     "migrate",
     "backup",
     "restore",
+    "scrub",
     "verify",
     "brief",
     "fmod",
