@@ -15,12 +15,13 @@ from app.kit import clock
 from app.kit.events import publish
 
 PREFIX = "sld_"  # secret scanners find a leaked token by it
-LIFETIME = timedelta(days=MAX_TOKEN_DAYS)
 MAX_TOKENS = 20
 
 
-def create_desk_token(session: Session, actor: Actor, name: str) -> tuple[DeskToken, str]:
-    """Make a key for the caller's desk, and return it with its secret, which is kept nowhere."""
+def create_desk_token(
+    session: Session, actor: Actor, name: str, *, days: int = MAX_TOKEN_DAYS
+) -> tuple[DeskToken, str]:
+    """Make a key for the caller's desk that ends after so many days; return it with its secret, kept nowhere."""
     person = session.get_one(Person, actor.person)
     if person.demo_part is not None:
         raise NotInDemo("the people of the demo have no desk tokens")
@@ -29,9 +30,8 @@ def create_desk_token(session: Session, actor: Actor, name: str) -> tuple[DeskTo
             f"you have {MAX_TOKENS} desk tokens, as many as a person may have", fix="revoke one that you do not use"
         )
     secret = PREFIX + new_secret()
-    token = DeskToken(
-        person_id=actor.person, name=name, secret_sha256=sha256_of(secret), expires_at=clock.now() + LIFETIME
-    )
+    expires_at = clock.now() + timedelta(days=days)
+    token = DeskToken(person_id=actor.person, name=name, secret_sha256=sha256_of(secret), expires_at=expires_at)
     session.add(token)
     session.flush()
     publish(session, "desk_token.made", studio_id=None, person_id=actor.person, name=name)

@@ -106,7 +106,7 @@ def create_my_desk_token(
     body: DeskTokenAdd, session: DbSession, actor: Actor = allows(Audience.PERSON, recent_sign_in=True)
 ) -> DeskTokenMade:
     """Make a key for `soundlist desk`, which reads what the caller owes; its secret is shown this once."""
-    token, secret = desk_tokens.create_desk_token(session, actor, body.name)
+    token, secret = desk_tokens.create_desk_token(session, actor, body.name, days=body.days)
     return DeskTokenMade(**DeskTokenRead.model_validate(token).model_dump(), secret=secret)
 
 

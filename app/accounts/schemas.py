@@ -6,7 +6,7 @@ from uuid import UUID
 
 from pydantic import ConfigDict, Field, StringConstraints
 
-from app.accounts.rules import MAX_ADDRESS_LENGTH, MAX_PASSWORD_LENGTH, Role
+from app.accounts.rules import MAX_ADDRESS_LENGTH, MAX_PASSWORD_LENGTH, MAX_TOKEN_DAYS, Role
 from app.kit.http import Schema
 
 # One line, without control characters or marks that turn the direction of writing: it appears in mails and lists.
@@ -162,9 +162,10 @@ class SignInRead(Schema):
 
 
 class DeskTokenAdd(Schema):
-    """What the caller calls a desk token: the machine that it is for."""
+    """What the caller calls a desk token, the machine that it is for, and how long it works."""
 
     name: Line
+    days: int = Field(MAX_TOKEN_DAYS, ge=1, le=MAX_TOKEN_DAYS, description="How long it works.")
 
 
 class DeskTokenRead(Schema):

@@ -63,6 +63,7 @@ def test_a_new_token_and_a_new_producer_are_mailed_to_the_producers(world: World
     assert world.producer.put("/v1/me/mail-preferences", json=wishes).is_success
     tokens = f"/v1/projects/{world.project_id}/tokens"
     assert world.producer.post(tokens, json={"name": "CI", "scopes": ["spec:read"], "days": 30}).status_code == 201
+    world.server.wait_for_jobs()  # who becomes a producer later is told nothing of it
     reviewer = f"/v1/studios/{world.studio_id}/people/{world.reviewer_id}"
     for _ in range(2):  # who is a producer already becomes none
         assert world.producer.put(reviewer, json={"roles": ["producer"]}).status_code == 200

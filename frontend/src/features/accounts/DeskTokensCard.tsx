@@ -1,4 +1,4 @@
-import { TextInput } from '@mantine/core'
+import { NativeSelect, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
@@ -8,6 +8,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
 import { ago, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
+import { TOKEN_LIFETIMES } from '@/ui/tokenLifetimes'
 
 import classes from './Account.module.css'
 import { type DeskTokenMade, deskTokensQuery, useCreateDeskToken, useRevokeDeskToken } from './api'
@@ -21,8 +22,12 @@ export function DeskTokensCard() {
   const [made, setMade] = useState<DeskTokenMade | null>(null)
   const send = (event: FormEvent<HTMLFormElement>) => {
     event.preventDefault()
-    const name = new FormData(event.currentTarget).get('name')
-    create.mutate(typeof name === 'string' ? name : '', { onSuccess: setMade })
+    const form = new FormData(event.currentTarget)
+    const name = form.get('name')
+    create.mutate(
+      { name: typeof name === 'string' ? name : '', days: Number(form.get('days')) },
+      { onSuccess: setMade },
+    )
   }
   return (
     <Card aria-labelledby="desk-tokens">
@@ -57,6 +62,13 @@ export function DeskTokensCard() {
               label="Token name"
               defaultValue="My computer"
               description="It reads what you owe in all projects, and nothing else."
+            />
+            <NativeSelect
+              name="days"
+              label="Works for"
+              data={TOKEN_LIFETIMES}
+              defaultValue="365"
+              description="You are told two weeks before it ends."
             />
             <div className="row wrap">
               <Button type="submit" aria-busy={create.isPending}>

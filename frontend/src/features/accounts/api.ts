@@ -111,7 +111,7 @@ export const deskTokensQuery = queryOptions({
 export function useCreateDeskToken() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (name: string) => answered(api.POST('/v1/me/desk-tokens', { body: { name } })),
+    mutationFn: (body: Schemas['DeskTokenAdd']) => answered(api.POST('/v1/me/desk-tokens', { body })),
     onSettled: () => invalidate(client, queryKeys.deskTokens()),
   })
 }

@@ -12,6 +12,7 @@ import { type Scope, type Token, type TokenMade, useMakeToken, useRevokeToken, u
 import classes from './Builds.module.css'
 import { Refusal } from './Refusal'
 import { ago, day } from '@/ui/format'
+import { TOKEN_LIFETIMES } from '@/ui/tokenLifetimes'
 
 import { against, listed } from './words'
 
@@ -25,13 +26,6 @@ const SCOPE_WORDS: Record<Scope, string> = {
 }
 /** What the lines for CI need, and the pack that a build may fetch. */
 const FOR_CI: Scope[] = ['spec:read', 'list:read', 'checks:write', 'manifest:read']
-
-const LIFETIMES = [
-  { value: '30', label: '30 days' },
-  { value: '90', label: '90 days' },
-  { value: '180', label: '180 days' },
-  { value: '365', label: 'A year' },
-]
 
 /** Make a key for the game's CI. Its secret is shown once, here. */
 export function TokenMaker({ projectId }: { projectId: string }) {
@@ -81,7 +75,7 @@ export function TokenMaker({ projectId }: { projectId: string }) {
       <NativeSelect
         name="days"
         label="Works for"
-        data={LIFETIMES}
+        data={TOKEN_LIFETIMES}
         defaultValue="365"
         description="The producers are told two weeks before it ends."
       />
