@@ -14,16 +14,27 @@ from app.accounts.authentication import (
 from app.accounts.models import Person
 from app.accounts.policies import client_address
 from app.accounts.rules import device_of
+from app.kit import clock
 from app.kit.events import publish
 from app.kit.http import runtime_of
 from app.settings import Settings
 
 DEVICE_LIFETIME = timedelta(days=365)
+NEW_ACCOUNT = timedelta(minutes=1)  # who opens one knows of the browser
 log = structlog.get_logger(__name__)
 
 
 def sign_in_browser(session: Session, settings: Settings, request: Request, response: Response, person: Person) -> None:
-    """Give the answering browser a session of its own, in place of the one it had."""
+    """Give the answering browser a session in place of the one it had, and have a first sign-in mailed to the person."""
+    if not _is_known(request, person):
+        publish(
+            session,
+            "device.signed_in",
+            studio_id=None,
+            person_id=person.id,
+            device=device_of(request.headers.get("user-agent", "")),
+            place=client_address(request) or "an unknown address",
+        )
     secret = sign_ins.start_sign_in(
         session,
         person.id,
@@ -38,23 +49,11 @@ def sign_in_browser(session: Session, settings: Settings, request: Request, resp
     log.info("signed in", person_id=str(person.id), place=client_address(request))
 
 
-def is_known_device(request: Request, account: str) -> bool:
-    """Whether the asking browser has signed in to an account before."""
+def _is_known(request: Request, person: Person) -> bool:
+    """Whether a browser signed in to an account before, or opened it just now."""
     cookie = request.cookies.get(authentication.DEVICE_COOKIE, "")
-    return authentication.device_for(runtime_of(request).settings, cookie, account) is not None
-
-
-def publish_new_device(session: Session, request: Request, person: Person) -> None:
-    """Have a person told that a browser signed in for the first time."""
-    device = device_of(request.headers.get("user-agent", ""))
-    publish(
-        session,
-        "device.signed_in",
-        studio_id=None,
-        person_id=person.id,
-        device=device,
-        place=client_address(request) or "an unknown address",
-    )
+    is_device = authentication.device_for(runtime_of(request).settings, cookie, person.email) is not None
+    return is_device or clock.now() - person.created_at < NEW_ACCOUNT
 
 
 def _set_cookie(response: Response, settings: Settings, name: str, value: str, *, lifetime: timedelta) -> None:

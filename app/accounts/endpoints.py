@@ -9,7 +9,7 @@ from app.accounts.authentication import (
     SESSION_COOKIE,
     sha256_of,
 )
-from app.accounts.browser_sign_ins import give_csrf_token, is_known_device, publish_new_device, sign_in_browser
+from app.accounts.browser_sign_ins import give_csrf_token, sign_in_browser
 from app.accounts.errors import (
     DemoUnavailable,
     TooManyAttempts,
@@ -78,8 +78,6 @@ def sign_in(
         reset_attempts(session, request, account)
         person = session.get_one(Person, person_id)
         sign_in_browser(session, runtime.settings, request, response, person)
-        if not is_known_device(request, account):
-            publish_new_device(session, request, person)
     return person
 
 

@@ -15,6 +15,7 @@ from app.kit.queue import Payload
 from app.notifications.models import Mail, Notice
 from app.notifications.security_jobs import warn_of_token_ends
 from tests.app.accounts.test_sign_in import NEW_PASSWORD, PASSWORD, address, sign_in, sign_up, with_csrf
+from tests.support.links import secret_for
 from tests.support.server import RunningServer, World
 
 
@@ -34,6 +35,12 @@ def email_of(world: World, person_id: UUID) -> str:
     return email
 
 
+def age_account(server: RunningServer, email: str) -> None:
+    """Let an account be a day old."""
+    aged = sa.update(Person).where(Person.email == email).values(created_at=clock.now() - timedelta(days=1))
+    server.in_database(lambda session: session.execute(aged))
+
+
 def build(world: World, secret: str) -> TestClient:
     client = world.server.browser()
     client.headers["Authorization"] = f"Bearer {secret}"
@@ -47,6 +54,7 @@ def test_a_changed_password_and_a_first_sign_in_are_mailed_to_the_person(server:
     assert sign_in(browser, email).status_code == 200  # the browser that opened the account is known
     with_csrf(browser)
     assert mails_to(server, email) == []
+    age_account(server, email)
     elsewhere = server.browser()
     for _ in range(2):
         assert sign_in(elsewhere, email).status_code == 200
@@ -56,6 +64,18 @@ def test_a_changed_password_and_a_first_sign_in_are_mailed_to_the_person(server:
     assert mails_to(server, email)[1:] == ["Your password was changed"]
     assert browser.put("/v1/me/password", json=change).status_code == 403  # the old one is wrong now
     assert len(mails_to(server, email)) == 2
+
+
+def test_the_first_sign_in_by_an_invitation_is_mailed_too(world: World) -> None:
+    server, email = world.server, address()
+    assert sign_up(server.browser(), email).status_code == 201
+    age_account(server, email)
+    invited = {"email": email, "roles": ["reviewer"]}
+    assert world.producer.post(f"/v1/studios/{world.studio_id}/invitations", json=invited).status_code == 201
+    secret = secret_for(server, email)
+    accepted = server.browser().post(f"/v1/studio-invitations/{secret}/accept", json={"password": PASSWORD})
+    assert accepted.status_code == 200, accepted.text
+    assert mails_to(server, email)[-1] == "A new browser signed in to your account"
 
 
 def test_a_new_token_and_a_new_producer_are_mailed_to_the_producers(world: World) -> None:
