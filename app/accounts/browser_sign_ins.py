@@ -25,7 +25,7 @@ log = structlog.get_logger(__name__)
 
 
 def sign_in_browser(session: Session, settings: Settings, request: Request, response: Response, person: Person) -> None:
-    """Give the answering browser a session in place of the one it had, and have a first sign-in mailed to the person."""
+    """Give the answering browser a session in place of the one it had, and mail a first sign-in to the person."""
     if not _is_known(request, person):
         publish(
             session,
