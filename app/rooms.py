@@ -7,6 +7,7 @@ from app.accounts.endpoints import router as accounts
 from app.accounts.invoice_endpoints import router as invoice_details
 from app.accounts.me_endpoints import router as me
 from app.accounts.picture_endpoints import router as my_picture
+from app.accounts.second_factor_endpoints import router as second_factors
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.award_endpoints import router as awards
@@ -93,6 +94,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     accounts,
     sign_up,
     me,
+    second_factors,
     my_picture,
     studios,
     calendars,
@@ -289,6 +291,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "signing_code.asked": ("notifications.mail_link",),
     "password.changed": ("notifications.notify_new_password",),
     "device.signed_in": ("notifications.notify_new_device",),
+    "second_factor.changed": ("notifications.notify_second_factor",),
     "desk_token.made": ("notifications.notify_desk_token",),
     "token.made": ("notifications.notify_token",),
     "producer.named": ("notifications.notify_producer",),

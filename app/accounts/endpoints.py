@@ -3,7 +3,7 @@
 import structlog
 from fastapi import APIRouter, Request, Response
 
-from app.accounts import authentication, people, sign_ins
+from app.accounts import authentication, people, second_factors, sign_ins
 from app.accounts.authentication import (
     DEMO_PARTS,
     SESSION_COOKIE,
@@ -12,7 +12,9 @@ from app.accounts.authentication import (
 from app.accounts.browser_sign_ins import give_csrf_token, sign_in_browser
 from app.accounts.errors import (
     DemoUnavailable,
+    SecondFactorNeeded,
     TooManyAttempts,
+    WrongSecondFactor,
     WrongSignIn,
 )
 from app.accounts.models import Person
@@ -21,18 +23,21 @@ from app.accounts.request_limits import (
     DeferredSession,
     RateLimitedRoute,
     UnsavedResponseRoute,
+    ensure_second_factor_allowed,
     ensure_sign_in_allowed,
     network_of,
     reset_attempts,
 )
 from app.accounts.rules import Actor, Audience, normalised_email
 from app.accounts.schemas import DemoPart, PersonBrief, PersonRead, SessionRead, SignInAdd
+from app.kit.db import widen_reach
 from app.kit.http import (
     CurrentRuntime,
     DbSession,
     Router,
     problems,
 )
+from app.kit.reach import Reach
 
 router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
 _unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
@@ -57,7 +62,11 @@ def read_session(
     return SessionRead(signed_in=True, demo=auth.demo_part is not None, person=PersonBrief.model_validate(person))
 
 
-@_unsaved_router.post("/sign-in", response_model=PersonRead, responses=problems(WrongSignIn, TooManyAttempts))
+@_unsaved_router.post(
+    "/sign-in",
+    response_model=PersonRead,
+    responses=problems(WrongSignIn, SecondFactorNeeded, WrongSecondFactor, TooManyAttempts),
+)
 def sign_in(
     body: SignInAdd,
     request: Request,
@@ -66,7 +75,7 @@ def sign_in(
     begin: DeferredSession,
     _actor: Actor = allows(Audience.ANYONE),
 ) -> Person:
-    """Sign in with address and password."""
+    """Sign in with address and password, and with a second factor where the account has one."""
     account = normalised_email(body.email)
     ensure_sign_in_allowed(request, account)
     person_id = people.person_with_password(runtime.database, account, body.password)
@@ -74,7 +83,14 @@ def sign_in(
         # A hash: what was typed may be a password, and equal lines still show who is guessed at.
         log.warning("sign-in refused", account=sha256_of(account)[:16], place=network_of(request))
         raise WrongSignIn("wrong email or password", fix="check both, or use “Forgot password?”")
+    has_second_factor = second_factors.has_second_factor(runtime.database, person_id)
+    code = second_factors.ensure_code_given(body.code) if has_second_factor else None
+    if code is not None:
+        ensure_second_factor_allowed(request, account)
     with begin() as session:
+        widen_reach(session, Reach(person_id=person_id))
+        if code is not None:
+            second_factors.ensure_right_code(session, runtime.settings, person_id, code)
         reset_attempts(session, request, account)
         person = session.get_one(Person, person_id)
         sign_in_browser(session, runtime.settings, request, response, person)

@@ -17,6 +17,12 @@ class WrongSignIn(Refused):
     status = 401
 
 
+class SecondFactorNeeded(Refused):
+    """The password is right, and the account asks for a second factor."""
+
+    status = 401
+
+
 class TooManyAttempts(Refused):
     """The same was tried too often; `retry_after_s` says how long to wait."""
 
@@ -61,6 +67,10 @@ class SignInNeeded(Forbidden):
 
 class WrongPassword(Forbidden):
     """The present password that was given is not the account's."""
+
+
+class WrongSecondFactor(Forbidden):
+    """The code is wrong, too old or was used before."""
 
 
 class NotInDemo(Forbidden):
@@ -129,6 +139,14 @@ class VerificationNeeded(Conflict):
 
 class NoMailServer(Conflict):
     """The server cannot send mail."""
+
+
+class NoSecondFactor(Conflict):
+    """The account has no second factor of that kind."""
+
+
+class SecondFactorExists(Conflict):
+    """The account has a second factor of that kind."""
 
 
 class AddressNotVerified(Conflict):

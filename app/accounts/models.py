@@ -106,6 +106,30 @@ class SignIn(Base):
     expires_at: Mapped[datetime]
 
 
+class TotpFactor(Base):
+    """A person's authenticator app (TOTP), one at most."""
+
+    __tablename__ = "accounts_totp_factors"
+
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id", ondelete="CASCADE"), primary_key=True)
+    sealed_secret: Mapped[bytes]  # encrypted with a key that follows from the server's secret key
+    last_step: Mapped[int] = mapped_column(BigInteger, default=0)  # of the last code used; codes up to it are refused
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    confirmed_at: Mapped[datetime | None]  # None: is being set up, and not asked for
+
+
+class RecoveryCode(Base):
+    """A code that stands in for a lost second factor, once."""
+
+    __tablename__ = "accounts_recovery_codes"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id", ondelete="CASCADE"), index=True)
+    code_sha256: Mapped[str]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    used_at: Mapped[datetime | None]
+
+
 class PasswordReset(MailedLink, Base):
     """A mailed link that sets a new password, once and within an hour."""
 

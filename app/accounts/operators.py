@@ -2,7 +2,7 @@
 
 from sqlalchemy.orm import Session
 
-from app.accounts import queries
+from app.accounts import queries, second_factors
 from app.accounts.errors import AddressNotVerified, OperatorNotFound
 from app.accounts.models import Operator, Person
 from app.accounts.rules import normalised_email
@@ -37,6 +37,13 @@ def sign_out(session: Session, address: str) -> Person:
     person = _person(session, address)
     queries.end_sign_ins(session, person.id)
     queries.end_desk_tokens(session, person.id)
+    return person
+
+
+def remove_second_factor(session: Session, address: str) -> Person:
+    """Take every second factor of an account away, as when the device was lost, and end its sign-ins."""
+    person = _person(session, address)
+    second_factors.remove_all(session, person.id)
     return person
 
 

@@ -4,7 +4,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts import passwords, queries
+from app.accounts import passwords, queries, second_factor_queries
 from app.accounts.addresses import account_proof, verify
 from app.accounts.authentication import sha256_of
 from app.accounts.errors import AddressTaken, NameNeeded, NotInDemo, ResetNotFound, SignInNeeded, WrongPassword
@@ -77,9 +77,19 @@ def person_by_link(
             fix=f"sign in as {address}, or give its password",
             errors=[{"where": "password", "message": "this is not the account's password"}] if password else [],
         )
+    elif actor.person_id != person.id:
+        _ensure_no_second_factor(session, person)
     if link.is_sent_by_mail_only:
         verify(session, person, AddressProof.MAIL)
     return person
+
+
+def _ensure_no_second_factor(session: Session, person: Person) -> None:
+    with bypass_row_policies(session):  # the password identifies the caller
+        if not second_factor_queries.has_second_factor(session, person.id):
+            return
+    message = "this account asks for a second factor: sign in first, then open the link again"
+    raise SignInNeeded(message, errors=[{"where": "password", "message": message}])
 
 
 def rename(session: Session, actor: Actor, name: str) -> Person:
@@ -92,6 +102,11 @@ def rename(session: Session, actor: Actor, name: str) -> Person:
 def request_reset(session: Session, email: str) -> None:
     """Have a link for a new password mailed, if the address has an account; to find out is left to the job."""
     publish(session, "password.reset_asked", studio_id=None, recipient=normalised_email(email))
+
+
+def may_enter_by_link(session: Session, person: Person) -> bool:
+    """Whether a mailed link that set a password signs in too: not where a second factor is asked for."""
+    return not second_factor_queries.has_second_factor(session, person.id)
 
 
 def reset_password(session: Session, secret: str, password: str) -> Person:

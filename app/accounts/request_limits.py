@@ -77,6 +77,7 @@ def reset_attempts(session: Session, request: Request, account: str) -> None:
         for limit, whom in _sign_in_limits(request, account):
             if limit is not rate_limits.SIGN_INS_FROM_NETWORK:  # an account must not reset guesses at others
                 rate_limits.reset(session, limit, whom)
+        rate_limits.reset(session, *_second_factor_limit(request, account))
 
 
 def ensure_invitation_allowed(session: Session, actor: Actor, address: str) -> None:
@@ -85,6 +86,17 @@ def ensure_invitation_allowed(session: Session, actor: Actor, address: str) -> N
     with bypass_row_policies(session):  # the counts are the server's own
         rate_limits.count_attempt(session, rate_limits.INVITATIONS_BY_PERSON, str(actor.person))
         rate_limits.count_attempt(session, rate_limits.INVITATIONS_TO_MAILBOX, mailbox)
+
+
+def ensure_second_factor_allowed(request: Request, account: str) -> None:
+    """Count one guess at a second factor by who has given the password; raise TooManyAttempts for too many."""
+    ensure_within_limits(request, _second_factor_limit(request, account))
+
+
+def _second_factor_limit(request: Request, account: str) -> tuple[rate_limits.Limit, str]:
+    cookie = request.cookies.get(authentication.DEVICE_COOKIE, "")
+    device = authentication.device_for(runtime_of(request).settings, cookie, account)
+    return rate_limits.SECOND_FACTORS_OF_ACCOUNT, device or account  # who has stolen a password locks nobody out
 
 
 def ensure_webhook_message_allowed(session: Session, studio_id: UUID) -> None:

@@ -185,10 +185,13 @@ class DeskTokenMade(DeskTokenRead):
 
 
 class SignInAdd(_WithPassword):
-    """Address and password."""
+    """Address and password, and the second factor where the account asks for one."""
 
     email: Email
     password: Password
+    code: str | None = Field(
+        default=None, max_length=40, description="Of the authenticator app, or a recovery code; asked for by a 401."
+    )
 
 
 class ResetAdd(Schema):

@@ -147,9 +147,10 @@ def set_password_by_link(
     session: DbSession,
     _actor: Actor = allows(Audience.ANYONE),
 ) -> Person:
-    """Set a new password by the mailed link, end every other sign-in, and sign in."""
+    """Set a new password by the mailed link, end every other sign-in, and sign in unless a second factor is asked."""
     person = people.reset_password(session, secret, body.password)
-    sign_in_browser(session, runtime.settings, request, response, person)
+    if people.may_enter_by_link(session, person):
+        sign_in_browser(session, runtime.settings, request, response, person)
     return person
 
 

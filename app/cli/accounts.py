@@ -6,7 +6,7 @@ from uuid import UUID
 import typer
 from rich.table import Table
 
-from app.cli.groups import cli, console, operators_cli
+from app.cli.groups import accounts_cli, cli, console, operators_cli
 from app.cli.opening import opened, read_settings_or_exit, refusal
 from app.kit.errors import Refused
 
@@ -78,6 +78,12 @@ def sign_out(address: Annotated[str, typer.Argument(help="The address of an acco
     _change_account("sign_out", address, "is signed out everywhere")
 
 
+@accounts_cli.command("remove-second-factor")
+def remove_second_factor(address: Annotated[str, typer.Argument(help="The address of an account.")]) -> None:
+    """Take a lost second factor away, and sign the account out everywhere; its password stays."""
+    _change_account("remove_second_factor", address, "has no second factor any more, and is signed out everywhere")
+
+
 @operators_cli.command("add")
 def add_operator(address: Annotated[str, typer.Argument(help="The verified address of an account.")]) -> None:
     """Let a person see every studio's jobs and storage."""
@@ -99,7 +105,7 @@ def _change_account(change: str, address: str, done: str) -> None:
             person = getattr(operators, change)(session, address)
             typer.echo(f"{person.email} {done}")
     except Refused as error:
-        raise refusal([f"{error.message}; {error.fix}"]) from None
+        raise refusal(["; ".join(filter(None, (error.message, error.fix)))]) from None
     finally:
         runtime.close()
 

@@ -33,6 +33,14 @@ def notify_new_device(runtime: Runtime, payload: Payload) -> None:
         _tell_person(runtime, session, payload, "A new browser signed in to your account", line, page="account")
 
 
+@job("notifications.notify_second_factor")
+def notify_second_factor(runtime: Runtime, payload: Payload) -> None:
+    """Tell a person of a change to the second factor of their account."""
+    line = f"{payload['change']} {NOT_YOU}"
+    with runtime.database.writing() as session:
+        _tell_person(runtime, session, payload, "The second factor of your account", line, page="account")
+
+
 @job("notifications.notify_desk_token")
 def notify_desk_token(runtime: Runtime, payload: Payload) -> None:
     """Tell a person that a desk token of theirs was made."""

@@ -23,6 +23,11 @@ ACCESS_GIVEN = {
     "add_guest_link",
     "make_posting_link",
     "make_calendar",
+    # Each changes how one signs in.
+    "begin_my_totp",
+    "confirm_my_totp",
+    "end_my_totp",
+    "renew_my_recovery_codes",
 }
 
 
