@@ -20,6 +20,7 @@ export const queryKeys = {
   signUpLink: family<[secret: string]>('sign-up-link'),
   signIns: family('sign-ins'),
   deskTokens: family('desk-tokens'),
+  secondFactors: family('second-factors'),
   mailPreferences: family('mail-preferences'),
   mailChoice: family<[secret: string]>('mail-choice'),
   studioPeople: family<[studioId: string]>('studio-people'),

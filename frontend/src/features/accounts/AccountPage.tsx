@@ -15,6 +15,7 @@ import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
 import { ROLE_WORDS } from './parts'
 import { PictureCard } from './PictureCard'
+import { SecondFactorCard } from './SecondFactorCard'
 import { AddressCard, SignInsCard } from './SecurityCards'
 
 const KIND_WORDS = { advisory: 'advises', contract: 'by contract', 'in-house': 'in-house' } as const
@@ -45,6 +46,7 @@ export function AccountPage() {
         <PictureCard me={me} />
         {session?.demo !== true && <AddressCard me={me} />}
         <PasswordCard demo={session?.demo === true} />
+        {session?.demo !== true && <SecondFactorCard />}
         {session?.demo !== true && <SignInsCard />}
         <Card aria-labelledby="belong">
           <CardHead id="belong" title="Your studios and projects" />

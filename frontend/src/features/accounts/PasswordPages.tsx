@@ -73,7 +73,7 @@ export function NewPasswordPage() {
   return (
     <Sheet>
       <h1>New password</h1>
-      <p className="mid">You will be signed in here and signed out everywhere else.</p>
+      <p className="mid">You will be signed out everywhere else.</p>
       <Form
         action="Set password"
         busy={setting.isPending}

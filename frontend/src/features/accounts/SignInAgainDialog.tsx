@@ -5,6 +5,8 @@ import type { OpenedProps } from '@/app/LazyDialog'
 
 import { Field, Form } from '@/app/Form'
 
+import { CodeField, useSecondFactorAsked } from './CodeField'
+
 interface SignInAgainDialogProps extends OpenedProps {
   me: Me
   reason: SignInReason
@@ -13,9 +15,11 @@ interface SignInAgainDialogProps extends OpenedProps {
 
 export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: SignInAgainDialogProps) {
   const signIn = useMutation({
-    mutationFn: (body: { email: string; password: string }) => answered(api.POST('/v1/sign-in', { body })),
+    mutationFn: (body: { email: string; password: string; code?: string }) =>
+      answered(api.POST('/v1/sign-in', { body })),
     onSuccess: ({ id }) => onSignedIn(id),
   })
+  const isCodeAsked = useSecondFactorAsked(signIn.error)
   const isRecent = reason === 'recent'
   return (
     <Dialog title={isRecent ? 'Confirm your password' : 'Sign in to go on'} opened={opened} onClose={onClose}>
@@ -28,7 +32,13 @@ export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: S
         action={isRecent ? 'Confirm' : 'Sign in'}
         busy={signIn.isPending}
         error={signIn.error}
-        onSubmit={(value) => signIn.mutate({ email: value('email'), password: value('password') })}
+        onSubmit={(value) =>
+          signIn.mutate({
+            email: value('email'),
+            password: value('password'),
+            ...(isCodeAsked && { code: value('code') }),
+          })
+        }
       >
         <Field
           name="email"
@@ -39,6 +49,7 @@ export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: S
           readOnly={isRecent}
         />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
+        {isCodeAsked && <CodeField />}
       </Form>
     </Dialog>
   )

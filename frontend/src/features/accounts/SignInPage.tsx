@@ -4,6 +4,7 @@ import { Link, useRouter, useSearch } from '@tanstack/react-router'
 import { useTitle } from '@/app/title'
 
 import { sessionQuery, signUpQuery, useSignIn } from './api'
+import { CodeField, useSecondFactorAsked } from './CodeField'
 import { Field, Form, Sheet } from '@/app/Form'
 
 /** An address of this site, whatever was written after `next=`. */
@@ -15,6 +16,7 @@ export function SignInPage() {
   const { next } = useSearch({ from: '/guest/sign-in' })
   const router = useRouter()
   const signIn = useSignIn()
+  const isCodeAsked = useSecondFactorAsked(signIn.error)
   const { data: session } = useQuery(sessionQuery)
   const { data: way } = useQuery(signUpQuery)
   return (
@@ -35,7 +37,7 @@ export function SignInPage() {
         error={signIn.error}
         onSubmit={(value) =>
           signIn.mutate(
-            { email: value('email'), password: value('password') },
+            { email: value('email'), password: value('password'), ...(isCodeAsked && { code: value('code') }) },
             { onSuccess: () => void router.navigate({ href: ownPath(next) }) },
           )
         }
@@ -47,6 +49,7 @@ export function SignInPage() {
       >
         <Field name="email" label="Email" type="email" autoComplete="username" />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
+        {isCodeAsked && <CodeField />}
       </Form>
       <p className="small mid" style={{ marginTop: 'var(--sl-5)' }}>
         {way?.open === false ? (

@@ -1,0 +1,169 @@
+import { useQuery } from '@tanstack/react-query'
+import { useState } from 'react'
+
+import { Field, Form } from '@/app/Form'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { CopyButton } from '@/ui/CopyButton'
+import { day } from '@/ui/format'
+import { State } from '@/ui/State'
+
+import classes from './Account.module.css'
+import { CardProblem } from './CardProblem'
+import {
+  secondFactorsQuery,
+  type TotpSetup,
+  useBeginTotp,
+  useConfirmTotp,
+  useEndTotp,
+  useRenewRecoveryCodes,
+} from './secondFactorApi'
+
+/** The authenticator app and the recovery codes that a sign-in asks for besides the password. */
+export function SecondFactorCard() {
+  const { data: factors, error } = useQuery(secondFactorsQuery)
+  const begin = useBeginTotp()
+  const end = useEndTotp()
+  const renew = useRenewRecoveryCodes()
+  const [setup, setSetup] = useState<TotpSetup | null>(null)
+  const [codes, setCodes] = useState<readonly string[] | null>(null)
+  const isOn = factors !== undefined && factors.totp_since !== null
+  return (
+    <Card aria-labelledby="second-factor">
+      <CardHead id="second-factor" title="Second factor" note="asked for when you sign in, besides your password" />
+      <CardProblem error={error ?? begin.error ?? end.error ?? renew.error} />
+      <div className={`${classes.inside} ${classes.note} stack`}>
+        {codes !== null ? (
+          <RecoveryCodes codes={codes} onDone={() => setCodes(null)} />
+        ) : setup !== null ? (
+          <Setup
+            setup={setup}
+            onCancel={() => setSetup(null)}
+            onConfirmed={(recoveryCodes) => {
+              setSetup(null)
+              setCodes(recoveryCodes)
+            }}
+          />
+        ) : isOn ? (
+          <>
+            <p className={classes.address}>
+              <span>Authenticator app, since {day(factors.totp_since ?? '')}</span>
+              <State kind="passed">On</State>
+            </p>
+            <p className="small mid">
+              {factors.recovery_codes_left === 0
+                ? 'No recovery codes are left: create new ones before you lose the app.'
+                : `Recovery codes left: ${factors.recovery_codes_left}. Each signs in once without the app.`}
+            </p>
+            <div className="row wrap">
+              <Button
+                aria-busy={renew.isPending}
+                onClick={() => renew.mutate(undefined, { onSuccess: ({ recovery_codes }) => setCodes(recovery_codes) })}
+              >
+                Create new recovery codes
+              </Button>
+              <Button
+                variant="quiet"
+                aria-busy={end.isPending}
+                onClick={() =>
+                  end.mutate(undefined, { onSuccess: () => showToast('The authenticator app was removed.') })
+                }
+              >
+                Remove authenticator app
+              </Button>
+            </div>
+          </>
+        ) : (
+          factors !== undefined && (
+            <>
+              <p className={classes.address}>
+                <span>Authenticator app</span>
+                <State kind="warning">Off</State>
+              </p>
+              <p className="small mid">
+                With an app such as Aegis, 1Password or Google Authenticator, a stolen password alone does not sign in.
+              </p>
+              <div>
+                <Button aria-busy={begin.isPending} onClick={() => begin.mutate(undefined, { onSuccess: setSetup })}>
+                  Set up authenticator app
+                </Button>
+              </div>
+            </>
+          )
+        )}
+      </div>
+    </Card>
+  )
+}
+
+interface SetupProps {
+  setup: TotpSetup
+  onCancel: () => void
+  onConfirmed: (recoveryCodes: readonly string[]) => void
+}
+
+function Setup({ setup: { secret, qr_svg }, onCancel, onConfirmed }: SetupProps) {
+  const confirm = useConfirmTotp()
+  return (
+    <>
+      <p>Scan this with your authenticator app, or type the key into it.</p>
+      <img
+        className={classes.qrCode}
+        src={`data:image/svg+xml;charset=utf-8,${encodeURIComponent(qr_svg)}`}
+        alt="QR code for the authenticator app; the key below says the same"
+      />
+      <p>
+        <span className="small mid">Key</span>{' '}
+        <code className={`mono ${classes.secret}`}>{secret.match(/.{1,4}/g)?.join(' ')}</code>{' '}
+        <CopyButton text={secret} what="Key">
+          Copy key
+        </CopyButton>
+      </p>
+      <Form
+        action="Turn on"
+        busy={confirm.isPending}
+        error={confirm.error}
+        onSubmit={(value) =>
+          confirm.mutate(value('code'), { onSuccess: ({ recovery_codes }) => onConfirmed(recovery_codes) })
+        }
+        other={
+          <Button variant="quiet" onClick={onCancel}>
+            Cancel
+          </Button>
+        }
+      >
+        <Field
+          name="code"
+          label="Code"
+          autoComplete="one-time-code"
+          hint="The six digits that the app shows now. Your other browsers are signed out."
+        />
+      </Form>
+    </>
+  )
+}
+
+function RecoveryCodes({ codes, onDone }: { codes: readonly string[]; onDone: () => void }) {
+  return (
+    <div className="stack" role="status">
+      <p>
+        <span className="strong">Save these recovery codes now. They are not shown again.</span>{' '}
+        <span className="mid">Each signs in once in place of the app. Earlier codes no longer work.</span>
+      </p>
+      <ul className={`mono ${classes.recoveryCodes}`} aria-label="Recovery codes">
+        {codes.map((code) => (
+          <li key={code}>{code}</li>
+        ))}
+      </ul>
+      <div className="row wrap">
+        <CopyButton text={codes.join('\n')} what="Recovery codes">
+          Copy codes
+        </CopyButton>
+        <Button variant="quiet" onClick={onDone}>
+          I’ve saved them
+        </Button>
+      </div>
+    </div>
+  )
+}
