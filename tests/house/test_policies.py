@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable
 from contextlib import closing
 from dataclasses import dataclass
+from datetime import timedelta
 from functools import cached_property
 from pathlib import Path
 from typing import Any, cast
@@ -18,8 +19,9 @@ from sqlalchemy import delete, update
 from sqlalchemy.orm import Session
 
 from app import rooms
-from app.accounts.models import Membership
+from app.accounts.models import Membership, SignIn
 from app.accounts.rules import Audience, Scope
+from app.kit import clock
 from app.kit.fastapi_internals import Router
 from app.kit.http import SAFE_METHODS
 from app.kit.single_thread_route import SingleThreadRoute
@@ -95,6 +97,8 @@ class SharedHouse(House):
         for who in ("nobody", "guest", "stranger", "rival", "producer", "approver", "reviewer", "designer",
                     "other_designer", "operator"):  # fmt: skip
             getattr(self, who)  # signed in before the copy is made
+        with server.runtime.database.writing() as session:  # recent, however long these questions take
+            session.execute(update(SignIn).values(created_at=clock.now() + timedelta(days=1)))
         self._folder = server.runtime.settings.data_dir
         self._files = {path: path.read_bytes() for path in self._files_now()}
         self._database = str(server.runtime.database.engine.url.database)
