@@ -32,7 +32,8 @@ _MARKED = re.compile(r"^(?:[-=–—#*_>•▼■◆●]{1,10}\s*).+|.+(?::|[-=�
 _SECTION_WORD = re.compile(
     r"(?:^|\s)(?:sounds?|sfx|section|category|ambiences?|ambient|music|foley|voices?|vo|ui|weapons?|characters?|"
     r"footsteps|vehicles?|environment|creatures?|effects?|level \d+|act \d+|chapter \d+|part \d+|geräusche|musik|"
-    r"atmos|waffen|効果音|環境音|音楽)$",
+    r"atmos|waffen|効果音|環境音|音楽)$"
+    r"|^(?:section|category|group|chapter|abschnitt|kategorie|gruppe|kapitel)\s*[:–—-]\s*\S",
     re.IGNORECASE,
 )
 

@@ -51,6 +51,11 @@ def test_a_cue_with_little_beside_it_stays_a_cue(row):
     assert kinds(row, *CUES, ("ui_back", "ui", "1")) == []
 
 
+@pytest.mark.parametrize("title", ["SECTION: Steps", "Group - Doors", "Kapitel: Hafen"])
+def test_a_title_that_says_so_is_a_section_among_names_in_any_spelling(title):
+    assert kinds(("Laser Shot", "weapon", "1"), (title, "", ""), ("DoorWood", "doors", "3")) == [(3, "section")]
+
+
 def test_a_list_of_names_alone_has_no_sections():
     assert rows_without_cue([(2, ["DOOR"]), (3, ["BELL"]), (4, ["gong"])], ("Name",), {0: "name"}) == []
 

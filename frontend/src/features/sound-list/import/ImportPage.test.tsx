@@ -111,6 +111,7 @@ test('what was guessed, skipped and not read is said, and can be undone', async 
     tabs: [
       { name: 'UI', rows: 3, heads: ['Sound'], is_hidden: false, is_read: true },
       { name: 'Ambience', rows: 9, heads: ['Sound'], is_hidden: false, is_read: false },
+      { name: 'Doors', rows: 4, heads: ['Sound'], is_hidden: true, is_read: false },
     ],
     encoding: { name: 'shift-jis', is_guess: true, others: ['mac-roman'] },
     skipped: [{ row: 5, kind: 'section', text: 'UI SOUNDS', why: 'in capitals' }],
@@ -134,7 +135,7 @@ test('what was guessed, skipped and not read is said, and can be undone', async 
     },
   })
   await type('Sound\tLen\tMood\na\t1\tcalm')
-  expect(await screen.findByText('Not read: Ambience. Import it next.')).toBeInTheDocument()
+  expect(await screen.findByText('Not read: Ambience, Doors. Import them next.')).toBeInTheDocument()
   expect(screen.getByText('the middle of 1 to 2 s')).toBeInTheDocument()
   expect(screen.getByText('no field of the list is called so')).toBeInTheDocument()
   expect(screen.getByRole('region', { name: 'File names that the spec refuses' })).toHaveTextContent('DOOR → door')
