@@ -74,6 +74,7 @@ def _plan(session: Session, contract: Contract, posting: Posting, bid: Bid) -> l
             cue_ids = asked_cue_ids(session, posting, [line["key"]])
             weight = amount_minor(line) // max(len(cue_ids), 1)
             cues += [WantedCue(cue_id, labels[line["key"]], None, weight) for cue_id in cue_ids]
+    begins_on = content.from_on or posting.work_from_on
     ends_on = content.to_on or posting.work_to_on
     whole_minor = total_minor(lines)
     if not cues:  # nothing of the list is asked for: a deposit and the rest
@@ -82,7 +83,12 @@ def _plan(session: Session, contract: Contract, posting: Posting, bid: Bid) -> l
         return [PlannedMilestone("Deposit", deposit_minor, None, is_deposit=True), rest]
     weights = {cue.cue_id: cue.weight for cue in cues}
     proposed = propose_milestones(
-        cues, today=today_of(session, contract), ends_on=ends_on, total_minor=whole_minor, deposit_bp=DEPOSIT_BP
+        cues,
+        today=today_of(session, contract),
+        begins_on=begins_on,
+        ends_on=ends_on,
+        total_minor=whole_minor,
+        deposit_bp=DEPOSIT_BP,
     )
     return [
         PlannedMilestone(

@@ -52,16 +52,18 @@ def propose_milestones(
     cues: Sequence[WantedCue],
     *,
     today: date,
+    begins_on: date | None = None,
     ends_on: date | None = None,
     total_minor: int | None = None,
     deposit_bp: int = DEPOSIT_BP,
 ) -> list[ProposedMilestone]:
     """Return milestones over all cues, in the order of their days; cues without a day are needed by the last one.
 
-    `ends_on` is the last day of work where no cue has one. The price of the whole, where it is given, includes the
-    deposit.
+    `begins_on` is the first day of work, today where it is past or not given. `ends_on` is the last day of work where
+    no cue has one. The price of the whole, where it is given, includes the deposit. Names tell the year of a day that
+    is not in this one.
     """
-    parts = _parts(cues, today=today, ends_on=ends_on)
+    parts = _parts(cues, today=max(today, begins_on or today), ends_on=ends_on)
     amounts: Sequence[int | None] = [None] * len(parts)
     deposit: list[ProposedMilestone] = []
     if total_minor is not None and parts:
@@ -72,7 +74,7 @@ def propose_milestones(
         if deposit_minor:
             deposit = [ProposedMilestone("Deposit", None, [], deposit_minor, is_deposit=True)]
     return deposit + [
-        ProposedMilestone(_name(part), part.due_on, [cue.cue_id for cue in part.cues], amount)
+        ProposedMilestone(_name(part, today), part.due_on, [cue.cue_id for cue in part.cues], amount)
         for part, amount in zip(parts, amounts, strict=True)
     ]
 
@@ -151,10 +153,11 @@ def _shared(cues: Sequence[WantedCue], count: int) -> list[Sequence[WantedCue]]:
     return [*shares, left]
 
 
-def _name(part: _Part) -> str:
+def _name(part: _Part, today: date) -> str:
     categories = list(dict.fromkeys(cue.category for cue in part.cues))
     what = " and ".join(_called(each) if each else REST for each in categories) if len(categories) <= 2 else "Sounds"
-    return f"{what[: MAX_NAME_CHARS - 20]}, {part.due_on.day} {part.due_on:%B}"
+    year = "" if part.due_on.year == today.year else f" {part.due_on.year}"
+    return f"{what[: MAX_NAME_CHARS - 20]}, {part.due_on.day} {part.due_on:%B}{year}"
 
 
 def _called(category: str) -> str:

@@ -48,6 +48,16 @@ def test_days_within_two_weeks_are_one_part() -> None:
     assert days == [FIRST + timedelta(days=3 - 14), FIRST + timedelta(days=3)], "it is parted where that leaves weeks"
 
 
+def test_no_part_is_due_before_the_work_begins_and_days_of_next_year_name_it() -> None:
+    begins_on, ends_on = date(2027, 1, 4), date(2027, 2, 26)
+    cues = [wanted(category) for category in ("weapon", "voice", "doors", "ui", "steps", "music")]
+    parts = propose_milestones(cues, today=TODAY, begins_on=begins_on, ends_on=ends_on)
+    assert [part.due_on for part in parts] == [date(2027, 1, 29), date(2027, 2, 12), ends_on]
+    assert all(part.name.endswith(" 2027") for part in parts)
+    days = [part.due_on for part in propose_milestones(cues, today=TODAY, begins_on=date(2026, 1, 4), ends_on=ends_on)]
+    assert min(day for day in days if day) > TODAY, "a first day that is past counts as today"
+
+
 def test_a_price_includes_its_deposit_and_the_last_part_is_the_largest() -> None:
     cues = [wanted("ui", weight=7), wanted("ui"), wanted("weapon"), wanted("weapon")]
     deposit, *parts = propose_milestones(cues, today=TODAY, total_minor=639_000)

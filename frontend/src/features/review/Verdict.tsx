@@ -299,17 +299,26 @@ function whoDecides(review: CueReview, money: CueMoney | null): string {
   return `${call} ${counted === 0 ? 'No revision round yet.' : `${plural(counted, 'revision round')} so far.`}`
 }
 
+/** Versions of one variation that came in one delivery and between which nobody chose: no set is approved with them. */
+function undecidedOf({ whole, waiting, toPick }: VerdictProps): ReviewTake[] {
+  if (!whole) return []
+  const picked = new Set(toPick.map(({ variation }) => variation))
+  return waiting.filter((take) => take.undecided_with.length > 0 && !picked.has(take.variation))
+}
+
 /** Of a variation with several versions, which one the set takes and which give way: nobody chooses unawares. */
 function takenWords(cue: ReviewCue, waiting: readonly ReviewTake[], toPick: readonly ReviewTake[]): string {
   const pickedIds = new Set(toPick.map(({ id }) => id))
-  const others = waiting.filter(({ id }) => !pickedIds.has(id))
+  const picked = new Set(toPick.map(({ variation }) => variation))
+  const others = waiting.filter(({ id, variation }) => picked.has(variation) && !pickedIds.has(id))
   if (others.length === 0) return ''
   const taken = toPick.filter(({ variation }) => others.some((other) => other.variation === variation))
   const named = (takes: readonly ReviewTake[]) => namesOf(takes.map((take) => takeName(take, cue, waiting)))
   return `Takes ${named(taken)}; ${named(others)} ${others.length === 1 ? 'is' : 'are'} set aside.`
 }
 
-function follows({ review, hand, meant, toPick, waiting, whole }: VerdictProps): string {
+function follows(props: VerdictProps): string {
+  const { review, hand, meant, toPick, waiting, whole } = props
   const { cue } = review
   if (cue.state === 'cut') return 'This cue was cut.'
   if (hand === undefined) return 'No version yet.'
@@ -318,6 +327,10 @@ function follows({ review, hand, meant, toPick, waiting, whole }: VerdictProps):
   if (hand.state !== 'conforming') return STATE_WORDS[hand.state] ?? ''
   if (!review.may_approve) return ''
   if (whole) {
+    const undecided = undecidedOf(props).map((take) => takeName(take, cue, waiting))
+    if (undecided.length > 0) {
+      return `Choose first: ${namesOf(undecided)} came in one delivery for the same sound, and nobody chose.`
+    }
     const left = new Set(waiting.map(({ variation }) => variation)).size
     const all =
       left === cue.variations
@@ -337,7 +350,10 @@ function follows({ review, hand, meant, toPick, waiting, whole }: VerdictProps):
 }
 
 /** What picking the current version makes due, where it is the pick that accepts the cue. */
-function due({ review: { cue }, money, hand, whole }: VerdictProps): string {
+function due(props: VerdictProps): string {
+  const { cue } = props.review
+  const { money, hand, whole } = props
+  if (undecidedOf(props).length > 0) return ''
   if (money === null || cue.state === 'cut' || hand === undefined || hand.draft_change) return ''
   const canApprove = hand.state === 'conforming' || hand.state === 'set_aside'
   return canApprove && (whole || cue.variations === 1) ? dueWithPick(money) : ''

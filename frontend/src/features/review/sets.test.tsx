@@ -38,6 +38,24 @@ describe('a set', () => {
     expect(bar).toHaveTextContent('Takes _02 A; _02 B is set aside.')
   })
 
+  test('with two files of one delivery between which nobody chose asks for the choice and promises nothing', async () => {
+    const [w1, w2] = walk.takes
+    if (!w1 || !w2) throw new Error('the set has two variations')
+    const takes = [
+      w1,
+      { ...w2, undecided_with: ['w3'] },
+      { ...w2, id: 'w3', number: 2, file_name: 'foot_deck_walk_02 FINAL (2).wav', undecided_with: ['w2'] },
+    ]
+    server.on('GET /v1/sounds/w3/preview', aPreview)
+    serveReview(aReview({ ...walk, takes }))
+    await opened('/walk')
+    const bar = screen.getByRole('region', { name: 'Verdict' })
+    expect(bar).toHaveTextContent('Choose first: _02 A and _02 B came in one delivery for the same sound')
+    expect(bar).not.toHaveTextContent(/Approves all|Takes|set aside|is due/)
+    await userEvent.keyboard('2')
+    expect(bar).toHaveTextContent('Approves all 2 variations at once. Takes _02 A; _02 B is set aside.')
+  })
+
   test('is played as the game does, at a rate and with pitch and level that stray, as chosen the last time', async () => {
     await opened('/walk')
     await userEvent.keyboard('{Shift>}h{/Shift}')
