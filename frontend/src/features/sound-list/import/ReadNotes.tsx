@@ -70,7 +70,8 @@ export function ReadNotes({ read, reading, onRead }: Props) {
             </Select>
             {others.length > 0 && (
               <span className="small mid">
-                Not read: {others.map(({ name }) => name).join(', ')}. Import {others.length === 1 ? 'it' : 'them'} next.
+                Not read: {others.map(({ name }) => name).join(', ')}. Import {others.length === 1 ? 'it' : 'them'}{' '}
+                next.
               </span>
             )}
           </label>
