@@ -117,7 +117,7 @@ class ReportFinding(BaseModel):
     model_config = ConfigDict(extra="allow")
 
     code: str = Field(max_length=200)
-    severity: Literal["error", "warning"]
+    severity: Literal["error", "warning", "information"]
     message: str = Field(max_length=10_000)
     waived: bool = False
 

@@ -20,7 +20,7 @@ class FindingRead(Schema):
 
     check: str
     code: str
-    severity: Literal["error", "warning"]
+    severity: Literal["error", "warning", "information"]
     message: str
     fix: str
     measured: float | None
@@ -113,7 +113,7 @@ class LeftRead(Schema):
     """A finding that remains in a fixed copy, and why no fix answers it."""
 
     code: str
-    severity: Literal["error", "warning"]
+    severity: Literal["error", "warning", "information"]
     message: str
     why: str
 

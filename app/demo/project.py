@@ -62,10 +62,10 @@ def make_demo_project(runtime: Runtime, *, progress: Progress, keep_going: KeepG
 
 
 def _asking(toml: str) -> str:
-    """Return a spec that keeps the game's reverb out of files, and asks for what judgements find."""
+    """Return a spec that asks for what judgements find."""
     asked = "".join(f'{check} = "warning"\n' for check in ("upsampled", "lossy", "reversed"))
     warned = 'head-silence = "warning"\n'
-    return toml.replace("adds = [] ", 'adds = ["reverb"] ').replace(warned, warned + asked, 1)
+    return toml.replace(warned, warned + asked, 1)
 
 
 class _Maker:

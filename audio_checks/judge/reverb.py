@@ -16,7 +16,7 @@ import json
 import math
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,12 +31,13 @@ from audio_checks.measure.tails import decay_curves, features_of, likeness_of_si
 
 FIGURES = ("decay",)
 WEIGHTS = Path(__file__).with_suffix(".json")
+REVERB, LIKELY, DRY = "reverb", "likely reverb", "dry"
 SHORTEST_RT60_S, LONGEST_RT60_S = 0.1, 6.0
 LONG_FROM_S = 0.8  # few dry sounds die away as slowly as such a room, so less of a score is enough there
 
 
 def judge(file: AudioFile, kind: str | None) -> Judgement:
-    """Return whether a file carries reverb: `reverb`, `dry` or `cannot tell`, with `rt60_s` unless dry.
+    """Return whether a file carries reverb: `reverb`, `likely reverb`, `cannot tell` or `dry`, `rt60_s` unless dry.
 
     Silence, and what is shorter than 40 ms, has no score and no verdict. Where the file has a dry stem, it is
     compared with that; see `compared_with_dry`.
@@ -51,20 +52,34 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
     if features is None:
         return Judgement(CANNOT_TELL, None, {"rt60_s": None})
     score, rt60_s = score_of(features), rt60_of(features)
-    dry_below, reverb_from = limits_of(kind, "mono" if decay.sides is None else "stereo", rt60_s)
-    verdict = "reverb" if score >= reverb_from else "dry" if score < dry_below else CANNOT_TELL
-    figures = {"rt60_s": None if verdict == "dry" else round(rt60_s, 2)}
+    verdict = limits_of(kind, "mono" if decay.sides is None else "stereo", rt60_s).verdict(score)
+    figures = {"rt60_s": None if verdict == DRY else round(rt60_s, 2)}
     return Judgement(verdict, truncated_score(score), figures, evidence_of(decay))
 
 
-def limits_of(kind: str | None, layout: str, rt60_s: float) -> tuple[float, float]:
-    """Return under which score a sound is dry and from which on it has reverb.
+class Limits(NamedTuple):
+    """Under which score a sound is dry, from which on it likely has reverb, and from which on it has."""
+
+    dry_below: float
+    likely_from: float
+    reverb_from: float
+
+    def verdict(self, score: float) -> str:
+        """Return what a score, 0..1, says."""
+        if score >= self.reverb_from:
+            return REVERB
+        if score >= self.likely_from:
+            return LIKELY
+        return DRY if score < self.dry_below else CANNOT_TELL
+
+
+def limits_of(kind: str | None, layout: str, rt60_s: float) -> Limits:
+    """Return the limits of a sound's score.
 
     `kind` None is unknown, `layout` is "mono" or "stereo", and `rt60_s` what `rt60_of` says, in seconds.
     """
     length = "long" if rt60_s >= LONG_FROM_S else "short"
-    dry_below, reverb_from = weights()["thresholds"][kind or "unknown"][layout][length]
-    return dry_below, reverb_from
+    return Limits(*weights()["thresholds"][kind or "unknown"][layout][length])
 
 
 def score_of(features: NDArray[np.float64]) -> float:

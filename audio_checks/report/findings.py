@@ -26,9 +26,9 @@ class Finding:
         The figure first, then the limit.
     fix : str
         What to do about it.
-    severity : {"error", "warning"} or None
+    severity : {"error", "warning", "information"} or None
         A check may set it for a condition that is milder or more severe than its others; the runner
-        gives every other finding its severity.
+        gives every other finding its severity. Information asks for an ear, and no spec raises it.
     measured, limit : float or None
         In `unit`; -inf (digital silence) is null in JSON.
     start_s, end_s : float or None
@@ -287,7 +287,7 @@ def schema() -> dict[str, Any]:
         "properties": {
             "check": {"type": "string"},
             "code": {"type": "string", "pattern": "^[a-z-]+:[a-z0-9-]+$"},
-            "severity": {"enum": ["error", "warning"]},
+            "severity": {"enum": ["error", "warning", "information"]},
             "message": {"type": "string"},
             "fix": {"type": "string"},
             "measured": _nullable("number"),

@@ -16,13 +16,19 @@ def graded(finding: Finding, spec: DeliverySpec) -> Finding | None:
     level = spec.checks.get(finding.check)
     if level == "off":
         return None
+    if finding.severity == "information":  # it asks for an ear, and never returns a file
+        return finding
     severity: Severity = level or finding.severity or check_names.DEFAULT_SEVERITY[finding.check]
     return replace(finding, severity=severity)
 
 
 def ordered(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return findings, what broke first, then errors, then warnings."""
-    return tuple(sorted(findings, key=lambda one: (not one.code.endswith(":crashed"), one.severity != "error")))
+    """Return findings, what broke first, then errors, then warnings, then information."""
+
+    def place(finding: Finding) -> tuple[bool, int]:
+        return not finding.code.endswith(":crashed"), check_names.GRAVITY[finding.severity or "warning"]
+
+    return tuple(sorted(findings, key=place))
 
 
 def crash(what: str, error: BaseException) -> Finding:

@@ -14,7 +14,8 @@ from typing import Any, Literal
 
 from audio_checks import version
 
-Severity = Literal["error", "warning"]
+Severity = Literal["error", "warning", "information"]
+GRAVITY: dict[Severity, int] = {"error": 0, "warning": 1, "information": 2}  # the gravest first
 Level = Literal["error", "warning", "off"]
 
 CHECKS = Path(version.__file__).with_name("checks")

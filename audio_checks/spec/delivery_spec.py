@@ -106,8 +106,9 @@ class DeliverySpec:
         return self.naming.extension or WAV_ENDING
 
     def asks_for_dry_sound(self, cue: CueFacts | None) -> bool:
-        """Return whether reverb is a fault: the game adds it or the check is named; no designed tail is asked."""
-        is_asked = "reverb" in self.engine.adds or "baked-reverb" in self.checks
+        """Return whether reverb is a fault: the game adds it, or the check or the cue asks for dry, and not a tail."""
+        is_dry = cue is not None and cue.reverb == "dry"
+        is_asked = is_dry or "reverb" in self.engine.adds or "baked-reverb" in self.checks
         return is_asked and (cue is None or cue.reverb != "designed-tail")
 
     @cached_property

@@ -75,7 +75,7 @@ extension = ".wav"
 # required = ["bext.Originator", "iXML.ASWG.catId", "INFO.ICOP"]
 
 [engine]
-adds = []                           # what the game adds ("reverb", "occlusion", "pitch", "doppler"): files come without
+adds = ["reverb"]                   # what the game adds ("reverb", "occlusion", "pitch", "doppler"): files come without
 
 {targets}
 [checks]                            # per check: "error", "warning", "off"

@@ -12,14 +12,14 @@ from pathlib import Path
 from audio_checks.cli.locations import in_repository, repository_root
 from audio_checks.cli.reporters import Style
 from audio_checks.report.findings import FileReport, Finding, Report, printable
-from audio_checks.spec.check_names import Severity
+from audio_checks.spec.check_names import GRAVITY, Severity
 
 SHARES_OUTPUT = True  # the runner picks its commands out of any other output
 MOST_OF_A_LEVEL = 10
 SUMMARY_BYTES = 900_000  # of the 1 MiB that a step may write
 MOST_IN_A_CELL = 5
 MARKUP = str.maketrans({"&": "&amp;", "<": "&lt;", "|": "&#124;", **{one: f"\\{one}" for one in "\\`*_[]#@"}})
-LEVELS: tuple[Severity, ...] = ("error", "warning")
+LEVELS: dict[Severity, str] = {"error": "error", "warning": "warning", "information": "notice"}
 
 
 def judged(report: Report, style: Style) -> str:
@@ -32,22 +32,22 @@ def judged(report: Report, style: Style) -> str:
 
 def _counting(entry: FileReport) -> list[Finding]:
     """Return the unwaived findings, the most severe first."""
-    return sorted((one for one in entry.findings if not one.waived), key=lambda one: one.severity != "error")
+    return sorted((one for one in entry.findings if not one.waived), key=lambda one: GRAVITY[one.severity or "warning"])
 
 
 def _commands(report: Report) -> Iterator[str]:
     root = repository_root()
     found = [(entry, _counting(entry)) for entry in report.files]
     left = 0
-    for level in LEVELS:
-        files = [(entry, ones) for entry, ones in found if ones and ones[0].severity == level]
+    for severity, command in LEVELS.items():
+        files = [(entry, ones) for entry, ones in found if ones and ones[0].severity == severity]
         left += max(0, len(files) - MOST_OF_A_LEVEL)
         for entry, ones in files[:MOST_OF_A_LEVEL]:
             place = in_repository(entry.path, root) or entry.path
             more = f" ({len(ones) - 1} more in the summary)" if len(ones) > 1 else ""
             text = f"{printable(ones[0].sentence)}; fix: {printable(ones[0].fix)}{more}"
             title = f"{printable(ones[0].code)} in {Path(place).name}"
-            yield f"::{level} file={_property(place)},title={_property(title)}::{_data(text)}"
+            yield f"::{command} file={_property(place)},title={_property(title)}::{_data(text)}"
     if left:
         yield f"::notice title=audio-checks::{left} more file{'s' if left > 1 else ''} in the summary"
 
@@ -72,7 +72,7 @@ def _summary(report: Report) -> str:
     head = f"## audio-checks\n\n{total}; {counts['errors']} errors, {counts['warnings']} warnings{waived}\n\n"
     rows = sorted(
         ((entry, ones) for entry in report.files if (ones := _counting(entry))),
-        key=lambda row: (row[1][0].severity != "error", -len(row[1])),
+        key=lambda row: (GRAVITY[row[1][0].severity or "warning"], -len(row[1])),
     )
     if not rows:
         return head

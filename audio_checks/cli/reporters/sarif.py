@@ -29,7 +29,7 @@ def judged(report: Report, style: Style) -> str:
         for finding in entry.findings
         if not finding.code.endswith(":crashed")
     ]
-    found.sort(key=lambda one: (one[1].waived, one[1].severity != "error"))
+    found.sort(key=lambda one: (one[1].waived, check_names.GRAVITY[one[1].severity or "warning"]))
     rules = list(dict.fromkeys(finding.code for _, finding in found[:MOST_RESULTS]))
     notes = [*_crashes(report.files)]
     if len(found) > MOST_RESULTS:
@@ -69,7 +69,7 @@ def _results(found: Iterable[tuple[FileReport, Finding]], places: dict[str, int]
             {
                 "ruleId": finding.code,
                 "ruleIndex": places[finding.code],
-                "level": finding.severity,
+                "level": "note" if finding.severity == "information" else finding.severity,
                 "message": {"text": f"{printable(finding.sentence)}. Fix: {printable(finding.fix)}."},
                 "locations": [{"physicalLocation": locations[entry.path]}],
                 "partialFingerprints": {"primaryLocationLineHash": f"{mark}:{seen[mark]}"},

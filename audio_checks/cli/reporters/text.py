@@ -8,14 +8,15 @@ from typing import Any
 from audio_checks.cli.decay_drawing import drawn
 from audio_checks.cli.reporters import Style
 from audio_checks.cli.terminal import BOLD, DIM, GREEN, MAGENTA, RED, YELLOW, Ink
-from audio_checks.judge import score_in_words
+from audio_checks.judge import CANNOT_TELL, score_in_words
 from audio_checks.report.findings import FileReport, Finding, Report, printable
-from audio_checks.spec.check_names import Severity
+from audio_checks.spec.check_names import GRAVITY, Severity
 from audio_checks.spec.loudness_presets import in_words
 
 VERDICT_COLOURS = {"unjudged": MAGENTA, "unreadable": RED, "rejected": RED, "conforming": GREEN}
 SEVERITIES: tuple[Severity, ...] = ("error", "warning")
-SEVERITY_COLOURS = {"error": RED, "warning": YELLOW}
+SEVERITY_COLOURS = {"error": RED, "warning": YELLOW, "information": DIM}
+SEVERITY_LABELS = {"information": "info"}
 WORST_FIRST = tuple(VERDICT_COLOURS)
 LAYOUTS = {1: "mono", 2: "stereo"}
 UNITS = {
@@ -85,7 +86,7 @@ def _finding(finding: Finding, ink: Ink, columns: int | None) -> Iterator[str]:
         shown[-1] += f"  {ink(code, DIM)}"
     else:
         shown.append(ink(code, DIM))
-    label = ink(f"{severity:<7}", *(dim or (SEVERITY_COLOURS[severity],)))
+    label = ink(f"{SEVERITY_LABELS.get(severity, severity):<7}", *(dim or (SEVERITY_COLOURS[severity],)))
     yield f"  {label}  {shown[0]}"
     yield from (f"{INDENT}{line}" for line in shown[1:])
     if not finding.waived:
@@ -125,6 +126,8 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
         if counts[verdict]
     ]
     found = [_count(sum(entry.count(level, waived=False) for entry in report.files), level) for level in SEVERITIES]
+    if told := sum(entry.count("information", waived=False) for entry in report.files):
+        found.append(f"{told} to listen to")
     if counts["waived"]:
         found.append(f"{counts['waived']} waived")
     total = ink(_count(counts["files"], "file"), BOLD)
@@ -136,9 +139,22 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
         if len(most) > MOST_FOUND:
             yield ink(f"  and {_count(len(most) - MOST_FOUND, 'other kind')}", DIM)
         yield ""
+    yield from _undecided(report.files, ink)
     yield from _next_steps(report.files, ink)
     if most:
         yield ink(f"why: audio-checks explain {most[0][0].partition(':')[0]}", DIM)
+
+
+def _undecided(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
+    """Yield in how many files reverb could not be judged, and what would decide more of them."""
+    judged = [entry for entry in files if "reverb" in entry.judgements]
+    undecided = [entry for entry in judged if entry.judgements["reverb"]["verdict"] == CANNOT_TELL]
+    if undecided:
+        yield ink(f"reverb: cannot tell in {len(undecided)} of {_count(len(judged), 'file')}", DIM)
+    without = sum(entry.category is None for entry in judged)
+    if without:
+        these = f"{_count(without, 'file')} without a category"
+        yield ink(f"reverb: {these}, judged most cautiously; name one in [files] or the sound list", DIM)
 
 
 def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
@@ -156,24 +172,27 @@ def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
             yield ink(f"to put names and headers of {these} right: audio-checks check --diff, then --fix", DIM)
 
 
-def _most_found(files: Iterable[FileReport]) -> list[tuple[str, str, int]]:
+def _most_found(files: Iterable[FileReport]) -> list[tuple[str, Severity, int]]:
     """Return code, highest severity and number of files, of errors before warnings, the most common first."""
     within: Counter[str] = Counter()
-    severities: dict[str, str] = {}
+    severities: dict[str, Severity] = {}
     for entry in files:
-        codes = {finding.code: finding.severity or "warning" for finding in reversed(_counting(entry))}
+        codes: dict[str, Severity] = {
+            finding.code: finding.severity or "warning" for finding in reversed(_counting(entry))
+        }
         within.update(codes.keys())
         for code, severity in codes.items():
-            severities[code] = "error" if "error" in (severity, severities.get(code)) else severity
+            severities[code] = min(severity, severities.get(code, severity), key=GRAVITY.__getitem__)
     rows = [(code, severities[code], count) for code, count in within.items()]
-    return sorted(rows, key=lambda row: (row[1] != "error", -row[2], row[0]))
+    return sorted(rows, key=lambda row: (GRAVITY[row[1]], -row[2], row[0]))
 
 
-def _table(rows: list[tuple[str, str, int]], ink: Ink) -> Iterator[str]:
+def _table(rows: list[tuple[str, Severity, int]], ink: Ink) -> Iterator[str]:
     digits = max((len(str(count)) for _, _, count in rows), default=0)
     for code, severity, count in rows:
         files = "file " if count == 1 else "files"
-        yield f"  {ink(f'{severity:<7}', SEVERITY_COLOURS[severity])}  {count:>{digits}} {files}  {printable(code)}"
+        label = ink(f"{SEVERITY_LABELS.get(severity, severity):<7}", SEVERITY_COLOURS[severity])
+        yield f"  {label}  {count:>{digits}} {files}  {printable(code)}"
 
 
 def _count(number: int, noun: str) -> str:

@@ -2,6 +2,7 @@ import { type CSSProperties, useCallback, useLayoutEffect, useMemo, useRef, useS
 
 import { figure, place, placeInWords, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { SEVERITY_LOOK, type Severity } from '@/ui/severity'
 
 import { gridStepS, type Layout, stack, ticksOf } from './axis'
 import { type Clock, useAt } from './clock'
@@ -14,7 +15,7 @@ import classes from './Waveform.module.css'
 /** A finding on the wave: a label above it, and its range or its point inside. */
 export interface FindingMark {
   id: string
-  severity: 'error' | 'warning'
+  severity: Severity
   label: string
   /** After the label, quietly; left out on narrow screens. */
   more?: string
@@ -110,7 +111,7 @@ export function Waveform(props: WaveformProps) {
             mark.startS !== undefined && (
               <span
                 key={mark.id}
-                className={`${classes.flag} tone-${mark.severity === 'error' ? 'bad' : 'warn'}`}
+                className={`${classes.flag} tone-${SEVERITY_LOOK[mark.severity].tone}`}
                 style={spanStyle({ startS: mark.startS, endS: mark.endS ?? mark.startS }, durationS)}
               />
             ),
@@ -232,11 +233,11 @@ function FindingsLane({
         <button
           type="button"
           key={item.id}
-          className={`${classes.label} tone-${item.severity === 'error' ? 'bad' : 'warn'}`}
+          className={`${classes.label} tone-${SEVERITY_LOOK[item.severity].tone}`}
           style={{ left: leftPx, top: lane * 26, maxWidth: width || undefined }}
           onClick={() => onMark?.(spotOf(item.startS ?? 0), item)}
         >
-          <Icon name={item.severity === 'error' ? 'back' : 'triangle'} size={14} />
+          <Icon name={SEVERITY_LOOK[item.severity].icon} size={14} />
           {item.label}
           {item.more && <span className={classes.more}>{item.more}</span>}
           {item.startS !== undefined && <span className="visually-hidden">, at {placeInWords(item.startS)}</span>}

@@ -2,9 +2,10 @@ import type { ReactNode } from 'react'
 
 import classes from './Finding.module.css'
 import { Icon } from './Icon'
+import { SEVERITY_LOOK, type Severity } from './severity'
 
 interface FindingProps {
-  severity: 'error' | 'warning'
+  severity: Severity
   /** The measured figure: "Sample peak 0.0 dBFS"; for a judgement the question it asks. */
   head: string
   /** Where in the sound, or how much: "0.418 s". */
@@ -17,15 +18,15 @@ interface FindingProps {
 
 /** One finding: what, the limit, where, and what to do next. */
 export function Finding({ severity, head, where, children, actions }: FindingProps) {
-  const error = severity === 'error'
+  const { tone, icon, label } = SEVERITY_LOOK[severity]
   return (
-    <article className={`${classes.finding} tone-${error ? 'bad' : 'warn'}`} aria-label={head}>
+    <article className={`${classes.finding} tone-${tone}`} aria-label={head}>
       <header className={classes.head}>
         <span className={classes.icon}>
-          <Icon name={error ? 'back' : 'triangle'} />
+          <Icon name={icon} />
         </span>
         <span className="strong toned">
-          <span className="visually-hidden">{error ? 'Error: ' : 'Warning: '}</span>
+          <span className="visually-hidden">{label}</span>
           {head}
         </span>
         {where && <span className="mono small dim end nowrap">{where}</span>}

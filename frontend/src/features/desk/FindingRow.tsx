@@ -1,5 +1,6 @@
 import { wordsOf } from '@/judging/findings'
 import { Icon } from '@/ui/Icon'
+import { SEVERITY_LOOK } from '@/ui/severity'
 
 import { type Finding } from './api'
 import classes from './CameBack.module.css'
@@ -7,14 +8,14 @@ import classes from './CameBack.module.css'
 /** One finding of a version that came back: its figure and limit, what to do, and its page. */
 export function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () => void }) {
   const { head, rest, where } = wordsOf(finding)
-  const isError = finding.severity === 'error'
+  const { tone, icon, label } = SEVERITY_LOOK[finding.severity]
   return (
-    <li className={`${classes.finding} tone-${isError ? 'bad' : 'warn'}`}>
+    <li className={`${classes.finding} tone-${tone}`}>
       <span className={classes.icon}>
-        <Icon name={isError ? 'back' : 'triangle'} />
+        <Icon name={icon} />
       </span>
       <span className="strong toned">
-        <span className="visually-hidden">{isError ? 'Error: ' : 'Warning: '}</span>
+        <span className="visually-hidden">{label}</span>
         {head}
       </span>
       <span className={`mid ${classes.rest}`}>

@@ -3,6 +3,7 @@ import { keepPreviousData, queryOptions, useInfiniteQuery, useQuery, useQueryCli
 import { answered, api, everyPage, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
+import type { Severity } from '@/ui/severity'
 
 type Schemas = components['schemas']
 export type Project = Schemas['ProjectRead']
@@ -32,7 +33,7 @@ export interface BuildReport {
 export interface ReportFile {
   path: string
   verdict: 'conforming' | 'rejected' | 'unreadable' | 'unjudged'
-  findings: { code: string; severity: 'error' | 'warning'; message: string; fix?: string | null; waived?: boolean }[]
+  findings: { code: string; severity: Severity; message: string; fix?: string | null; waived?: boolean }[]
 }
 
 const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })

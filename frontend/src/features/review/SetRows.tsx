@@ -5,6 +5,7 @@ import { measuredPart } from '@/judging/words'
 import { figure, length } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
+import { SEVERITY_LOOK } from '@/ui/severity'
 
 import classes from './Review.module.css'
 
@@ -85,7 +86,7 @@ function CueProgress({ take, odd }: { take: ReviewTake; odd: boolean }) {
     const [measured, rest] = measuredPart(worst)
     return (
       <>
-        <span className={`toned tone-${worst.severity === 'error' ? 'bad' : 'warn'}`}>{measured}</span>
+        <span className={`toned tone-${SEVERITY_LOOK[worst.severity].tone}`}>{measured}</span>
         <span className="dim">{rest}</span>
       </>
     )

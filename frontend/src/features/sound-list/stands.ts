@@ -1,5 +1,6 @@
 import { measuredPart, spelled } from '@/judging/words'
 import { age, plural, shortDay } from '@/ui/format'
+import { SEVERITY_LOOK } from '@/ui/severity'
 import type { Tone } from '@/ui/State'
 
 import type { Cue, Finding, CueProgress } from './api'
@@ -26,7 +27,7 @@ const plain = (before: string): Stands => ({ before, marked: '', tone: 'idle', a
 
 function ofFinding(finding: Finding, before = ''): Stands {
   const [marked, after] = measuredPart(finding)
-  return { before, marked, tone: finding.severity === 'error' ? 'bad' : 'warn', after }
+  return { before, marked, tone: SEVERITY_LOOK[finding.severity].tone, after }
 }
 
 const isOld = (at: string, now: Date) => age(at, now) !== 'now'

@@ -7,6 +7,7 @@ import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, sampleFormat, rate } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { SEVERITY_LOOK } from '@/ui/severity'
 import { State } from '@/ui/State'
 
 import { type Check, type Finding, type GameFile } from './api'
@@ -52,11 +53,11 @@ function Lines({ title, lines, found }: LinesProps) {
           return (
             <div key={name}>
               <dt className="dim">{what}</dt>
-              <dd className={severity && `tone-${severity === 'error' ? 'bad' : 'warn'} toned`}>
+              <dd className={severity && `tone-${SEVERITY_LOOK[severity].tone} toned`}>
                 {severity && (
                   <>
-                    <Icon name={severity === 'error' ? 'back' : 'triangle'} size={14} />
-                    <span className="visually-hidden">{severity === 'error' ? 'Error: ' : 'Warning: '}</span>
+                    <Icon name={SEVERITY_LOOK[severity].icon} size={14} />
+                    <span className="visually-hidden">{SEVERITY_LOOK[severity].label}</span>
                   </>
                 )}
                 {said}
