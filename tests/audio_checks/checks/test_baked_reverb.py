@@ -5,7 +5,8 @@ import pytest
 
 from audio_checks import check_file, parse_spec
 from audio_checks.audio import figures
-from audio_checks.spec.delivery_spec import CueFacts
+from audio_checks.judge import Judgement
+from audio_checks.spec.delivery_spec import CueFacts, new_spec
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import silence, sine, write_wav
 
@@ -41,6 +42,28 @@ def test_only_where_the_spec_asks(codes_of, tables, codes):
 )
 def test_the_list_is_respected(codes_of, word, codes):
     assert codes_of("baked-reverb", WET, ADDS, cue=CueFacts("SW-001", reverb=word)) == codes
+
+
+def test_a_cue_that_is_to_be_dry_is_judged_in_any_project(codes_of):
+    assert codes_of("baked-reverb", WET, "", cue=CueFacts("SW-001", reverb="dry")) == HEARD
+    assert codes_of("baked-reverb", WET, "", cue=CueFacts("SW-001", reverb="separate-tail")) == []
+
+
+def test_what_is_likely_is_information_that_no_spec_raises(tmp_path, monkeypatch):
+    likely = Judgement("likely reverb", 0.87, {"rt60_s": 1.2})
+    monkeypatch.setattr("audio_checks.judge.reverb.judge_decay", lambda *_: likely)
+    path = write_wav(tmp_path / "hit.wav", WET)
+    for level in ("warning", "error"):
+        entry = check_file(path, parse_spec(f"format = 1\n{ADDS}\nchecks.baked-reverb = '{level}'"))
+        (finding,) = entry.findings
+        assert (finding.code, finding.severity, entry.verdict) == ("baked-reverb:likely", "information", "conforming")
+        assert finding.message == "sounds as if it has a room, RT60 about 1.2 s, score 0.87 of 1: listen"
+    assert check_file(path, parse_spec(f"format = 1\n{ADDS}\nchecks.baked-reverb = 'off'")).findings == ()
+
+
+@pytest.mark.parametrize("preset", ["44k1", "48k"])
+def test_a_new_project_judges_reverb(preset):
+    assert parse_spec(new_spec(preset)).asks_for_dry_sound(None)
 
 
 def test_what_it_says(found_by):

@@ -14,6 +14,9 @@ from tests.support.waves import write_wav
 DRY_WANTED = parse_spec('format = 1\n[engine]\nadds = ["reverb"]')
 
 
+SIDES = (("wet", 0.93, 30), ("dry", 0.5, 10))
+
+
 def judged(name, score, verdict="cannot tell", spec=DRY_WANTED, cue=None):
     judgements = {} if score is None else {"reverb": {"verdict": verdict, "score": score}}
     return JudgedFile(FileReport(name, "conforming", facts={"duration_s": 1.0}, judgements=judgements), spec, cue)
@@ -28,7 +31,7 @@ def test_four_undecided_sounds_show_it_together():
     assert [[one.code for one in findings] for findings in found] == [["reverb-set:heard"]] * 4
     assert first[0].severity == "warning"
     assert first[0].measured == pytest.approx(0.88)
-    assert "4 sounds that came together have reverb (score 0.88 of 1)" in first[0].message
+    assert "these 4 sounds have reverb together (score 0.88 of 1)" in first[0].message
 
 
 def test_of_eight_sounds_less_is_enough():
@@ -50,6 +53,32 @@ def test_what_is_decided_alone_counts_and_is_not_named_again():
 def test_one_sound_does_not_outweigh_three():
     assert score_together([0.999999, 0.2, 0.2, 0.2]) < 0.5
     assert score_together([1.0, 0.0]) == pytest.approx(0.5)
+
+
+def test_only_those_are_named_whose_own_score_agrees():
+    """Six of twelve in a room: none of the dry ones is accused, and the message says how many."""
+    company = [judged(f"{number}.wav", 0.9 if number < 6 else 0.1) for number in range(12)]
+    found = set_findings(company)
+    assert [bool(findings) for findings in found] == [True] * 6 + [False] * 6
+    assert found[0][0].message.startswith("6 of these 12 sounds have reverb together")
+
+
+def test_neighbours_do_not_convict():
+    """Ten dry sounds in a folder with thirty wet ones."""
+    wet, dry = ([judged(f"{name}_{number}.wav", score) for number in range(count)] for name, score, count in SIDES)
+    found = codes([*wet, *dry])
+    assert found == [["reverb-set:heard"]] * 30 + [[]] * 10
+
+
+def test_a_few_high_scores_among_many_are_chance():
+    assert codes([judged(f"{number}.wav", 0.92 if number < 3 else 0.3) for number in range(12)]) == [[]] * 12
+
+
+def test_categories_of_a_folder_are_apart():
+    spec = {name: DRY_WANTED.for_category(name) for name in ("impact", "ui")}
+    hits = [judged(f"hit_{number}.wav", 0.92, spec=spec["impact"]) for number in range(4)]
+    clicks = [judged(f"click_{number}.wav", 0.92, spec=spec["ui"]) for number in range(2)]
+    assert codes([*hits, *clicks]) == [["reverb-set:heard"]] * 4 + [[]] * 2
 
 
 def test_folders_are_apart():

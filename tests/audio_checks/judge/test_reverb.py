@@ -7,7 +7,7 @@ from audio_checks import measure_file
 from audio_checks.audio.audio_file import AudioFile
 from audio_checks.cli.commands.measure import KINDS
 from audio_checks.judge import CANNOT_TELL, judge, names
-from audio_checks.judge.reverb import LONG_FROM_S, limits_of
+from audio_checks.judge.reverb import LONG_FROM_S, Limits, limits_of
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import noise, silence, sine, write_wav
 
@@ -71,14 +71,22 @@ def test_surer_of_more_reverb(judged):
 @pytest.mark.parametrize("rt60_s", [0.3, 2.0])
 def test_every_kind_has_its_limits_and_none_said_is_the_most_cautious(layout, rt60_s):
     found = {kind: limits_of(kind, layout, rt60_s) for kind in (*KINDS, None)}
-    assert all(0 <= dry_below <= reverb_from <= 1 for dry_below, reverb_from in found.values())
-    assert found[None][1] == max(reverb_from for _, reverb_from in found.values())
+    assert all(0 <= limits.dry_below < limits.likely_from <= limits.reverb_from <= 1 for limits in found.values())
+    assert found[None].reverb_from == max(limits.reverb_from for limits in found.values())
+
+
+def test_a_score_has_four_levels():
+    limits = Limits(dry_below=0.1, likely_from=0.8, reverb_from=0.95)
+    scores = (0.0, 0.09, 0.1, 0.79, 0.8, 0.94, 0.95, 1.0)
+    assert [limits.verdict(score) for score in scores] == [
+        *["dry"] * 2, *[CANNOT_TELL] * 2, *["likely reverb"] * 2, *["reverb"] * 2,
+    ]  # fmt: skip
 
 
 def test_an_event_in_stereo_that_falls_slowly_is_called_reverberant_sooner():
     fast, slow = (limits_of("event", "stereo", rt60_s) for rt60_s in (LONG_FROM_S - 0.001, LONG_FROM_S))
-    assert slow[0] < fast[0]
-    assert slow[1] < fast[1]
+    assert slow.likely_from < fast.likely_from
+    assert slow.reverb_from < fast.reverb_from
 
 
 def test_measuring_a_file_says_it(tmp_path):
