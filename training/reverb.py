@@ -28,7 +28,7 @@ from audio_checks.judge.learned.trees import Trees
 from audio_checks.measure import decay, tails
 from training import dataset, layers, strikes
 from training.dataset import Known
-from training.reverb_limits import at_the_edge, held, scored, thresholds
+from training.reverb_limits import at_the_edge, held, in_levels, scored, thresholds
 from training.sets import LAYOUTS, Floats, Set, layouts_of, together
 from training.tables import as_table, write_tables
 
@@ -157,7 +157,7 @@ def limits_on(some: Set, *, says_kind: bool = True) -> tuple[Floats, Floats]:
         reverb.limits_of(kind if says_kind else None, layout, reverb.rt60_of(features))
         for kind, layout, features in zip(kinds, layouts, some.features, strict=True)
     ]
-    low, high = np.array(found).T
+    low, _, high = np.array(found).T
     return low, high
 
 
@@ -283,7 +283,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             "recorded_share": 0.0,
         }
         limits = thresholds(learning, *said_by_others(learning, beside))
-        numbers["thresholds"] = held(limits, scored(at_the_edge(), numbers))
+        numbers["thresholds"] = in_levels(held(limits, scored(at_the_edge(), numbers)))
         reverb.WEIGHTS.write_text(json.dumps(numbers, separators=(",", ":")) + "\n", encoding="ascii")
     tried = measured(KEPT_APART, options.cache)
     columns = {f"kept apart, kind {said}": figures_on(tried, says_kind=said == "said") for said in ("said", "unsaid")}

@@ -27,6 +27,7 @@ from audio_checks.spec.presets import new_spec
 from training.sets import KINDS, LAYOUTS, Floats, Set, layouts_of
 
 Table = dict[str, dict[str, dict[str, tuple[float, float]]]]  # of limits, by kind, layout and length of decay
+Levels = dict[str, dict[str, dict[str, tuple[float, float, float]]]]  # with that of likely reverb between
 # That thresholds aim at, under the 2 and 5 % that are allowed: who is blamed for what is not there, trusts no more.
 FALSE_ALARMS = {"event": 0.012, "natural-decay": 0.004, "unknown": 0.001}
 MOST_WRONG = 0.45  # of the sounds that are decided by a hair; of all that are decided far fewer are
@@ -168,3 +169,16 @@ def held(table: Table, by: Iterable[tuple[AtTheEdge, float, str]]) -> Table:
                 dry_below = min(dry_below, math.floor(score * 1e4) / 1e4)
             table[kind][one.layout][length] = dry_below, max(reverb_from, math.floor(score * 1e4 + 1) / 1e4)
     return table
+
+
+def in_levels(table: Table) -> Levels:
+    """Return the limits as the judgement reads them; nothing is likely until `reverb_levels` says from where on."""
+    return {
+        kind: {
+            layout: {
+                length: (dry_below, reverb_from, reverb_from) for length, (dry_below, reverb_from) in pairs.items()
+            }
+            for layout, pairs in by_layout.items()
+        }
+        for kind, by_layout in table.items()
+    }

@@ -22,7 +22,7 @@ from audio_checks.judge.learned.trees import Trees
 from audio_checks.measure import decay, tails
 from training import dataset, recorded
 from training.reverb import numbers_of
-from training.reverb_limits import Table, at_the_edge, held, scored, thresholds
+from training.reverb_limits import Levels, Table, at_the_edge, held, in_levels, scored, thresholds
 from training.sets import Floats, Set, layouts_of, together
 from training.tables import write_tables
 
@@ -138,14 +138,15 @@ def decay_times(some: Set) -> Floats:
     return np.array([reverb.rt60_of(one) for one in some.features])
 
 
-def limits_on(some: Set, rt60_s: Floats, table: Table, *, says_kind: bool) -> Floats:
+def limits_on(some: Set, rt60_s: Floats, table: Table | Levels, *, says_kind: bool) -> Floats:
     """Return under which score each sound is dry and from which on it has reverb, shape (sounds, 2)."""
     kinds, layouts = some.column(lambda one: one.kind), layouts_of(some)
     lengths = np.where(rt60_s >= reverb.LONG_FROM_S, "long", "short")
     return np.array(
         [
-            table[kind if says_kind else "unknown"][layout][length]
+            (own[0], own[-1])
             for kind, layout, length in zip(kinds, layouts, lengths, strict=True)
+            for own in [table[kind if says_kind else "unknown"][layout][length]]
         ]
     )
 
@@ -237,7 +238,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if options.last_look:
         some = measured(LAST_LOOK)
         rt60_s, scores = decay_times(some), np.array([reverb.score_of(one) for one in some.features])
-        table: Table = reverb.weights()["thresholds"]
+        table: Table | Levels = reverb.weights()["thresholds"]
         limits = {
             f"kind {said}": limits_on(some, rt60_s, table, says_kind=said == "said") for said in ("said", "unsaid")
         }
@@ -257,7 +258,7 @@ def write_weights(learning: Set) -> None:
     first = first_logits(learning)
     numbers = reverb.weights() | {"recorded": numbers_of(learned(learning, first)), "recorded_share": SHARE}
     limits = thresholds(learning, said_by_others(learning, first), decay_times(learning), FALSE_ALARMS, MOST_WRONG)
-    numbers["thresholds"] = held(limits, scored(at_the_edge(), numbers))
+    numbers["thresholds"] = in_levels(held(limits, scored(at_the_edge(), numbers)))
     reverb.WEIGHTS.write_text(json.dumps(numbers, separators=(",", ":")) + "\n", encoding="ascii")
 
 

@@ -146,15 +146,10 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
 
 
 def _undecided(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
-    """Yield in how many files reverb could not be judged, and what would decide more of them."""
-    judged = [entry for entry in files if "reverb" in entry.judgements]
-    undecided = [entry for entry in judged if entry.judgements["reverb"]["verdict"] == CANNOT_TELL]
-    if undecided:
-        yield ink(f"reverb: cannot tell in {len(undecided)} of {_count(len(judged), 'file')}", DIM)
-    without = sum(entry.category is None for entry in judged)
-    if without:
-        these = f"{_count(without, 'file')} without a category"
-        yield ink(f"reverb: {these}, judged most cautiously; name one in [files] or the sound list", DIM)
+    """Yield in how many files reverb could not be judged."""
+    verdicts = [entry.judgements["reverb"]["verdict"] for entry in files if "reverb" in entry.judgements]
+    if undecided := verdicts.count(CANNOT_TELL):
+        yield ink(f"reverb: cannot tell in {undecided} of {len(verdicts)}", DIM)
 
 
 def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:

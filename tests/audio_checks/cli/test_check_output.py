@@ -4,6 +4,7 @@ import io
 import json
 
 import jsonschema_rs
+import numpy as np
 import pytest
 
 from audio_checks import TOOL_VERSION, check_file
@@ -11,7 +12,7 @@ from audio_checks.cli import main
 from audio_checks.report.findings import schema as report_schema
 from audio_checks.spec.delivery_spec import new_spec, parse_spec
 from tests.audio_checks.cli.test_cli import GOOD, LATE, LOUD
-from tests.support.waves import write_wav
+from tests.support.waves import noise, write_wav
 
 SPEC = ("--spec", "../spec.toml")
 
@@ -102,3 +103,13 @@ class TestBaseline:
         write_wav(folder / "laser.wav", GOOD)
         (folder / "baseline.json").write_text(content, encoding="utf-8")
         assert run("check", *SPEC, "--baseline", "baseline.json", ".")[0] == 2
+
+
+def test_the_summary_says_where_reverb_could_not_be_judged(folder, run):
+    burst = noise(seconds=1.5, dbfs=-12) * 10 ** (-3 * np.arange(72_000) / 48_000 / 1.2)[:, np.newaxis]
+    write_wav(folder / "burst.wav", burst)
+    asked = '[engine]\nadds = ["reverb"]\n'
+    (folder / "asked.toml").write_text(f"format = 1\n{asked}")
+    (folder / "plain.toml").write_text("format = 1\n")
+    assert "reverb: cannot tell in 1 of 1\n" in run("check", "--spec", "asked.toml", "burst.wav")[1]
+    assert "reverb" not in run("check", "--spec", "plain.toml", "burst.wav")[1]

@@ -12,9 +12,9 @@ import pytest
 
 from audio_checks.checks import all_checks
 from audio_checks.cli import main, reporters
-from audio_checks.cli.terminal import counted
 from audio_checks.run import runner
 from audio_checks.spec.delivery_spec import new_spec
+from audio_checks.system.plural import counted
 from tests.support.waves import join, silence, sine, write_wav
 
 GOOD = sine(hz=1_000, dbfs=-6, seconds=0.2)
