@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -91,9 +90,12 @@ def surroundings(cells: Cells, places: Sequence[tuple[int, int]], before: int, c
     cell_frames : int
         Frames of each cell.
     """
-    channels = {channel for _, channel in places}
-    sums = {channel: np.concatenate(([0.0], np.cumsum(cells.edges[channel]))) for channel in channels}
-    return [_around(cells, sums[channel], cell_frames, cell - before, channel) for cell, channel in places]
+    found: dict[tuple[int, int], Surroundings] = {}
+    for channel in {channel for _, channel in places}:
+        own = np.array([cell - before for cell, other in places if other == channel], np.int64)
+        for cell, around in zip(own.tolist(), _around(cells, own, cell_frames, channel), strict=True):
+            found[cell + before, channel] = around
+    return [found[place] for place in places]
 
 
 def is_isolated(around: Surroundings, heights: Heights, channel: int) -> bool:
@@ -108,28 +110,35 @@ def is_isolated(around: Surroundings, heights: Heights, channel: int) -> bool:
     return over_db < TRANSIENT_DB or alike < ALIKE or nearly < NEARLY
 
 
-def _around(cells: Cells, sums: NDArray[np.float64], cell_frames: int, cell: int, channel: int) -> Surroundings:
-    def mean(start: int, end: int) -> float:
-        """Return the mean square of the sixth differences from one cell, counted from the click, to another."""
-        first, last = max(0, cell + start), max(0, min(len(sums) - 1, cell + end))
-        return float(sums[last] - sums[first]) / ((end - start) * cell_frames) if last > first else 0.0
+def _around(cells: Cells, places: NDArray[np.int64], cell_frames: int, channel: int) -> list[Surroundings]:
+    edges, powers = cells.edges[channel], cells.squares[channel]
+    sums = np.concatenate(([0.0], np.cumsum(edges)))
 
-    sharpest = float(cells.sharpness[channel, max(0, cell - 1) : cell + 2].max()) ** 2
-    powers = cells.squares[channel]
-    lead = powers[max(0, cell - LEAD[1]) : max(0, cell - LEAD[0])].max(initial=0.0)
-    sound = powers[cell : cell + TAIL].max(initial=0.0)
-    louder = max(_ratio_db(mean(LATE, LATE + span), mean(-span - BEYOND, -BEYOND)) for span in SPANS)
-    return Surroundings(
-        sharpness_db=_ratio_db(sharpest, 1.0),
-        over_before_db=_ratio_db(sharpest, mean(-CLOSE - BEYOND + 1, -BEYOND + 1)),
-        over_after_db=_ratio_db(sharpest, mean(BEYOND, CLOSE + BEYOND)),
-        louder_db=louder,
-        begins_db=_ratio_db(sound, lead),
+    def mean(start: int, end: int) -> NDArray[np.float64]:
+        """Return the mean square of the sixth differences from one cell, counted from each click, to another."""
+        first, last = np.clip(places + start, 0, len(edges)), np.clip(places + end, 0, len(edges))
+        return (sums[last] - sums[first]) / ((end - start) * cell_frames)
+
+    def highest(values: NDArray[np.float64], start: int, end: int) -> NDArray[np.float64]:
+        """Return the highest value from one cell, counted from each click, to another; 0 where there is none."""
+        windows = places[:, np.newaxis] + np.arange(start, end)
+        inside = (windows >= 0) & (windows < len(values))
+        return np.where(inside, values[np.where(inside, windows, 0)], 0.0).max(axis=1)
+
+    sharpest = np.square(highest(cells.sharpness[channel], -1, 2))
+    louder = [_ratios_db(mean(LATE, LATE + span), mean(-span - BEYOND, -BEYOND)) for span in SPANS]
+    columns = (
+        _decibels(sharpest),
+        _ratios_db(sharpest, mean(-CLOSE - BEYOND + 1, -BEYOND + 1)),
+        _ratios_db(sharpest, mean(BEYOND, CLOSE + BEYOND)),
+        np.maximum(*louder),
+        _ratios_db(highest(powers, 0, TAIL), highest(powers, -LEAD[1], -LEAD[0])),
     )
+    return [Surroundings(*row) for row in np.stack(columns, axis=1).tolist()]
 
 
-def _ratio_db(power: float, other: float) -> float:
-    return 10 * math.log10((power + TINY) / (other + TINY))
+def _ratios_db(powers: NDArray[np.float64], others: NDArray[np.float64]) -> NDArray[np.float64]:
+    return _decibels(powers) - _decibels(others)
 
 
 def _decibels(powers: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -41,8 +41,10 @@ class Pauses:
         if not len(block):
             return
         rows = self._survey.maxima(block).max(axis=0)
-        starts = self._seen + ROW_FRAMES * np.arange(len(rows))
-        np.maximum.at(self._highest, starts // self._grain, rows.astype(np.float32))
+        grains = (self._seen + ROW_FRAMES * np.arange(len(rows))) // self._grain
+        starts = np.flatnonzero(np.diff(grains, prepend=-1))
+        places = grains[starts]
+        self._highest[places] = np.maximum(self._highest[places], np.maximum.reduceat(rows, starts))
         self._seen += len(block)
 
     def result(self) -> dict[str, Any]:

@@ -23,6 +23,7 @@ from benchmarks.faults.trial import AUDIBLE, CHECKS, NO_PLACE, Trial, counts, fa
 PAGE = Path("docs/false-alarms.md")
 RESULTS = Path(__file__).with_name("RESULTS.md")
 RECORDINGS = Path(__file__).with_name("RECORDINGS.md")  # by `on_recordings`
+WARNINGS = Path(__file__).with_name("WARNINGS.md")  # by `warnings`
 MARK = "<!-- Made by `SOUNDS_DIR=... make false-alarms`. Change it there. -->"
 LOOKS = Path(__file__).with_name("looks.csv")
 FOUND = 0.95  # of the faults at levels that count
@@ -151,6 +152,9 @@ These faults were tried and are not promised:
 ## On real recordings
 {_on_recordings()}
 
+## Warnings on recordings as they are
+{_warnings()}
+
 `benchmarks/faults/RESULTS.md` has every fault at every level, the families in which it was missed, the
 thresholds, and each look at the held-out set with its date.
 """
@@ -161,6 +165,11 @@ def _on_recordings() -> str:
     return (
         RECORDINGS.read_text(encoding="utf-8").partition("# On real recordings\n")[2].partition("Reversed:")[0].strip()
     )
+
+
+def _warnings() -> str:
+    """What `warnings` wrote of each source."""
+    return WARNINGS.read_text(encoding="utf-8").partition("# Warnings on recordings as they are\n")[2].strip()
 
 
 def _right_rows(
