@@ -117,13 +117,15 @@ def _around(cells: Cells, places: NDArray[np.int64], cell_frames: int, channel: 
     def mean(start: int, end: int) -> NDArray[np.float64]:
         """Return the mean square of the sixth differences from one cell, counted from each click, to another."""
         first, last = np.clip(places + start, 0, len(edges)), np.clip(places + end, 0, len(edges))
-        return (sums[last] - sums[first]) / ((end - start) * cell_frames)
+        means: NDArray[np.float64] = (sums[last] - sums[first]) / ((end - start) * cell_frames)
+        return means
 
     def highest(values: NDArray[np.float64], start: int, end: int) -> NDArray[np.float64]:
         """Return the highest value from one cell, counted from each click, to another; 0 where there is none."""
         windows = places[:, np.newaxis] + np.arange(start, end)
         inside = (windows >= 0) & (windows < len(values))
-        return np.where(inside, values[np.where(inside, windows, 0)], 0.0).max(axis=1)
+        tops: NDArray[np.float64] = np.where(inside, values[np.where(inside, windows, 0)], 0.0).max(axis=1)
+        return tops
 
     sharpest = np.square(highest(cells.sharpness[channel], -1, 2))
     louder = [_ratios_db(mean(LATE, LATE + span), mean(-span - BEYOND, -BEYOND)) for span in SPANS]
