@@ -40,7 +40,6 @@ from app.agreements.rules import (
     ensure_under_framework,
     way_on,
 )
-from app.agreements.sealed_facts import sealed_terms
 from app.agreements.signing import signing_facts
 from app.agreements.text_faults import ensure_text_whole, text_faults
 from app.agreements.versions import add_version, newest_of, text_now
@@ -225,7 +224,7 @@ def send(
     version.sent_at, version.pdf_sha256, version.pdf_bytes = clock.now(), stored.sha256, stored.size_bytes
     contract.state = ContractState.SENT
     session.flush()
-    facts = {"note": note, "terms_sha256": sealed_terms(contract, version), **signing_facts(session, contract)}
+    facts = {"note": note, **signing_facts(session, contract)}
     record.append_by(session, actor, contract, "sent", version, **facts)
     publish(session, "contract.sent", studio_id=contract.studio_id, contract_id=contract.id, version=version.number)
     return version

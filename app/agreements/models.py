@@ -13,6 +13,7 @@ from app.agreements.rules import AcceptedBy, ContractKind, ContractState, Party,
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.kit.record import START
+from app.kit.recorded_rows import declare
 from app.projects.models import Engagement, Project
 from app.sound_lists.models import Cue
 
@@ -262,3 +263,22 @@ class DateReminder(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     sent_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+# On record: `soundlist verify` holds each of these rows against what was written down of it. What a contract is agreed
+# on is private to the studio while it is a draft, and goes on record whole each time that it is sent.
+declare(
+    Contract,
+    "contract",
+    owners=lambda _session, contract: (contract.id,),
+    # Which state it is in follows from the kinds of entries; the rest says how far the record itself is.
+    left_out=("state", "record_length", "record_sha256", "head_mailed_length", "head_mailed_on"),
+    implied=(),
+    is_draft=True,
+)
+declare(ContractVersion, "version", digested=("text",), is_draft=True)
+declare(ContractSigner, "signer", is_draft=True)
+declare(Milestone, "milestone", is_draft=True)
+declare(ContractCue, "cue of the plan", is_draft=True)
+declare(ContractAcceptance, "signature", digested=("address", "agent"))
+declare(Seal, "seal")

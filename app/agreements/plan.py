@@ -19,7 +19,6 @@ from app.agreements.plan_check import Advice, PlannedPayment, check_plan
 from app.agreements.plan_proposal import DEPOSIT_BP, ProposedMilestone, WantedCue, propose_milestones
 from app.agreements.plan_queries import terms_of
 from app.agreements.rules import KIND_WORDS, ContractKind, ContractState, way_on
-from app.agreements.sealed_facts import sealed_milestone
 from app.agreements.terms import PriceMode
 from app.hiring.queries import bid_behind
 from app.hiring.rules import total_minor as total_of_bid
@@ -332,7 +331,7 @@ def record_plan(session: Session, contract: Contract, *, person_id: UUID) -> Non
             "amount": money(milestone.amount_minor, contract.currency),
             "due_on": milestone.due_on.isoformat() if milestone.due_on else "",
             "cues": sum(cue.milestone_id == milestone.id for cue in cues),
-            **sealed_milestone(milestone, [cue for cue in cues if cue.milestone_id == milestone.id]),
+            "cue_ids": sorted(str(cue.cue_id) for cue in cues if cue.milestone_id == milestone.id),
         }
         for milestone in milestones
     ]

@@ -3,26 +3,29 @@
 A price is between two parties. Reviewers, implementers and other designers see none of it.
 """
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, delete, exists, func, or_, select
+from sqlalchemy import ColumnElement, String, cast, delete, exists, func, or_, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.agreements.models import (
     Contract,
     ContractAcceptance,
+    ContractCue,
     ContractEvent,
     ContractSigner,
     ContractTemplate,
     ContractVersion,
+    Milestone,
     Seal,
     SigningCode,
 )
-from app.agreements.rules import ContractKind, ContractState
+from app.agreements.rules import ORDERS, ContractKind, ContractState
 from app.agreements.signing_rules import SigningOrder, Turn, Yes
-from app.projects.models import Liaison, Project
+from app.kit.db import Base
+from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, Spec
 
 WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))
 
@@ -354,6 +357,37 @@ def unsealed_contracts(session: Session) -> Sequence[UUID]:
     return session.scalars(select(Contract.id).where(Contract.agreed_at.is_not(None), ~sealed).limit(100)).all()
 
 
-def every_contract(session: Session) -> Iterator[Contract]:
-    """Yield every contract of every studio; for the server's own commands."""
-    yield from session.scalars(select(Contract).order_by(Contract.id).execution_options(yield_per=200))
+def rows_as_sent(session: Session, contract: Contract) -> list[Base]:
+    """Return the rows that a contract is agreed on: itself, the version that is sent, signers, and the plan."""
+    of_plan = [
+        session.scalars(select(table).where(table.contract_id == contract.id)).all()
+        for table in (ContractSigner, Milestone, ContractCue)
+    ]
+    sent = newest_version(session, contract.id)
+    return [contract, *([sent] if sent else []), *(row for rows in of_plan for row in rows)]
+
+
+def rows_on_approval(session: Session, project_id: UUID) -> list[Base]:
+    """Return the rows that say who may approve in a project, and the delivery spec in force."""
+    tables = (ApproverChange, CategoryApprover, Deputy)
+    of_people = [session.scalars(select(table).where(table.project_id == project_id)).all() for table in tables]
+    spec = session.scalars(select(Spec).where(Spec.project_id == project_id).order_by(Spec.version.desc())).first()
+    return [*(row for rows in of_people for row in rows), *([spec] if spec else [])]
+
+
+def in_force(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Return the contracts of a project that order work and are in force."""
+    return session.scalars(
+        select(Contract.id)
+        .where(
+            Contract.project_id == project_id,
+            Contract.state == ContractState.AGREED,
+            Contract.kind.in_(ORDERS),
+        )
+        .order_by(Contract.id)
+    ).all()
+
+
+def contract_ids(session: Session) -> Sequence[str]:
+    """Return the id of every contract of every studio as text, which any value has; for the server's own commands."""
+    return session.scalars(select(cast(Contract.id, String)).order_by(Contract.id)).all()

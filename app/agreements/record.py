@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 from uuid import UUID
 
+from sqlalchemy.event import listens_for
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
@@ -13,12 +14,17 @@ from app.agreements import queries
 from app.agreements.authorship import author_of
 from app.agreements.documents import sha256_of
 from app.agreements.models import Contract, ContractEvent, ContractVersion
+from app.agreements.rules import ORDERS, ContractState
 from app.kit import clock
+from app.kit.db import REACH
 from app.kit.record import Entry, canonical, faults, link
+from app.kit.recorded_rows import RowChanges, owners_with_changes, take_changes
 from app.kit.storage import Store
 from app.kit.storage.store import BlobAltered, BlobMissing
 
-FORMAT = 1
+FORMAT = 2
+SENT, AGREED, ROWS = "sent", "agreed", "rows"
+WRITTEN = "written"  # an entry of rows that no other entry tells of
 HOW = (
     "Each sha256 is that of the UTF-8 JSON of at, kind, of (the contract), payload, previous and seq, "
     "with keys in order and no spaces; previous is the sha256 of the entry before, 64 zeros for the first."
@@ -37,15 +43,21 @@ def append(
     *,
     by: UUID | None,
     on_behalf_of: UUID | None = None,
+    rows: RowChanges | None = None,
 ) -> ContractEvent:
     """Add an entry to a contract's record; it names who did it, as what, and on whose behalf.
 
     `by` is a person or a build token; None: the server, by a clause or a schedule. The payload is plain JSON (text,
     whole numbers, lists and tables of these), and names people and cues in words: both parties read it without the
-    server.
+    server. `rows` are rows of other owners that it tells of, beside what this transaction changed of the contract's.
     """
+    session.flush()
     contract = queries.lock_contract(session, contract_id)
+    changes = _changes_to_record(session, contract, kind)
+    changes.merge(rows or RowChanges())
     payload = {**payload, **author_of(session, contract, by, on_behalf_of)}
+    if changes:
+        payload[ROWS] = changes.as_json()
     at = clock.now()
     entry = link(
         contract.record_sha256,
@@ -70,6 +82,41 @@ def append(
     contract.record_length, contract.record_sha256 = entry.seq, entry.sha256
     session.flush()
     return event
+
+
+def _changes_to_record(session: Session, contract: Contract, kind: str) -> RowChanges:
+    """Return what this transaction changed in the rows of a contract, as far as both parties may read it.
+
+    When it is sent, all that it will be agreed on goes on record; so does, once it is agreed, who may approve by which
+    delivery spec.
+    """
+    changes = take_changes(session, contract.id)
+    if kind == SENT:
+        changes = changes.without_drafts()
+        return changes.add(*queries.rows_as_sent(session, contract))
+    if contract.state is ContractState.DRAFT:
+        return changes.without_drafts()
+    if kind == AGREED and contract.kind in ORDERS:
+        changes.add(*queries.rows_on_approval(session, contract.project_id))
+    return changes
+
+
+@listens_for(Session, "before_commit", insert=True)
+def _append_rest(session: Session) -> None:
+    """Put rows on record that changed without an entry of their own."""
+    session.flush()
+    reach = session.info.get(REACH)
+    for contract_id in owners_with_changes(session):
+        contract = session.get(Contract, contract_id)
+        if contract is None:
+            take_changes(session, contract_id)  # deleted, with its record
+            continue
+        changes = take_changes(session, contract_id)
+        if contract.state is ContractState.DRAFT:
+            changes = changes.without_drafts()
+        if changes:
+            facts = {"data": changes.in_words()}
+            append(session, contract_id, WRITTEN, facts, by=reach.person_id if reach else None, rows=changes)
 
 
 def append_by(
@@ -102,7 +149,11 @@ def entry_of(event: ContractEvent) -> Entry:
 
 def faults_of(session: Session, contract: Contract) -> Iterator[str]:
     """Yield, in words, where a contract's record is not the one that was written."""
-    entries = (entry_of(event) for event in queries.events_of(session, contract.id))
+    events = queries.events_of(session, contract.id)
+    for event in events:
+        if (event.studio_id, event.project_id) != (contract.studio_id, contract.project_id):
+            yield f"entry {event.seq} is kept for another studio or project than the contract"
+    entries = map(entry_of, events)
     yield from faults(entries, of=str(contract.id), length=contract.record_length, last_sha256=contract.record_sha256)
 
 
@@ -167,12 +218,16 @@ def text_faults(session: Session, store: Store, contract: Contract) -> Iterator[
         if not _is_kept(store, contract, seal.file_sha256):
             yield f"the sealed PDF {seal.file_sha256} is not in the store, or was altered"
     for event in queries.events_of(session, contract.id):
-        said = json.loads(event.payload)
-        if "text_sha256" in said:
-            named = versions.get(said["version"])
-            known = named and (named.text_sha256, named.pdf_sha256 or "")
-            if known != (said["text_sha256"], said["pdf_sha256"]):
-                yield f"version {said['version']} is not the text that entry {event.seq} names"
+        try:
+            payload = json.loads(event.payload)
+            named = payload.get("version"), payload.get("text_sha256"), payload.get("pdf_sha256")
+        except (ValueError, AttributeError):
+            yield f"entry {event.seq} cannot be read"
+            continue
+        if named[1] is not None:
+            known = versions.get(named[0])
+            if known is None or (known.text_sha256, known.pdf_sha256 or "") != named[1:]:
+                yield f"version {named[0]} is not the text that entry {event.seq} names"
 
 
 def _is_kept(store: Store, contract: Contract, sha256: str) -> bool:

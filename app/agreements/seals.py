@@ -9,7 +9,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements import queries, seal_files
+from app.agreements import queries, record, seal_files
 from app.agreements.certificates import in_both, signature_part, studio_zone
 from app.agreements.documents import CertificatePart, signed_pdf_of
 from app.agreements.heads import public_key_of
@@ -78,6 +78,7 @@ def seal_contract(runtime: Runtime, contract_id: UUID) -> None:
                 is_timestamped=bool(timestamp_url),
             )
         )
+        record.append(session, contract_id, "sealed", {"file_sha256": stored.sha256}, by=None)
 
 
 def signer_of(settings: Settings) -> "Signer":

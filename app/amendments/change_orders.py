@@ -140,8 +140,8 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
         "begins": "before both agree, at the proposer's risk" if proposed.begins_at_once else "when both agree",
         **({"offers": taken_up} if taken_up else {}),
     }
-    record.append(session, contract.id, "change_proposed", facts, by=actor.person)
     begin_pause(session, contract, proposed.number)
+    record.append(session, contract.id, "change_proposed", facts, by=actor.person)
     publish(session, "change_order.proposed", studio_id=contract.studio_id, contract_id=contract.id, party=party.value)
     return proposed
 
@@ -219,8 +219,8 @@ def _close(session: Session, order: ChangeOrder, state: ChangeOrderState, reason
     order.state, order.closed_at, order.close_reason = state, clock.now(), reason
     session.flush()
     facts = {"change_order": order.number, "reason": reason}
-    record.append(session, order.contract_id, f"change_{state.value}", facts, by=by)
     end_pause(session, session.get_one(Contract, order.contract_id), order.number)
+    record.append(session, order.contract_id, f"change_{state.value}", facts, by=by)
 
 
 def _known(session: Session, contract: Contract, number: int) -> ChangeOrder:

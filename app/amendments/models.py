@@ -13,6 +13,7 @@ from app.agreements.rules import Party
 from app.amendments.rules import ChangeOrderState
 from app.kit import clock
 from app.kit.db import Base, new_id
+from app.kit.recorded_rows import declare
 
 
 class Notice(Base):
@@ -101,3 +102,8 @@ class AmendmentAcceptance(Base):
     code_entered_at: Mapped[datetime | None]  # the code that was mailed to that address; None: none was asked for
     drawing: Mapped[list[list[list[int]]] | None]  # the name as it was drawn, in strokes of points; None: it was not
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+declare(Notice, "notice", digested=("statement",))
+declare(ChangeOrder, "change order", digested=("text",))
+declare(AmendmentAcceptance, "signature of an amendment", digested=("address", "agent"))

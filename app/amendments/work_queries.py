@@ -24,6 +24,16 @@ def verdicts_under(session: Session, contract: Contract) -> Sequence[Verdict]:
     ).all()
 
 
+def takes_under(session: Session, contract: Contract) -> Sequence[Take]:
+    """Return the designer's takes of cues that the contract covers."""
+    return session.scalars(
+        select(Take)
+        .join(ContractCue, ContractCue.cue_id == Take.cue_id)
+        .where(ContractCue.contract_id == contract.id, Take.designer_id == contract.designer_id)
+        .order_by(Take.id)
+    ).all()
+
+
 def comments_under(session: Session, contract: Contract) -> Sequence[Row[UUID, Comment]]:
     """Return the comments on the designer's takes of cues that the contract covers, each with its cue."""
     return session.execute(

@@ -16,11 +16,11 @@ from app.kit.runtime import Runtime
 def report_all(runtime: Runtime, copies: Sequence[Path], kept_heads: Sequence[Path]) -> int:
     """Report every record of the server and what was given to compare; return how many are not whole."""
     records = entries = wrong = 0
+    for verified in verification.verify_all(runtime.database, runtime.store):
+        records, entries, wrong = records + 1, entries + verified.entries, wrong + bool(verified.faults)
+        for fault in verified.faults:
+            typer.echo(f"{verified.contract_id} {verified.title}: {fault}", err=True)
     with runtime.database.reading() as session:
-        for contract, faults in verification.faults_of_all(session, runtime.store):
-            records, entries, wrong = records + 1, entries + contract.record_length, wrong + bool(faults)
-            for fault in faults:
-                typer.echo(f"{contract.id} {contract.title}: {fault}", err=True)
         for path in copies:
             wrong += _report(path, _faults_of_copy(session, path))
         for path in kept_heads:

@@ -11,6 +11,7 @@ from app.accounts.models import Person
 from app.deliveries.rules import ArchiveState, TakeState, TrayActionKind
 from app.kit import clock
 from app.kit.db import Base, new_id
+from app.kit.recorded_rows import declare
 from app.kit.uploads import Upload
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
@@ -267,3 +268,10 @@ class Archive(Base):
     message: Mapped[str] = mapped_column(default="")
     entries: Mapped[list[dict[str, Any]]] = mapped_column(default=list)  # path, taken or why left out
     received_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+TAKE_ON_RECORD = (
+    *("delivery_id", "designer_id", "cue_id", "variation", "number"),
+    *("file_name", "master_sha256", "master_bytes", "received_at"),
+)
+declare(Take, "take", owners=None, only=TAKE_ON_RECORD)

@@ -14,6 +14,7 @@ from app.deliveries.slots import Slot
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.queue import NORMAL
+from app.kit.recorded_rows import RowChanges
 from app.money.settlement import record_work
 
 
@@ -34,14 +35,16 @@ def place_take(session: Session, take: Take, slot: Slot, *, by: UUID) -> None:
 
 def note_moved_away(session: Session, take: Take, *, by: UUID) -> None:
     """Record that a take leaves its cue, if it has one, and have the cue's sums worked out without it."""
-    note_take(session, take, "moved_away", {"file": take.file_name}, by=by, on_behalf_of=take.designer_id)
+    rows = RowChanges().remove(take)
+    note_take(session, take, "moved_away", {"file": take.file_name}, by=by, on_behalf_of=take.designer_id, rows=rows)
     update_cue_sums(session, take.cue_id)
 
 
 def note_delivered(session: Session, take: Take, *, by: UUID) -> None:
     """Record that a take is delivered for its cue."""
     facts = {"file": take.file_name, "sha256": take.master_sha256}
-    note_take(session, take, "delivered", facts, by=by, on_behalf_of=take.designer_id)
+    rows = RowChanges().add(take)
+    note_take(session, take, "delivered", facts, by=by, on_behalf_of=take.designer_id, rows=rows)
 
 
 def note_take(
@@ -52,11 +55,12 @@ def note_take(
     *,
     by: UUID | None,
     on_behalf_of: UUID | None = None,
+    rows: RowChanges | None = None,
 ) -> None:
     """Record a take's new state in the contract that covers its cue, if there is one."""
     if take.cue_id is not None and take.number is not None:
         entry = {"variation": take.variation, "version": take.number, **facts}
-        record_work(session, take.cue_id, take.designer_id, kind, entry, by=by, on_behalf_of=on_behalf_of)
+        record_work(session, take.cue_id, take.designer_id, kind, entry, by=by, on_behalf_of=on_behalf_of, rows=rows)
 
 
 def start_recheck(session: Session, take: Take, *, by: UUID | None, priority: int = NORMAL) -> None:

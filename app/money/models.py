@@ -9,6 +9,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 from app.accounts.models import Person
 from app.kit import clock
 from app.kit.db import Base, new_id
+from app.kit.recorded_rows import declare
 from app.money.rules import LineKind
 from app.sound_lists.models import Cue
 
@@ -233,3 +234,15 @@ class CalendarLink(Base):
     secret_sha256: Mapped[str] = mapped_column(unique=True)
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     revoked_at: Mapped[datetime | None]
+
+
+declare(Invoice, "invoice")
+declare(
+    InvoiceLine,
+    "invoice line",
+    owners=lambda session, line: (session.get_one(Invoice, line.invoice_id).contract_id,),
+)
+declare(Payment, "payment")
+declare(LedgerLine, "ledger line")
+declare(ExtraRound, "further round")
+declare(WorkedDay, "logged work")

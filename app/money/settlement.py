@@ -16,6 +16,7 @@ from app.agreements.queries import contract_for, lock_contract
 from app.agreements.rules import AcceptedBy, ContractState, WorkState
 from app.agreements.terms import DepositAtEnd
 from app.kit import clock
+from app.kit.recorded_rows import RowChanges
 from app.money import queries
 from app.money.bonus import BonusState
 from app.money.bonuses import bonus_status
@@ -37,25 +38,31 @@ def accept_cue(
     *,
     designer_ids: Collection[UUID],
     person_id: UUID | None,
+    rows: RowChanges,
     by: AcceptedBy = AcceptedBy.VERDICT,
 ) -> None:
     """Make a cue's share due by the release clause, now that every variation is approved.
 
     Without an agreed contract of one of the takes' designers nothing is owed; accepting twice is accepting once.
+    `rows` are the takes that were approved, and their verdicts.
     """
     covered = _locked(session, cue_id, designer_ids)
     if covered is None or covered.accepted_at is not None or covered.cut_at is not None:
         return
     covered.accepted_at, covered.accepted_by = clock.now(), by
     by_clause = by is AcceptedBy.SILENCE
-    _record(session, covered, "accepted", None if by_clause else person_id, {"clause": SILENCE} if by_clause else {})
+    facts = {"clause": SILENCE} if by_clause else {}
+    _record(session, covered, "accepted", None if by_clause else person_id, facts, rows=rows)
     settle(session, covered.contract_id, person_id, is_by_server=by_clause)
 
 
-def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID | None) -> None:
+def add_accepted_cue(
+    session: Session, contract_id: UUID, cue_id: UUID, *, person_id: UUID | None, rows: RowChanges
+) -> None:
     """Take a cue that was approved before into its contract, which is agreed; what was accepted anywhere stays there.
 
     `person_id` is who had approved it; None: nobody, by a clause on silence. Adopting twice is adopting once.
+    `rows` are the takes that were approved, and their verdicts.
     """
     contract = lock_contract(session, contract_id)
     covered = plan_queries.cue_of(session, contract_id, cue_id)
@@ -65,7 +72,7 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID, *, perso
         return
     covered.accepted_at, covered.accepted_by = contract.agreed_at, AcceptedBy.ADOPTION
     approved_by = session.get_one(Person, person_id).name if person_id else f"the clause {SILENCE}"
-    _record(session, covered, "adopted", None, {"approved_by": approved_by})
+    _record(session, covered, "adopted", None, {"approved_by": approved_by}, rows=rows)
     settle(session, contract_id, person_id, is_by_server=True)
 
 
@@ -273,14 +280,15 @@ def record_work(
     *,
     by: UUID | None,
     on_behalf_of: UUID | None = None,
+    rows: RowChanges | None = None,
 ) -> None:
     """Write what happened to a designer's work into the record of the contract that covers the cue, if one does.
 
-    `by` is the person or the build token that did it; None: the server.
+    `by` is the person or the build token that did it; None: the server. `rows` are the rows that it tells of.
     """
     covered = plan_queries.running_cue(session, cue_id, {designer_id})
     if covered is not None:
-        _record(session, covered, kind, by, facts, on_behalf_of)
+        _record(session, covered, kind, by, facts, on_behalf_of, rows)
 
 
 def _record(
@@ -290,7 +298,8 @@ def _record(
     by: UUID | None,
     facts: Mapping[str, object] | None = None,
     on_behalf_of: UUID | None = None,
+    rows: RowChanges | None = None,
 ) -> None:
     prefix = session.get_one(Project, covered.project_id).cue_prefix
     facts = {"cue": called(covered.cue, prefix), "cue_id": str(covered.cue_id), **(facts or {})}
-    record.append(session, covered.contract_id, kind, facts, by=by, on_behalf_of=on_behalf_of)
+    record.append(session, covered.contract_id, kind, facts, by=by, on_behalf_of=on_behalf_of, rows=rows)

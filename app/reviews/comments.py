@@ -14,6 +14,7 @@ from app.deliveries.service import take_for
 from app.kit import clock
 from app.kit.db import insert_if_absent, new_id
 from app.kit.events import publish
+from app.kit.recorded_rows import RowChanges
 from app.money.settlement import record_work
 from app.projects.approval import approval_rights
 from app.reviews import queries
@@ -111,7 +112,8 @@ def _record_comment(session: Session, take: Take, comment: Comment) -> None:
         if comment.guest_name is not None:
             said["guest"] = comment.guest_name
         facts = {"variation": take.variation, "version": take.number or 0, **said}
-        record_work(session, take.cue_id, take.designer_id, "commented", facts, by=comment.written_by)
+        rows = RowChanges().add(comment)
+        record_work(session, take.cue_id, take.designer_id, "commented", facts, by=comment.written_by, rows=rows)
 
 
 def _note_answered(session: Session, take_id: UUID, answers: Answered) -> tuple[Answered, UUID | None]:

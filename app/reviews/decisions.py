@@ -11,8 +11,10 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.sources import record_sources
 from app.deliveries.take_states import change_state
+from app.kit import clock
 from app.kit.db import new_id
 from app.kit.events import publish
+from app.kit.recorded_rows import RowChanges
 from app.money.settlement import record_work
 from app.reviews import queries
 from app.reviews.errors import NotReviewable
@@ -101,11 +103,11 @@ class Decision:
             kind,
             note,
             self.action_id,
+            reasons=reasons,
             on_behalf_of=self._on_behalf_of,
             deemed_by_contract_id=self._silence_contract_id,
             without_listening=without_listening,
         )
-        verdict.reasons = list(reasons)
         change_state(self._session, take, STATE_AFTER[kind], reasons=reasons)
         draft = queries.draft_of(self._session, take.id)
         if draft is not None and not keeps_draft:
@@ -124,28 +126,15 @@ def new_verdict(
     note: str,
     action_id: UUID,
     *,
+    reasons: Sequence[str] = (),
     on_behalf_of: UUID | None = None,
     deemed_by_contract_id: UUID | None = None,
     without_listening: bool = False,
+    withdraws_id: UUID | None = None,
 ) -> Verdict:
     """Return a verdict to record before the take moves; the record of its contract has it at once."""
-    verdict_id = new_id()
-    if take.cue_id is not None:
-        facts: dict[str, str | int | bool] = {
-            "verdict": kind.value,
-            "variation": take.variation,
-            "version": take.number or 0,
-            "note": note,
-            "verdict_id": str(verdict_id),
-        }
-        if without_listening:
-            facts["without_listening"] = True
-        if deemed_by_contract_id is not None:
-            facts["clause"] = SILENCE
-        by = person_id if deemed_by_contract_id is None else None
-        record_work(session, take.cue_id, take.designer_id, "judged", facts, by=by, on_behalf_of=on_behalf_of)
-    return Verdict(
-        id=verdict_id,
+    verdict = Verdict(
+        id=new_id(),
         studio_id=take.studio_id,
         project_id=take.project_id,
         cue_id=take.cue_id,
@@ -153,10 +142,31 @@ def new_verdict(
         action_id=action_id,
         kind=kind,
         note=note,
+        reasons=list(reasons),
         state_before=take.state,
         since_before=take.state_since,
         given_by=person_id,
         on_behalf_of=on_behalf_of,
         deemed_by_contract_id=deemed_by_contract_id,
         without_listening=without_listening,
+        withdraws_id=withdraws_id,
+        created_at=clock.now(),
     )
+    if take.cue_id is not None:
+        facts: dict[str, str | int | bool] = {
+            "verdict": kind.value,
+            "variation": take.variation,
+            "version": take.number or 0,
+            "note": note,
+            "verdict_id": str(verdict.id),
+        }
+        if without_listening:
+            facts["without_listening"] = True
+        if deemed_by_contract_id is not None:
+            facts["clause"] = SILENCE
+        by = person_id if deemed_by_contract_id is None else None
+        rows = RowChanges().add(verdict, take)
+        record_work(
+            session, take.cue_id, take.designer_id, "judged", facts, by=by, on_behalf_of=on_behalf_of, rows=rows
+        )
+    return verdict

@@ -97,9 +97,9 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
             VerdictKind.REQUEST_CHANGE,
             draft.text,
             action_id,
+            reasons=draft.reasons,
             on_behalf_of=for_whom,
         )
-        verdict.reasons = draft.reasons
         session.add(verdict)
         given.append((verdict, draft.take, draft.id))
         change_state(session, draft.take, TakeState.CHANGE_REQUESTED, reasons=draft.reasons)

@@ -273,9 +273,15 @@ def _take_back(
     for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
         back = new_verdict(
-            session, access.actor.person, take, VerdictKind.WITHDRAW, "", action_id, on_behalf_of=on_behalf_of
+            session,
+            access.actor.person,
+            take,
+            VerdictKind.WITHDRAW,
+            "",
+            action_id,
+            on_behalf_of=on_behalf_of,
+            withdraws_id=verdict.id,
         )
-        back.withdraws_id = verdict.id
         session.add(back)
         restore_state(session, take, verdict.state_before, verdict.since_before, reasons=reasons.get(take.id, ()))
         if verdict.dropped_draft:

@@ -8,6 +8,8 @@ from sqlalchemy.orm import Session
 from app.agreements import plan_queries
 from app.agreements.models import Contract, ContractCue
 from app.agreements.rules import AcceptedBy, WorkState
+from app.deliveries.models import Take
+from app.kit.recorded_rows import RowChanges
 from app.money import settlement
 from app.reviews import queries
 from app.reviews.rules import missing_variations, work_state
@@ -22,10 +24,16 @@ def settle_acceptance(
     accepted = not missing_variations(cue.variations, [take.variation for take in approved])
     if accepted:
         designers = {take.designer_id for take in approved}
-        settlement.accept_cue(session, cue.id, designer_ids=designers, person_id=person_id, by=by)
+        rows = _rows_of(session, approved)
+        settlement.accept_cue(session, cue.id, designer_ids=designers, person_id=person_id, rows=rows, by=by)
     else:
         settlement.reopen_cue(session, cue.id, person_id=person_id)
     return accepted
+
+
+def _rows_of(session: Session, approved: Sequence[Take]) -> RowChanges:
+    """Return the takes that a cue is accepted by, and their verdicts, for the record."""
+    return RowChanges().add(*approved, *queries.effective_verdicts(session, [take.id for take in approved]))
 
 
 def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
@@ -40,7 +48,8 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
         if any(one.adoption_id is not None for one in verdicts):
             return  # it was in the game before anyone was asked to make it
         person_id = verdicts[-1].given_by if verdicts else contract.created_by
-        settlement.add_accepted_cue(session, contract_id, cue_id, person_id=person_id)
+        rows = RowChanges().add(*approved, *verdicts)
+        settlement.add_accepted_cue(session, contract_id, cue_id, person_id=person_id, rows=rows)
 
 
 def work_states(session: Session, contract: Contract, covered: Sequence[ContractCue]) -> dict[UUID, WorkState]:
