@@ -46,9 +46,12 @@ def stored_rows(session: Session, table: RecordedTable, contract: Contract, ids:
     chosen = or_(scope, in_array(key, keys))
     stored = StoredRows()
     try:
-        for row in session.execute(select(key, *(columns[name] for name in names)).where(chosen)):
-            stored.values[str(row[0])] = dict(zip(names, row[1:], strict=True))
-        stored.in_scope = {str(id_) for id_ in session.scalars(select(key).where(scope))}
+        for id_, is_in_scope, *values in session.execute(
+            select(key, scope, *(columns[name] for name in names)).where(chosen)
+        ):
+            stored.values[str(id_)] = dict(zip(names, values, strict=True))
+            if is_in_scope:
+                stored.in_scope.add(str(id_))
     except UNREADABLE:
         return _read_one_by_one(session, table, scope, chosen)
     return stored

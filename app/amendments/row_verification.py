@@ -137,24 +137,29 @@ def _faults_of_table(
     for (id_, column), why in sorted(stored.unreadable.items()):
         yield f"the {column} of the {table.name} {id_} cannot be read: {why}"
     for id_, row in sorted(rows.items()):
-        called, where = _called(session, table, id_, row.facts), f"{table.model.__tablename__} {id_}"
+        where = f"{table.model.__tablename__} {id_}"
         if id_ not in stored.values:
+            called = _called(session, table, id_, row.facts)
             yield f"{called} is missing, and entry {row.seq} of the record has it ({where})"
             continue
-        values = stored.values[id_]
-        readable = [column for column in values if (id_, column) not in stored.unreadable]
-        is_: Any
-        says: Any
-        for column in readable:
-            if column in table.implied:
-                is_, says, seq = str(values[column]), scope[column], row.seq
-            elif row.is_whole or column in row.facts:
-                is_, says, seq = table.value(column, values[column]), row.facts.get(column), row.entries[column]
-            else:
-                continue
-            if is_ != says:
+        for column, is_, says, seq in _differences(table, row, stored.values[id_], scope):
+            if (id_, column) not in stored.unreadable:
+                called = _called(session, table, id_, row.facts)
                 now, then = (row_queries.shown(session, table, column, value) for value in (is_, says))
                 yield f"{called}: its {column} is {now}, and the record says {then} ({where}, entry {seq})"
+
+
+def _differences(
+    table: RecordedTable, row: RecordedRow, values: Mapping[str, Any], scope: Mapping[str, str]
+) -> Iterator[tuple[str, Any, Any, int]]:
+    """Yield each column that differs: what it holds, what the record says, and by which entry."""
+    for column in table.columns if row.is_whole else row.facts:
+        is_, says = table.value(column, values[column]), row.facts.get(column)
+        if is_ != says:
+            yield column, is_, says, row.entries[column]
+    for column in table.implied:
+        if str(values[column]) != scope[column]:
+            yield column, str(values[column]), scope[column], row.seq
 
 
 def _called(session: Session, table: RecordedTable, id_: str, facts: Mapping[str, Any]) -> str:

@@ -1,7 +1,7 @@
 """What is done by hand to the tables of a contract is named by `soundlist verify`, each kind by its own words."""
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import date, timedelta
 from functools import partial
 from pathlib import Path
@@ -24,12 +24,11 @@ from app.amendments.verification import faults_of
 from app.cli import cli, keeping
 from app.kit import clock
 from app.kit.record import START, canonical, link
-from app.money.models import LedgerLine, Payment
+from app.money.models import LedgerLine
 from app.money.rules import LineKind
 from app.notifications import contract_jobs
 from app.settings import Settings
 from tests.app.agreements.conftest import Contracts
-from tests.app.amendments.test_tampering_work import faults_after
 from tests.app.money.agreed import TODAY, Agreed, deposit, milestone
 from tests.app.reviews.making import Stage, body_of
 from tests.support.server import World
@@ -74,66 +73,50 @@ def faults(world: World, contract_id: UUID) -> list[str]:
     return said
 
 
+def faults_after(world: World, contract_id: UUID, deeds: Mapping[str, UpdateBase]) -> dict[str, list[str]]:
+    """Return what is wrong after each deed alone: each is taken back before the next."""
+
+    def found(session: Session) -> dict[str, list[str]]:
+        named = {}
+        for deed, statement in deeds.items():
+            with session.begin_nested() as step:
+                session.execute(statement)
+                session.expire_all()
+                named[deed] = faults_of(session, world.server.runtime.store, contract_by_id(session, contract_id))
+                step.rollback()
+            session.expire_all()
+        return named
+
+    said: dict[str, list[str]] = world.server.in_database(found)
+    return said
+
+
 @pytest.mark.slow
 def test_an_untouched_contract_is_whole(world: World, contract_id: UUID) -> None:
     assert faults(world, contract_id) == []
 
 
-def line(kind: str) -> sa.ColumnElement[bool]:
-    return LedgerLine.kind == kind
-
-
+AT = clock.now()
 DEEDS: dict[str, tuple[UpdateBase, str]] = {
-    "a ledger times ten": (
-        sa.update(LedgerLine).where(line("deposit")).values(amount_minor=LedgerLine.amount_minor * 10),
-        "was altered",
-    ),
-    "a line of another clause": (sa.update(LedgerLine).where(line("accepted")).values(clause="bonus"), "was altered"),
-    "a line of another kind": (sa.update(LedgerLine).where(line("accepted")).values(kind="extra_work"), "was altered"),
-    "another payment": (sa.update(Payment).values(amount_minor=24_999), "payment"),
     "another state": (
         sa.update(Contract).values(state=ContractState.AGREED, ended_at=None),
         "the contract is agreed, and the record says ended",
     ),
-    "another reason": (sa.update(Contract).values(end_reason="The designer left"), "the reason of its end"),
-    "a day of shipping that nobody named": (
-        sa.update(Contract).values(game_shipped_on=TODAY),
-        "and the record says no day",
-    ),
-    "another name on an acceptance": (
-        sa.update(ContractAcceptance).where(ContractAcceptance.party == "studio").values(name="Somebody"),
-        "by the studio is missing or was altered",
-    ),
-    "an acceptance from elsewhere": (sa.update(ContractAcceptance).values(address="10.0.0.1"), "is in no entry"),
-    "an acceptance deleted": (
-        sa.delete(ContractAcceptance).where(ContractAcceptance.party == "designer"),
-        "by the designer is missing or was altered",
-    ),
-    "a yes to a change order by another": (sa.update(AmendmentAcceptance).values(email="a@b.example"), "in no entry"),
-    "a yes to a change order deleted": (sa.delete(AmendmentAcceptance), "is missing or was altered"),
-    "another text of a change order": (
-        sa.update(ChangeOrder).where(ChangeOrder.number == 1).values(text="# Free"),
-        "the text of change order 1 was altered",
+    "another end": (sa.update(Contract).values(ended_at=AT), "its ended_at is"),
+    "another reason": (
+        sa.update(Contract).values(end_reason="No money"),
+        "its end_reason is No money",
     ),
     "a refused change order put in force": (
         sa.update(ChangeOrder).where(ChangeOrder.number == 2).values(state=ChangeOrderState.AGREED),
-        "change order 2 is agreed, and the record says refused",
+        "its state is agreed, and the record says refused",
     ),
-    "a change order deleted": (sa.delete(ChangeOrder), "change order 1 of the record is missing"),
-    "another last day": (sa.update(Notice).values(ends_on=TODAY), "notice 1 was altered"),
-    "another statement": (
-        sa.update(Notice).values(statement="# Nothing is owed"),
-        "the settlement statement of notice 1",
+    "another statement": (sa.update(Notice).values(statement="# Nothing is owed"), "its statement is sha256:"),
+    "a notice that was not settled": (
+        sa.update(Notice).values(statement=None, statement_sha256=None, settled_at=None),
+        "its settled_at is empty",
     ),
-    "a notice deleted": (sa.delete(Notice), "notice 1 of the record is missing"),
-    "a version that was never sent": (
-        sa.update(ContractVersion).values(sent_at=None, pdf_sha256=None),
-        "is not the text that entry",
-    ),
-    "an edited entry": (
-        sa.update(ContractEvent).where(ContractEvent.seq == 2).values(payload="{}"),
-        "entry 2 was altered",
-    ),
+    "a yes to the statement deleted": (sa.delete(AmendmentAcceptance), "is missing, and entry"),
 }
 
 
@@ -177,7 +160,7 @@ def add_a_line(session: Session, contract_id: UUID) -> None:
     ).first()
     assert of_it is not None
     facts: dict[str, Any] = {column.key: getattr(of_it, column.key) for column in sa.inspect(LedgerLine).columns}
-    session.add(LedgerLine(**facts | {"id": uuid4()}))
+    session.execute(sa.insert(LedgerLine), [facts | {"id": uuid4()}])
 
 
 def chain_empty_entries(session: Session, contract_id: UUID) -> None:
@@ -198,7 +181,7 @@ def chain_empty_entries(session: Session, contract_id: UUID) -> None:
 @pytest.mark.parametrize(
     ("deed", "words"),
     [
-        (chain_empty_entries, "has another form than this software writes"),
+        (chain_empty_entries, "is in no entry"),
         (empty_the_record, "the contract is ended, and the record says draft"),
         (roll_back, "the contract is ended, and the record says agreed"),
         (add_a_line, "is in no entry"),
@@ -215,17 +198,15 @@ def test_each_deed_of_several_steps_is_named(
 def roll_back_with_tables(session: Session, contract_id: UUID) -> None:
     """Undo the last signature everywhere: entries, acceptance, seal and state."""
     events = events_in_order(session, contract_id)
-    for event in events[-2:]:
-        assert event.kind in ("accepted_by", "agreed")
+    for event in events[-3:]:
+        assert event.kind in ("accepted_by", "agreed", "sealed")
         session.delete(event)
     of_it = ContractAcceptance.contract_id == contract_id
-    session.delete(
-        session.scalars(sa.select(ContractAcceptance).where(of_it, ContractAcceptance.party == "studio")).one()
-    )
+    session.execute(sa.delete(ContractAcceptance).where(of_it, ContractAcceptance.party == "studio"))
     session.execute(sa.delete(Seal).where(Seal.contract_id == contract_id))
-    contract = session.get_one(Contract, contract_id)
-    contract.state, contract.agreed_at = ContractState.SENT, None
-    contract.record_length, contract.record_sha256 = events[-3].seq, events[-3].sha256
+    before = {"state": ContractState.SENT, "agreed_at": None}
+    head = {"record_length": events[-4].seq, "record_sha256": events[-4].sha256}
+    session.execute(sa.update(Contract).where(Contract.id == contract_id).values(before | head))
 
 
 def chain_another_name(session: Session, contract_id: UUID) -> None:
@@ -236,7 +217,9 @@ def chain_another_name(session: Session, contract_id: UUID) -> None:
     )
     for event in events_in_order(session, contract_id):
         said = json.loads(event.payload)
-        payload = canonical(said | {"name": "Somebody"}) if event.kind == "accepted_by" else event.payload
+        for signature in said.get("rows", {}).get("added", {}).get("signature", {}).values():
+            signature["name"] = said["name"] = "Somebody"
+        payload = canonical(said)
         at = event.at.isoformat(timespec="microseconds")
         entry = link(previous, of=str(contract_id), seq=event.seq, at=at, kind=event.kind, payload=payload)
         event.payload, event.previous_sha256, event.sha256 = payload, previous, entry.sha256
@@ -283,8 +266,8 @@ def kept_head(world: World, contract_id: UUID, folder: Path) -> Path:
 @pytest.mark.parametrize(
     ("deed", "words"),
     [
-        (roll_back_with_tables, "the record has 2 entries, and had 4 on"),
-        (chain_another_name, "entry 4 is not the one that stood there on"),
+        (roll_back_with_tables, "the record has 2 entries, and had 5 on"),
+        (chain_another_name, "entry 5 is not the one that stood there on"),
         (delete_the_contract, "is not on this server"),
     ],
 )

@@ -101,6 +101,8 @@ const EVENT_WORDS: Record<string, string> = {
   cut: 'Cut',
   invoiced: 'Invoiced',
   refunded: 'Refunded',
+  sealed: 'Sealed',
+  written: 'Data recorded',
 }
 
 /** An entry of the record as a sentence. */
@@ -115,6 +117,7 @@ const QUIET = new Set([
   'text_sha256_of_amendment',
   'pdf_sha256',
   'consent',
+  'rows', // of the tables, for `soundlist verify`; the entry says in words what happened
 ])
 
 /** The author of an entry: name, role at that time, and on whose behalf. */
