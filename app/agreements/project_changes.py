@@ -1,33 +1,18 @@
 """What changes in a project under running contracts, list and delivery spec, written into the contracts' records."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from itertools import groupby
 from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements import plan_queries, queries, record
+from app.agreements import plan_queries, record
 from app.agreements.documents import sha256_of
 from app.agreements.sealed_facts import sealed
-from app.kit.recorded_rows import declare
-from app.projects.models import ApproverChange, CategoryApprover, Deputy, Project, Spec
+from app.projects.models import Project
 from app.projects.queries import spec_version
 from app.sound_lists.rules import label
-
-
-def _contracts_in_force(session: Session, row: Any) -> Sequence[UUID]:
-    return queries.in_force(session, row.project_id)
-
-
-# Who may approve, and by which spec, is on record in the contracts that are in force then.
-for model, name in (
-    (ApproverChange, "approver"),
-    (CategoryApprover, "approver of a category"),
-    (Deputy, "deputy of an approver"),
-    (Spec, "delivery spec"),
-):
-    declare(model, name, owners=_contracts_in_force, digested=("reason", "note", "toml"))
 
 
 def record_list_revision(session: Session, event: Mapping[str, Any]) -> None:

@@ -25,6 +25,7 @@ from app.agreements.models import (
 from app.agreements.rules import ORDERS, ContractKind, ContractState
 from app.agreements.signing_rules import SigningOrder, Turn, Yes
 from app.kit.db import Base
+from app.kit.recorded_rows import declare
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, Spec
 
 WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))
@@ -391,3 +392,17 @@ def in_force(session: Session, project_id: UUID) -> Sequence[UUID]:
 def contract_ids(session: Session) -> Sequence[str]:
     """Return the id of every contract of every studio as text, which any value has; for the server's own commands."""
     return session.scalars(select(cast(Contract.id, String)).order_by(Contract.id)).all()
+
+
+def _contracts_in_force(session: Session, row: ApproverChange | CategoryApprover | Deputy | Spec) -> Sequence[UUID]:
+    return in_force(session, row.project_id)
+
+
+# Who may approve, and by which spec, is on record in the contracts that are in force then.
+for model, name in (
+    (ApproverChange, "approver"),
+    (CategoryApprover, "approver of a category"),
+    (Deputy, "deputy of an approver"),
+    (Spec, "delivery spec"),
+):
+    declare(model, name, owners=_contracts_in_force, digested=("reason", "note", "toml"))

@@ -46,7 +46,7 @@ class RecordedTable:
         if value is None:
             return None
         if column in self.digested or isinstance(value, list | dict):
-            text = value if isinstance(value, str) else json.dumps(value, sort_keys=True, ensure_ascii=False)
+            text = value if isinstance(value, str) else _one_text(value)
             return DIGEST + hashlib.sha256(text.encode()).hexdigest()
         return plain(value)
 
@@ -58,6 +58,10 @@ class RecordedTable:
     def id_of(self, row: Any) -> str:
         """Return the id by which the record names a row."""
         return str(getattr(row, self.key))
+
+
+def _one_text(value: list[Any] | dict[str, Any]) -> str:
+    return json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
 def plain(value: Any) -> Any:
