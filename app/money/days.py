@@ -107,6 +107,7 @@ def _put(session: Session, contract: Contract, day: WorkedDay, work: Work) -> Wo
     day.milestone_id = _milestone_at(session, contract, work.worked_on) if work.quarters else None
     day.refused_at, day.refused_by, day.refusal = None, None, ""
     session.flush()
+    record.append(session, contract.id, "work_logged", _facts_of(day), by=contract.designer_id)
     publish(session, "work.logged", studio_id=contract.studio_id, worked_day_id=day.id)
     return day
 

@@ -130,7 +130,7 @@ Act = Callable[[Session, Scene], object]
 
 
 NOTHING = r"\Z\A"  # a pattern that is nowhere
-OF_TAKES = r"the take .* is approved, and (its last verdict is|no verdict says so)"
+OF_TAKES = r"the take .* is \w+, and (its last verdict is|no verdict says so)"
 
 
 @dataclass(frozen=True)

@@ -136,7 +136,7 @@ def test_a_signature_that_is_taken_away_is_found(order: Order, second: UUID) -> 
     taken = "delete from contracts_amendment_acceptances where person_id = :person"
     bound = sa.text(taken).bindparams(sa.bindparam("person", second, type_=sa.Uuid))
     world.server.in_database(lambda session: session.execute(bound))
-    assert any("by the studio is missing or was altered" in fault for fault in faults(order))
+    assert any("is missing, and entry" in fault for fault in faults(order))
 
 
 def faults(order: Order) -> list[str]:

@@ -126,7 +126,7 @@ def test_refused_hours_are_corrected_and_sent_again(agreed: Agreed) -> None:
     assert refused(refuse(agreed, entry_id)) == (409, "day-agreed")
     assert refused(world.designer.put(f"/v1/worked-days/{entry_id}", json=body)) == (409, "day-agreed")
     kinds = world.server.in_database(lambda session: [one.kind for one in events_of(session, agreed.contract_id)])
-    assert kinds[-3:] == ["work_refused", "work_agreed", "due"]
+    assert kinds[-4:] == ["work_refused", "work_logged", "work_agreed", "due"]
 
 
 @pytest.mark.slow
@@ -257,7 +257,8 @@ def test_altered_hours_are_named(agreed: Agreed) -> None:
     assert faults(agreed) == []
     longer = sa.update(WorkedDay).where(WorkedDay.id == UUID(entry.json()["id"])).values(minutes=600)
     agreed.world.server.in_database(lambda session: session.execute(longer))
-    assert faults(agreed) == [f"agreed work {entry.json()['id']} was altered"]
+    (fault,) = faults(agreed)
+    assert "its minutes is 600, and the record says 60" in fault
 
 
 def test_the_record_says_which_hours(agreed: Agreed) -> None:

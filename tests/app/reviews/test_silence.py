@@ -14,6 +14,7 @@ from app.agreements.clauses import begin, terms_in_force
 from app.agreements.deemed_acceptance import DeemedAcceptance
 from app.agreements.models import Contract, ContractEvent
 from app.agreements.queries import events_of
+from app.agreements.record import WRITTEN
 from app.agreements.rules import ContractKind
 from app.deliveries.models import Take
 from app.reviews import jobs
@@ -70,10 +71,10 @@ class MovedClock:
 
     def _events(self) -> Sequence[ContractEvent]:
         contract_id = self.agreed.contract_id
-        found: Sequence[ContractEvent] = self.agreed.world.server.in_database(
+        events: Sequence[ContractEvent] = self.agreed.world.server.in_database(
             lambda session: events_of(session, contract_id)
         )
-        return found
+        return [event for event in events if event.kind != WRITTEN]
 
 
 @pytest.fixture
