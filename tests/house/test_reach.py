@@ -18,6 +18,7 @@ NO_REQUEST = (
     "app/demo/*.py",
     "app/backup.py",
     "app/operations/figures.py",
+    "app/amendments/verification.py",
     "app/operations/scrubbing.py",
     "app/migrate.py",
 )
