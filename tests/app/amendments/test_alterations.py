@@ -593,12 +593,23 @@ ALTERATIONS: tuple[Alteration, ...] = (
 )
 
 
+# By hand means without foreign keys, as in a shell: dropped until the transaction is rolled back.
+WITHOUT_KEYS = """
+do $$ declare key record; begin
+  for key in select conrelid::regclass as of_table, conname from pg_constraint
+             where contype = 'f' and connamespace = current_schema()::regnamespace
+  loop execute format('alter table %s drop constraint %I', key.of_table, key.conname); end loop;
+end $$
+"""
+
+
 @contextmanager
 def by_hand(scene: Scene, folder: Path) -> Iterator[Session]:
     """Give a session on the scene's database, on SQLite on a copy of it, where nothing else waits for the lock."""
     database = scene.world.server.runtime.database
     if not database.is_sqlite:
         with database.writing() as session:
+            session.execute(sa.text(WITHOUT_KEYS))
             yield session
             session.rollback()
         return
@@ -613,11 +624,10 @@ def by_hand(scene: Scene, folder: Path) -> Iterator[Session]:
 def faults_after_each(session: Session, scene: Scene) -> Iterator[tuple[Alteration, list[str]]]:
     """Yield what is named after each alteration alone: each is taken back before the next."""
     is_sqlite = session.get_bind().dialect.name == "sqlite"
-    # By hand means without foreign keys, as in a shell.
-    without_keys = "pragma defer_foreign_keys = on" if is_sqlite else "set local session_replication_role = replica"
     for alteration in ALTERATIONS:
         with session.begin_nested() as step:
-            session.execute(sa.text(without_keys))
+            if is_sqlite:
+                session.execute(sa.text("pragma defer_foreign_keys = on"))
             alteration.act(session, scene)
             yield alteration, scene.faults(session)
             step.rollback()
