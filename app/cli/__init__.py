@@ -1,6 +1,16 @@
 """The server's command line: what runs it, keeps it, and looks into it."""
 
-from app.cli import accounts, completion, jobs, keeping, projects, pulling, running  # noqa: F401  each adds its commands
+from app.cli import (  # noqa: F401  each adds its commands
+    accounts,
+    completion,
+    erasing,
+    jobs,
+    keeping,
+    projects,
+    pulling,
+    running,
+    transferring,
+)
 from app.cli.command_tree import PROGRAM
 from app.cli.groups import cli
 from app.kit.permissions import keep_new_files_private

@@ -8,6 +8,8 @@ jobs_cli = typer.Typer(no_args_is_help=True, help="Durable jobs: what waits, run
 operators_cli = typer.Typer(no_args_is_help=True, help="Operators: the people who see the whole server.")
 accounts_cli = typer.Typer(no_args_is_help=True, help="Accounts: what their holders cannot do themselves.")
 cli.add_typer(accounts_cli, name="accounts")
+erase_cli = typer.Typer(no_args_is_help=True, help="Erasure: a person, a project or a studio, for good.")
+cli.add_typer(erase_cli, name="erase")
 cli.add_typer(jobs_cli, name="jobs")
 cli.add_typer(operators_cli, name="operators")
 console = Console()

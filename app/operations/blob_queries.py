@@ -3,16 +3,19 @@
 from collections.abc import Iterator
 from uuid import UUID
 
-from sqlalchemy import Select, String, func, literal, select, union_all
+from sqlalchemy import ColumnElement, Select, String, func, literal, select, union_all
 from sqlalchemy.orm import InstrumentedAttribute, Session
 
 from app.accounts.models import Studio
+from app.kit.db import Base
 from app.kit.uploads.model import Upload
 from app.operations.models import DamagedBlob, Scrub
 from app.operations.queries import KEPT, Source
 from app.operations.schemas import KeptKind
+from app.references.models import Reference, ReferenceVersion
 from app.renders.models import Picture
 from app.sound_lists.models import SpokenPlaceholder
+from app.voice_lines.models import Release
 
 NAMING = (
     *KEPT,
@@ -23,6 +26,12 @@ NAMING = (
     ),
     Source(KeptKind.UPLOADS, Upload.studio_id, Upload.sha256, None),
 )
+
+
+REMOVED: dict[type[Base], ColumnElement[bool]] = {  # rows that stay as history, and whose files go
+    ReferenceVersion: ReferenceVersion.reference_id.in_(select(Reference.id).where(Reference.removed_at.is_not(None))),
+    Release: Release.removed_at.is_not(None),
+}
 
 
 def naming_columns() -> set[str]:
@@ -75,4 +84,6 @@ def damaged_of(session: Session, studio_id: UUID, sha256s: list[str]) -> list[Da
 
 def _named(source: Source, studio_id: UUID) -> Select[str, str]:
     named = select(source.sha256, literal(source.kind.value, String))
+    if source.whose.class_ in REMOVED:
+        named = named.where(~REMOVED[source.whose.class_])
     return named.where(source.whose == studio_id, source.sha256.is_not(None)).distinct()

@@ -9,3 +9,7 @@ class JobNotFound(NotFound):
 
 class JobNotParked(Conflict):
     """The job waits or runs already, so there is nothing to try again."""
+
+
+class ErasureRefused(Conflict):
+    """Something requires that this stays, or ends first."""

@@ -25,5 +25,11 @@ def scrub_blobs(runtime: Runtime, _payload: Payload) -> None:
     elif scrub.finished_at:
         return
     rate = scrubbing.RateLimit(SCRUB_BYTES_PER_S)
+    scrub_id = scrub.id
     for damage in scrubbing.run(runtime, scrub, rate=rate, max_bytes=SCRUB_BYTES):
         log.error("a stored file is damaged", state=damage.state, studio_id=str(damage.studio_id), sha256=damage.sha256)
+    with runtime.database.reading() as session:
+        ended = blob_queries.newest_scrub(session, finished=True)
+    if ended is not None and ended.id == scrub_id:
+        deleted = sum(1 for _ in scrubbing.delete_orphans(runtime, scrubbing.ORPHANS_KEPT))
+        log.info("unused files were deleted", files=deleted)

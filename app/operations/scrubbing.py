@@ -19,6 +19,7 @@ from app.operations.models import BlobState, DamagedBlob, Scrub
 from app.operations.schemas import KeptKind
 
 ORPHANED_AFTER = timedelta(days=1)  # a blob is stored before a row names it
+ORPHANS_KEPT = timedelta(days=7)  # since they were stored last
 STEP_BLOBS = 500
 
 
@@ -85,9 +86,9 @@ def run(runtime: Runtime, scrub: Scrub, *, rate: RateLimit, max_bytes: int | Non
         scrub.finished_at = clock.now()
 
 
-def orphans(runtime: Runtime) -> Iterator[tuple[UUID, StoredBlob]]:
+def orphans(runtime: Runtime, older_than: timedelta = ORPHANED_AFTER) -> Iterator[tuple[UUID, StoredBlob]]:
     """Yield the blobs older than a day that no row names."""
-    before = clock.now() - ORPHANED_AFTER
+    before = clock.now() - older_than
     for studio_id, blobs in groupby(runtime.store.blobs(), lambda blob: blob[0]):
         unnamed = list(blobs)
         with runtime.database.reading() as session:
@@ -97,9 +98,9 @@ def orphans(runtime: Runtime) -> Iterator[tuple[UUID, StoredBlob]]:
                 yield studio_id, blob
 
 
-def delete_orphans(runtime: Runtime) -> Iterator[tuple[UUID, StoredBlob]]:
+def delete_orphans(runtime: Runtime, older_than: timedelta = ORPHANED_AFTER) -> Iterator[tuple[UUID, StoredBlob]]:
     """Delete the blobs older than a day that no row names, and yield them."""
-    for studio_id, blob in orphans(runtime):
+    for studio_id, blob in orphans(runtime, older_than):
         with runtime.database.reading() as session:
             if blob_queries.is_named(session, studio_id, blob.sha256):  # by now
                 continue

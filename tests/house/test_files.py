@@ -35,6 +35,9 @@ SERVER_COMMANDS = {
     "backup",
     "restore",
     "scrub",
+    "move",
+    "export",
+    "import",
     "verify",
     "brief",
     "fmod",
@@ -89,7 +92,11 @@ def test_the_command_line_has_the_commands_it_promises():
         group.name: {command.name for command in group.typer_instance.registered_commands}
         for group in cli.registered_groups
     }
-    assert groups == {"jobs": {"list", "retry"}, "operators": {"add", "remove", "list"}}
+    assert groups == {
+        "jobs": {"list", "retry"},
+        "operators": {"add", "remove", "list"},
+        "erase": {"person", "project", "studio"},
+    }
 
 
 def commands_in_documents(program: str) -> set[str]:
@@ -107,10 +114,11 @@ def commands_in_documents(program: str) -> set[str]:
 
 def test_every_command_of_the_server_that_the_documents_name_is_one():
     named = commands_in_documents("soundlist")
-    assert {command.split()[0] for command in named} == SERVER_COMMANDS - {"demo", "openapi"} | {"jobs", "operators"}
+    groups = {"jobs", "operators", "erase"}
+    assert {command.split()[0] for command in named} == SERVER_COMMANDS - {"demo", "openapi"} | groups
     for command in named:
         words = [word for word in command.split() if re.fullmatch(r"[a-z][a-z-]*", word)]
-        has_action = words[0] in ("jobs", "operators") or words[:2] in (["desk", "add"], ["desk", "remove"])
+        has_action = words[0] in groups or words[:2] in (["desk", "add"], ["desk", "remove"])
         shown = CliRunner().invoke(cli, [*words[: 2 if has_action else 1], "--help"])
         assert shown.exit_code == 0, command
         assert all(flag in shown.output for flag in re.findall(r"--[a-z-]+", command)), command

@@ -23,6 +23,7 @@ ROOMS = (
     "hiring",
     "kit",
     "notifications",
+    "operations",
     "projects",
     "references",
     "renders",

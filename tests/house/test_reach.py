@@ -17,6 +17,7 @@ NO_REQUEST = (
     "app/cli/*.py",
     "app/demo/*.py",
     "app/backup.py",
+    "app/transfers/*.py",
     "app/operations/figures.py",
     "app/amendments/verification.py",
     "app/operations/scrubbing.py",
