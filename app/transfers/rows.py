@@ -107,7 +107,7 @@ def from_json(table: sa.Table, line: bytes) -> Row:
 
 
 def _streamed(session: Session, select: sa.Select[Any]) -> Iterator[Row]:
-    rows = session.connection().execution_options(stream_results=True, yield_per=AT_ONCE).execute(select)
+    rows = session.connection().execute(select.execution_options(stream_results=True, yield_per=AT_ONCE))
     for row in rows.mappings():
         yield dict(row)
 

@@ -52,11 +52,13 @@ def opened(request: pytest.FixtureRequest, tmp_path: Path) -> Opened:
         runtime = Runtime.of(Settings(data_dir=tmp_path / name, secret_key=f"the key of {name}, for tests", **settings))
         migrate(runtime.database)
         running = start_worker(runtime) if worker else None
-        with start_blocking_portal() as portal:
-            yield RunningServer(runtime, create_app(runtime), portal, running)
-        if running:
-            running.stop()  # once more does nothing
-        runtime.close()
+        try:
+            with start_blocking_portal() as portal:
+                yield RunningServer(runtime, create_app(runtime), portal, running)
+        finally:
+            if running:
+                running.stop()  # once more does nothing
+            runtime.close()
 
     return open_server
 
