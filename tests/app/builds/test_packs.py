@@ -15,6 +15,7 @@ from fastapi.testclient import TestClient
 
 import audio_checks
 from app.accounts.authentication import SESSION_COOKIE
+from app.builds import packs
 from app.renders.models import Render
 from tests.app.builds.approved import accepted_list, approve, sound
 from tests.support.blobs import blob_file
@@ -159,14 +160,32 @@ def test_a_lost_blob_is_said_before_anything_is_sent(world: World) -> None:
     assert "laser_fire_02.wav" in answer.json()["detail"]
 
 
-@pytest.mark.slow
-def test_a_blob_that_rotted_breaks_off_the_download(world: World) -> None:
-    accepted_list(world)
-    blob = blob_of(world, "laser_fire_02.wav")
+def rot(blob: Path) -> None:
+    """Change one bit of a stored file."""
     content = bytearray(blob.read_bytes())
     content[-1] ^= 1
     blob.chmod(0o640)
     blob.write_bytes(content)
+
+
+@pytest.mark.slow
+@pytest.mark.on_folder
+def test_a_blob_that_rotted_is_said_before_anything_is_sent(world: World) -> None:
+    accepted_list(world)
+    rot(blob_of(world, "laser_fire_02.wav"))
+    answer = world.producer.get(f"/v1/projects/{world.project_id}/pack.zip", params={"target": "game"})
+    assert (answer.status_code, answer.json()["code"]) == (500, "blob-damaged")
+    assert "laser_fire_02.wav" in answer.json()["detail"]
+    assert "upload the same file again" in answer.json()["fix"]
+
+
+@pytest.mark.slow
+def test_a_blob_that_rotted_beyond_the_first_gib_breaks_off_the_download(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(packs, "VERIFIED_AHEAD_BYTES", 0)
+    accepted_list(world)
+    rot(blob_of(world, "laser_fire_02.wav"))
     parts: list[bytes] = []
     cookies = {SESSION_COOKIE: str(world.producer.cookies[SESSION_COOKIE])}
     with (

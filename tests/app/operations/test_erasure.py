@@ -62,6 +62,7 @@ def mentions(runtime: Runtime, value: Any) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 def test_a_signed_contract_keeps_project_and_studio(house: House) -> None:
     signed = sa.update(Contract).where(Contract.studio_id == house.studio_id)
     house.server.in_database(
@@ -76,6 +77,7 @@ def test_a_signed_contract_keeps_project_and_studio(house: House) -> None:
     assert counts(house.server.runtime, house.studio_id) == before
 
 
+@pytest.mark.slow
 def test_an_erased_studio_leaves_no_row_and_its_files_go(house: House, monkeypatch: pytest.MonkeyPatch) -> None:
     runtime, neighbour = house.server.runtime, World(house.server)
     unsign(house)
@@ -94,6 +96,7 @@ def test_an_erased_studio_leaves_no_row_and_its_files_go(house: House, monkeypat
     assert house.studio_id not in {studio_id for studio_id, _ in runtime.store.blobs()}
 
 
+@pytest.mark.slow
 def test_an_erased_project_leaves_the_studio_as_it_was(house: House) -> None:
     runtime = house.server.runtime
     unsign(house)
@@ -111,6 +114,7 @@ def test_an_erased_project_leaves_the_studio_as_it_was(house: House) -> None:
     assert after["hiring_roster_entries"] == 1
 
 
+@pytest.mark.slow
 def test_an_erased_person_is_a_pseudonym_everywhere_but_in_evidence(house: House) -> None:
     server, person_id = house.server, house.reviewer_id
     email = f"{person_id}@example.test"
@@ -131,6 +135,7 @@ def test_an_erased_person_is_a_pseudonym_everywhere_but_in_evidence(house: House
         server.in_database(lambda session: erasure.erase_person(session, email))
 
 
+@pytest.mark.slow
 def test_a_party_of_a_running_contract_and_an_operator_are_refused(house: House) -> None:
     signed = sa.update(Contract).where(Contract.studio_id == house.studio_id)
     house.server.in_database(
