@@ -4,6 +4,7 @@ import json
 import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
+from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
@@ -12,9 +13,11 @@ import sqlalchemy as sa
 from anyio.from_thread import start_blocking_portal
 from typer.testing import CliRunner
 
-from app.accounts.models import Person
+from app.accounts.authentication import SESSION_COOKIE, sha256_of
+from app.accounts.models import Person, SignIn
 from app.amendments import verification
 from app.cli import cli
+from app.kit import clock
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from app.main import create_app
@@ -158,6 +161,13 @@ def test_an_imported_studio_is_the_same(opened: Opened, tmp_path: Path, before: 
             person = here.get_one(Person, world.producer_id)
             assert (person.password_hash, person.email_verified_at) == (None, None)
         assert whole_records(new.runtime) == (1, [])
+        secret = str(world.producer.cookies[SESSION_COOKIE])  # no sign-in comes along: the producer signs in here
+        sign_in = SignIn(
+            person_id=world.producer_id,
+            secret_sha256=sha256_of(secret),
+            expires_at=clock.now() + timedelta(days=1),
+        )
+        new.in_database(lambda session: session.add(sign_in))
         assert contents(world, new) == known
         assert neighbour.producer.get(f"/v1/takes/{known['delivery']['takes'][0]['id']}/master").status_code == 404
         with pytest.raises(TransferRefused, match="is on this server already"):
