@@ -1,6 +1,5 @@
 """The blobs that rows name. Every column that names one is listed here; a test compares the list with all tables."""
 
-from collections.abc import Iterator
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Select, String, func, literal, select, union_all
@@ -63,11 +62,6 @@ def newest_scrub(session: Session, *, finished: bool = False) -> Scrub | None:
     """Return the newest pass, or the newest that came to its end."""
     scrubs = select(Scrub).order_by(Scrub.started_at.desc(), Scrub.id.desc()).limit(1)
     return session.scalar(scrubs.where(Scrub.finished_at.is_not(None)) if finished else scrubs)
-
-
-def damaged_blobs(session: Session) -> Iterator[DamagedBlob]:
-    """Return the blobs that were damaged when they were verified last."""
-    return iter(session.scalars(select(DamagedBlob).order_by(DamagedBlob.studio_id, DamagedBlob.sha256)).all())
 
 
 def damaged_counts(session: Session) -> dict[str, int]:
