@@ -3,7 +3,7 @@
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Select, String, func, literal, select, union_all
-from sqlalchemy.orm import InstrumentedAttribute, Session
+from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
 from app.kit.db import Base
@@ -31,12 +31,6 @@ REMOVED: dict[type[Base], ColumnElement[bool]] = {  # rows that stay as history,
     ReferenceVersion: ReferenceVersion.reference_id.in_(select(Reference.id).where(Reference.removed_at.is_not(None))),
     Release: Release.removed_at.is_not(None),
 }
-
-
-def naming_columns() -> set[str]:
-    """Return every column that names a blob, as table.column."""
-    columns: list[InstrumentedAttribute[str]] = [source.sha256 for source in NAMING]
-    return {f"{column.class_.__tablename__}.{column.key}" for column in columns}
 
 
 def studio_ids(session: Session) -> list[UUID]:
