@@ -5,6 +5,7 @@ parts rise, and the largest is the last. Where three parts or more are possible,
 """
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date, timedelta
@@ -60,8 +61,7 @@ def propose_milestones(
     """Return milestones over all cues, in the order of their days; cues without a day are needed by the last one.
 
     `begins_on` is the first day of work, today where it is past or not given. `ends_on` is the last day of work where
-    no cue has one. The price of the whole, where it is given, includes the deposit. Names tell the year of a day that
-    is not in this one.
+    no cue has one. The price of the whole, where it is given, includes the deposit.
     """
     parts = _parts(cues, today=max(today, begins_on or today), ends_on=ends_on)
     amounts: Sequence[int | None] = [None] * len(parts)
@@ -74,8 +74,8 @@ def propose_milestones(
         if deposit_minor:
             deposit = [ProposedMilestone("Deposit", None, [], deposit_minor, is_deposit=True)]
     return deposit + [
-        ProposedMilestone(_name(part, today), part.due_on, [cue.cue_id for cue in part.cues], amount)
-        for part, amount in zip(parts, amounts, strict=True)
+        ProposedMilestone(name, part.due_on, [cue.cue_id for cue in part.cues], amount)
+        for name, part, amount in zip(_names(parts), parts, amounts, strict=True)
     ]
 
 
@@ -153,11 +153,21 @@ def _shared(cues: Sequence[WantedCue], count: int) -> list[Sequence[WantedCue]]:
     return [*shares, left]
 
 
-def _name(part: _Part, today: date) -> str:
+def _names(parts: Sequence[_Part]) -> list[str]:
+    """Return a name for each part: its categories, numbered where several have the same. Days move, and stand apart."""
+    plain = [_name(part) for part in parts]
+    seen = Counter[str]()
+    names: list[str] = []
+    for name in plain:
+        seen[name] += 1
+        names.append(name if plain.count(name) == 1 else f"{name}, part {seen[name]}")
+    return names
+
+
+def _name(part: _Part) -> str:
     categories = list(dict.fromkeys(cue.category for cue in part.cues))
     what = " and ".join(_called(each) if each else REST for each in categories) if len(categories) <= 2 else "Sounds"
-    year = "" if part.due_on.year == today.year else f" {part.due_on.year}"
-    return f"{what[: MAX_NAME_CHARS - 20]}, {part.due_on.day} {part.due_on:%B}{year}"
+    return what[: MAX_NAME_CHARS - 20]
 
 
 def _called(category: str) -> str:

@@ -243,7 +243,7 @@ describe('the plan of a draft', () => {
     server.on(SAVE, { contract_id: 'effects', currency: 'USD', milestones: [], advice: [] }).on(PROPOSAL, {
       milestones: [
         { name: 'Deposit', due_on: null, is_deposit: true, amount_minor: 150_000, cue_ids: [] },
-        { name: 'UI, 4 December', due_on: '2026-12-04', is_deposit: false, amount_minor: 225_000, cue_ids: ['ping'] },
+        { name: 'UI', due_on: '2026-12-04', is_deposit: false, amount_minor: 225_000, cue_ids: ['ping'] },
         { name: 'Voice', due_on: null, is_deposit: false, amount_minor: 225_000, cue_ids: ['oath'] },
       ],
     })
@@ -260,7 +260,7 @@ describe('the plan of a draft', () => {
     expect(server.of(SAVE)[0]?.body).toMatchObject({
       milestones: [
         { name: 'Deposit', is_deposit: true, amount_minor: 150_000, cues: [] },
-        { name: 'UI, 4 December', due_on: '2026-12-04', amount_minor: 225_000, cues: [{ cue_id: 'ping' }] },
+        { name: 'UI', due_on: '2026-12-04', amount_minor: 225_000, cues: [{ cue_id: 'ping' }] },
         { name: 'Voice', due_on: '2026-12-18', amount_minor: 225_000, cues: [{ cue_id: 'oath' }] },
       ],
     })
