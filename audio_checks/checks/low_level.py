@@ -26,7 +26,8 @@ LIMIT_DBFS = -40.0
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `low-level:peak` when no sample reaches the limit; silence is left to the silence check."""
-    limit = spec.limits.others.get("low_level_dbfs", LIMIT_DBFS)
+    stated = spec.limits.low_level_dbfs
+    limit = LIMIT_DBFS if stated is None else stated
     silent = spec.limits.silence_below_dbfs
     peak = file.measurements.sample_peak_dbfs
     if peak == float("-inf") or (silent is not None and peak < silent - spec.limits.tolerance_db):

@@ -126,7 +126,7 @@ def _off(
 
 def _limit_lu(spec: DeliverySpec, levels: Sequence[float]) -> float:
     """Return how far one variation's level may lie from those of the others, in LU."""
-    stated = spec.limits.others.get("variation_level_lu")
+    stated = spec.limits.variation_level_lu
     if stated is not None:
         return stated
     varies = spec.kind == VARIED_KIND or VARIED.search(spec.category or "") is not None

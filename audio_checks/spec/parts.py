@@ -62,6 +62,8 @@ class Limits:
     loudness_lufs: Range = Range()
     noise_floor_dbfs: float | None = None
     mono_loss_db: float | None = None
+    low_level_dbfs: float | None = None
+    variation_level_lu: float | None = None
     others: Mapping[str, float] = field(default_factory=dict, hash=False)
 
 
