@@ -50,8 +50,12 @@ NOUNS: Mapping[QuotaKind, str] = {
 
 def limits_of(session: Session, studio_id: UUID) -> dict[QuotaKind, int]:
     """Return the limits of a studio."""
-    own = quota_queries.own_limits(session, studio_id)
-    return {**DEFAULTS, **{QuotaKind(kind): maximum for kind, maximum in own.items()}}
+    return with_defaults(quota_queries.own_limits(session, studio_id).get(studio_id, {}))
+
+
+def with_defaults(own_limits: Mapping[str, int]) -> dict[QuotaKind, int]:
+    """Return the limit of each kind: the studio's own, or the default."""
+    return {**DEFAULTS, **{QuotaKind(kind): maximum for kind, maximum in own_limits.items()}}
 
 
 def set_limit(session: Session, studio_id: UUID, kind: QuotaKind, maximum: int | None) -> None:

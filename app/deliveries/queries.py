@@ -9,6 +9,7 @@ from sqlalchemy import ColumnElement, Select, and_, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
+from app.accounts.quota_queries import Usage
 from app.deliveries.models import Archive, Delivery, DryStem, Take, TrayAction
 from app.deliveries.rules import OPEN_STATES, TakeState
 from app.deliveries.rules import stem_of as stem_of_name
@@ -28,17 +29,8 @@ _WITH_CUE_AND_DESIGNER = (joinedload(Take.cue), joinedload(Take.designer))
 _OF_UPLOAD = select(Take).where(Take.upload_id == bindparam("upload_id")).options(*_WITH_CUE_AND_DESIGNER)
 
 
-def kept_master_bytes(session: Session, studio_id: UUID) -> int:
-    """Return how many bytes the masters of a studio have, those with the same bytes once."""
-    each = select(Take.master_sha256, func.max(Take.master_bytes).label("size")).where(Take.studio_id == studio_id)
-    kept = each.group_by(Take.master_sha256).subquery()
-    return int(session.scalar(select(func.sum(kept.c.size))) or 0)
-
-
-def open_uploads(session: Session, studio_id: UUID) -> int:
-    """Return how many uploads of a studio are not finished."""
-    unfinished = select(func.count()).where(Upload.studio_id == studio_id, Upload.sha256.is_(None))
-    return session.scalar(unfinished) or 0
+kept_master_bytes = Usage(Take.studio_id, sha256=Take.master_sha256, size_bytes=Take.master_bytes)
+open_uploads = Usage(Upload.studio_id, Upload.sha256.is_(None))
 
 
 def delivery_by_id(session: Session, delivery_id: UUID) -> Delivery | None:

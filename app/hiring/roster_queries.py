@@ -8,6 +8,7 @@ from sqlalchemy import delete, exists, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person, Studio
+from app.accounts.quota_queries import Usage
 from app.accounts.rules import Actor
 from app.hiring.models import BusyRange, Candidate, Posting, ReelSound, RosterEntry
 from app.hiring.roster_rules import MAX_ENTRIES
@@ -91,11 +92,7 @@ def sound_for(session: Session, actor: Actor, sound_id: UUID) -> ReelSound | Non
     return session.scalar(select(ReelSound).where(ReelSound.id == sound_id, ReelSound.studio_id.in_(actor.roles)))
 
 
-def kept_reel_bytes(session: Session, studio_id: UUID) -> int:
-    """Return how many bytes the reels of a studio have, those with the same bytes once."""
-    size = func.max(ReelSound.file_bytes).label("size")
-    kept = select(size).where(ReelSound.studio_id == studio_id).group_by(ReelSound.sha256).subquery()
-    return int(session.scalar(select(func.sum(kept.c.size))) or 0)
+kept_reel_bytes = Usage(ReelSound.studio_id, sha256=ReelSound.sha256, size_bytes=ReelSound.file_bytes)
 
 
 def designers_of(session: Session, studio_id: UUID, emails: Collection[str]) -> dict[str, Person]:

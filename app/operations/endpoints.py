@@ -104,10 +104,12 @@ def read_studio_quotas(
     return quotas.studio_quotas(session, actor, studio_id)
 
 
-@router.get("/operations/quotas", responses=problems(OperatorNeeded))
-def read_quotas(session: DbSession, _actor: Actor = allows(Audience.OPERATOR)) -> list[StudioQuotas]:
-    """Return what every studio uses of its limits, the nearest to one first."""
-    return quotas.server_quotas(session)
+@router.get("/operations/quotas", responses=problems(OperatorNeeded, BadCursor))
+def read_quotas(
+    session: DbSession, cursor: str | None = None, _actor: Actor = allows(Audience.OPERATOR)
+) -> Page[StudioQuotas]:
+    """Return what studios use of their limits, fifty a page, the nearest to one first."""
+    return quotas.server_quotas(session, cursor)
 
 
 @router.get("/operations/storage", responses=problems(OperatorNeeded))

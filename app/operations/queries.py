@@ -70,9 +70,10 @@ ONLY: dict[type[Base], ColumnElement[bool]] = {
 }
 
 
-def studio_names(session: Session, ids: set[UUID]) -> dict[UUID, str]:
-    """Return the names of studios."""
-    return dict(session.execute(select(Studio.id, Studio.name).where(Studio.id.in_(ids))).all())
+def studio_names(session: Session, ids: set[UUID] | None = None) -> dict[UUID, str]:
+    """Return the names of studios, or of every studio."""
+    names = select(Studio.id, Studio.name)
+    return dict(session.execute(names if ids is None else names.where(Studio.id.in_(ids))).all())
 
 
 def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead]:
@@ -119,11 +120,6 @@ def _drawn(studio_id: UUID | None) -> Sums:
     drawn = select(Picture.studio_id, literal(KeptKind.DRAWINGS.value, String), files, size_bytes)
     drawn = drawn.where(Picture.drawn_bytes.is_not(None))
     return (drawn if studio_id is None else drawn.where(Picture.studio_id == studio_id)).group_by(Picture.studio_id)
-
-
-def studios(session: Session) -> Sequence[Studio]:
-    """Return every studio, by name."""
-    return session.scalars(select(Studio).order_by(Studio.name)).all()
 
 
 def project_names(session: Session, studio_id: UUID) -> dict[UUID | None, str]:

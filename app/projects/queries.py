@@ -9,6 +9,7 @@ from sqlalchemy import ColumnElement, ScalarSelect, Select, Uuid, and_, bindpara
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, Person
+from app.accounts.quota_queries import Usage
 from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.kit import clock
 from app.kit.db import bypass_row_policies
@@ -20,9 +21,7 @@ def project_by_id(session: Session, project_id: UUID) -> Project | None:
     return session.get(Project, project_id)
 
 
-def projects_count(session: Session, studio_id: UUID) -> int:
-    """Return how many projects a studio has, archived ones included."""
-    return session.scalar(select(func.count()).where(Project.studio_id == studio_id)) or 0
+projects_count = Usage(Project.studio_id)  # archived ones included
 
 
 def _named_approver() -> ScalarSelect[UUID]:

@@ -8,6 +8,7 @@ from uuid import UUID
 from sqlalchemy import Select, func, or_, select
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
+from app.accounts.quota_queries import Usage
 from app.references.models import Reference, ReferenceOpening, ReferenceVersion
 from app.sound_lists.models import Cue
 
@@ -139,9 +140,9 @@ def openings(
     return session.scalars(found.order_by(ReferenceOpening.id.desc()).limit(limit)).all()
 
 
-def kept_reference_bytes(session: Session, studio_id: UUID) -> int:
-    """Return how many bytes the files of a studio's references have, those with the same bytes once."""
-    size = func.max(ReferenceVersion.file_bytes).label("size")
-    each = select(size).where(ReferenceVersion.studio_id == studio_id, ReferenceVersion.sha256.is_not(None))
-    kept = each.group_by(ReferenceVersion.sha256).subquery()
-    return int(session.scalar(select(func.sum(kept.c.size))) or 0)
+kept_reference_bytes = Usage(
+    ReferenceVersion.studio_id,
+    ReferenceVersion.sha256.is_not(None),
+    sha256=ReferenceVersion.sha256,
+    size_bytes=ReferenceVersion.file_bytes,
+)

@@ -9,6 +9,7 @@ from sqlalchemy import Row, Select, bindparam, func, or_, select, tuple_
 from sqlalchemy.orm import Session, joinedload, selectinload
 
 from app.accounts.models import Membership, Person
+from app.accounts.quota_queries import Usage
 from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, SpokenPlaceholder, Stem
@@ -18,9 +19,7 @@ from app.sound_lists.rules import NO_PLAYBACK_PRIORITY, CueOrdering, CueState, N
 IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999
 
 
-def cues_count(session: Session, studio_id: UUID) -> int:
-    """Return how many cues a studio has in all its lists, cut ones included."""
-    return session.scalar(select(func.count()).where(Cue.studio_id == studio_id)) or 0
+cues_count = Usage(Cue.studio_id)  # of all lists, cut ones included
 
 
 def cues_of(session: Session, project_id: UUID) -> Sequence[Cue]:

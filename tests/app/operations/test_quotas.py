@@ -4,13 +4,15 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from sqlalchemy.orm import Session
 from typer.testing import CliRunner
 
-from app.accounts.models import Operator
+from app.accounts.models import Operator, Studio
 from app.accounts.quotas import DEFAULTS, QuotaKind, set_limit
 from app.accounts.rules import Role
 from app.cli import accounts, cli
 from app.deliveries import upload_quotas
+from app.operations.quotas import PAGE_STUDIOS
 from tests.support.deliver import TUS, add_cues, deliver, metadata, open_delivery, upload
 from tests.support.references import begin_upload
 from tests.support.server import World
@@ -122,13 +124,40 @@ def test_the_operator_sees_who_is_near(world: World) -> None:
     operator = world.signed_in(world.approver_id)
     assert operator.get("/v1/operations/quotas").status_code == 403
     world.server.in_database(lambda session: session.add(Operator(person_id=world.approver_id)))
-    shown = operator.get("/v1/operations/quotas").json()
+    with world.server.counted_selects() as selects:
+        page = operator.get("/v1/operations/quotas").json()
+    assert len(selects) <= 20, "however many studios there are"
+    shown = page["items"]
+    while page["next"]:
+        page = operator.get("/v1/operations/quotas", params={"cursor": page["next"]}).json()
+        shown += page["items"]
+    assert len({studio["studio_id"] for studio in shown}) == len(shown)
     (own,) = [studio for studio in shown if studio["studio_id"] == str(world.studio_id)]
     assert own["quotas"][0] == {"kind": "cues", "used": 2, "limit": 2, "default": DEFAULTS[QuotaKind.CUES]}
     assert {one["kind"] for one in own["quotas"]} == set(QuotaKind)
     nearest = [one["used"] / one["limit"] if one["limit"] else 1e9 for one in (studio["quotas"][0] for studio in shown)]
     assert nearest == sorted(nearest, reverse=True)
     assert len(shown) > 1, "studios of which the operator is not a member"
+
+
+def test_one_page_of_the_operator_costs_no_more_for_many_studios(world: World) -> None:
+    def add_studios(session: Session) -> None:
+        studios = [Studio(name=f"Studio {number:03}") for number in range(2 * PAGE_STUDIOS)]
+        session.add_all(studios)
+        session.flush()
+        for studio in studios[:-1]:
+            set_limit(session, studio.id, QuotaKind.PEOPLE, 0)  # no one may join: the nearest to a limit
+
+    world.server.in_database(add_studios)
+    operator = world.signed_in(world.approver_id)
+    world.server.in_database(lambda session: session.add(Operator(person_id=world.approver_id)))
+    with world.server.counted_selects() as selects:
+        page = operator.get("/v1/operations/quotas").json()
+    assert (len(page["items"]), len(selects) <= 20) == (PAGE_STUDIOS, True)
+    assert page["items"][0]["quotas"][0]["kind"] == "people"
+    following = operator.get("/v1/operations/quotas", params={"cursor": page["next"]}).json()["items"]
+    assert not {studio["studio_id"] for studio in following} & {studio["studio_id"] for studio in page["items"]}
+    assert operator.get("/v1/operations/quotas", params={"cursor": "second"}).json()["code"] == "bad-cursor"
 
 
 @pytest.mark.slow

@@ -1,6 +1,7 @@
-import { useQuery } from '@tanstack/react-query'
+import { useInfiniteQuery } from '@tanstack/react-query'
 
 import { Refusal } from '@/judging/Refusal'
+import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { bytes, countOf, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
@@ -27,7 +28,8 @@ const isNear = ({ quotas: [first] }: Limits) => first !== undefined && share(fir
 
 /** What studios use of their limits: who is nearest to one comes first. */
 export function LimitsCard({ scope }: { scope: Scope }) {
-  const { data: studios, error } = useQuery(limitsQuery(scope))
+  const { data, error, hasNextPage, fetchNextPage } = useInfiniteQuery(limitsQuery(scope))
+  const studios = data?.pages.flatMap(({ items }) => items)
   const near = studios?.filter(isNear).length ?? 0
   return (
     <Card aria-labelledby="limits">
@@ -53,6 +55,11 @@ export function LimitsCard({ scope }: { scope: Scope }) {
           </Row>
         ))}
       </Rows>
+      {hasNextPage && (
+        <div className={classes.inside}>
+          <Button onClick={() => void fetchNextPage()}>Show more studios</Button>
+        </div>
+      )}
       {scope === 'server' && (
         <p className={`small mid ${classes.inside}`}>
           Set one with <code>soundlist quota STUDIO_ID --set cues=20000</code>

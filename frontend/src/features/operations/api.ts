@@ -76,22 +76,35 @@ export interface Limits {
   quotas: Quota[]
 }
 
-async function readLimits(scope: Scope): Promise<Limits[]> {
+async function readLimits(
+  scope: Scope,
+  cursor: string | undefined,
+): Promise<{ items: Limits[]; next?: string | null }> {
   if (scope !== 'server') {
     const quotas = await answered(api.GET('/v1/studios/{studio_id}/quotas', ofStudio(scope.studioId)))
-    return [{ studioId: scope.studioId, studioName: '', quotas: [...quotas].sort((a, b) => share(b) - share(a)) }]
+    const nearestFirst = [...quotas].sort((a, b) => share(b) - share(a))
+    return { items: [{ studioId: scope.studioId, studioName: '', quotas: nearestFirst }] }
   }
-  const studios = await answered(api.GET('/v1/operations/quotas'))
-  return studios.map(({ studio_id, studio_name, quotas }) => ({ studioId: studio_id, studioName: studio_name, quotas }))
+  const { items, next } = await answered(api.GET('/v1/operations/quotas', { params: { query: { cursor } } }))
+  return {
+    items: items.map(({ studio_id, studio_name, quotas }) => ({
+      studioId: studio_id,
+      studioName: studio_name,
+      quotas,
+    })),
+    next,
+  }
 }
 
 /** How much of a limit is used; 1 is all of it. */
 export const share = ({ used, limit }: Quota): number => (limit === 0 ? Infinity : used / limit)
 
 export const limitsQuery = (scope: Scope) =>
-  queryOptions({
+  infiniteQueryOptions({
     queryKey: queryKeys.operations(keyOf(scope), 'limits'),
-    queryFn: () => readLimits(scope),
+    queryFn: ({ pageParam: cursor }) => readLimits(scope, cursor),
+    initialPageParam: undefined as string | undefined,
+    getNextPageParam: ({ next }) => next ?? undefined,
     staleTime: KEPT_FOR_MS,
   })
 

@@ -3,7 +3,7 @@ import userEvent from '@testing-library/user-event'
 import { expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
-import { type Answers, refusal, serve } from '@/test/server'
+import { type Answers, type Asked, refusal, serve } from '@/test/server'
 
 import type { JobState, Lane, Scrub } from './api'
 import { inOneLine, jobWords, laneLine, laneWords, scrubLine } from './words'
@@ -62,7 +62,7 @@ const as = (me: typeof ME, more: Answers): Answers => ({
   'GET /v1/session': { signed_in: true, demo: false, person: me.person },
   'GET /v1/me': me,
   'GET /v1/studios/s1/quotas': [],
-  'GET /v1/operations/quotas': [],
+  'GET /v1/operations/quotas': { items: [], next: null },
   ...more,
 })
 
@@ -173,10 +173,10 @@ test('limits show who is near, to an operator and to a producer', async () => {
         'GET /v1/operations': { counts: [], lanes: [], workers: [] },
         'GET /v1/operations/storage': { studios: [KEPT], free_bytes: null, scrub: null },
         'GET /v1/operations/jobs': { items: [], next: null },
-        'GET /v1/operations/quotas': [
-          { studio_id: 's2', studio_name: 'Deep Field studio', quotas: [masters, people] },
-          { studio_id: 's1', studio_name: 'Shield Wing studio', quotas: [people] },
-        ],
+        'GET /v1/operations/quotas': ({ query }: Asked) =>
+          query.get('cursor') === null
+            ? { items: [{ studio_id: 's2', studio_name: 'Deep Field studio', quotas: [masters, people] }], next: '50' }
+            : { items: [{ studio_id: 's1', studio_name: 'Shield Wing studio', quotas: [people] }], next: null },
         'GET /v1/studios/s1/operations': { counts: [], lanes: [], workers: 1 },
         'GET /v1/studios/s1/storage': KEPT,
         'GET /v1/studios/s1/jobs': { items: [], next: null },
@@ -186,7 +186,10 @@ test('limits show who is near, to an operator and to a producer', async () => {
   )
   openApp('/operations')
   const limits = within(await screen.findByRole('list', { name: /Limits/ }))
-  const [first, second] = await limits.findAllByRole('listitem')
+  await userEvent.click(await screen.findByRole('button', { name: 'Show more studios' }))
+  await limits.findByText('Shield Wing studio')
+  const [first, second] = limits.getAllByRole('listitem')
+  expect(screen.queryByRole('button', { name: 'Show more studios' })).toBeNull()
   expect(first).toHaveTextContent('Deep Field studioStorage for masters2.0 GB of 2.0 GBLimit reachedMembers')
   expect(second).toHaveTextContent('Shield Wing studioMembers')
   expect(screen.getByText('1 studio near')).toBeVisible()
