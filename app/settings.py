@@ -54,6 +54,12 @@ class Settings(BaseSettings):
     store_direct: bool = Field(
         False, description="Let browsers send to and fetch from the bucket by signed links; its CORS rules must agree."
     )
+    database_connections: int = Field(
+        16,
+        ge=16,
+        le=1_000,
+        description="Connections to PostgreSQL that one web process or worker has at most.",
+    )
     aws_access_key_id: str = Field("", validation_alias="AWS_ACCESS_KEY_ID", description="For a store on S3.")
     aws_secret_access_key: SecretStr = Field(
         SecretStr(""), validation_alias="AWS_SECRET_ACCESS_KEY", description="For a store on S3."
@@ -200,6 +206,16 @@ class Settings(BaseSettings):
             raise ValueError(
                 f"SOUNDLIST_WEB_PROCESSES is {self.web_processes}, and a request for /metrics on one port reaches any "
                 "of them; set SOUNDLIST_METRICS_PORT to the first of as many ports that are free"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _has_connections_for_its_jobs(self) -> Self:
+        needed = 2 * self.worker_jobs + 8  # one each to work on, one each to write its progress, and the worker's own
+        if needed > self.database_connections and self.resolved_database_url.startswith("postgres"):
+            raise ValueError(
+                f"SOUNDLIST_WORKER_JOBS is {self.worker_jobs}, and so many jobs at once need {needed} connections; "
+                f"SOUNDLIST_DATABASE_CONNECTIONS is {self.database_connections}: raise it, or run more workers instead"
             )
         return self
 

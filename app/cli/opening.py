@@ -31,11 +31,11 @@ def tighten_permissions(paths: Iterable[Path]) -> None:
         typer.echo(line, err=True)
 
 
-def opened(settings: Settings) -> Runtime:
+def opened(settings: Settings, *, engine_connections: int = 0) -> Runtime:
     """Return the open database and store; leave where the data folder cannot be used."""
     tighten_permissions(settings.private_paths)
     try:
-        return Runtime.of(settings)
+        return Runtime.of(settings, engine_connections=engine_connections)
     except OSError as error:
         raise refusal(
             [
@@ -45,12 +45,12 @@ def opened(settings: Settings) -> Runtime:
         ) from None
 
 
-def ready_to_serve(settings: Settings) -> Runtime:
+def ready_to_serve(settings: Settings, *, engine_connections: int = 0) -> Runtime:
     """Return an open runtime whose database and store can be used; leave with everything that is wrong otherwise."""
     from app.kit import health
     from app.migrate import ensure_at_head
 
-    runtime = opened(settings)
+    runtime = opened(settings, engine_connections=engine_connections)
     states = [health.tried(probe, runtime) for probe in (health.database, ensure_at_head, health.store)]
     if wrong := [state for state in states if state != "ok"]:
         runtime.close()

@@ -83,13 +83,14 @@ def worker(stop_with_input: StopWithInput = False) -> None:
 
     if stop_with_input:
         processes.stop_with_input()
+    from app.kit.workers import engine_connections
     from app.worker import run
 
     memory.return_free_memory()
     settings = read_settings_or_exit(serving=True)
     logs.configure(settings.log_level)
     logs.report_confinement()
-    runtime = ready_to_serve(settings)
+    runtime = ready_to_serve(settings, engine_connections=engine_connections(settings.worker_jobs))
     try:
         with metrics.listening(settings, [metrics.PoolFigures(runtime.database)]):
             run(runtime)

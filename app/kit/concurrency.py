@@ -2,8 +2,8 @@
 
 Each request with a session of its own takes a slot, readers and writers from separate pools; the others wait before
 they take a thread or a connection. More slots would not answer sooner: one request computes at a time while the others
-wait for the database. There must be more connections (30, or 40 on SQLite) and threads (40) than slots, because each
-running request needs one of each.
+wait for the database. There must be more connections (15, or 40 on SQLite) and threads (40) than slots (12), because
+each running request needs one of each.
 
 People take turns: the first waiting request of one caller goes before the second of another, and no caller has all
 slots. So a caller who sends a hundred slow requests waits for them alone.

@@ -141,7 +141,8 @@ class _Session(Session):
 class Database:
     """One engine and the two kinds of transaction on it."""
 
-    def __init__(self, url: str) -> None:
+    def __init__(self, url: str, *, connections: int = 15) -> None:
+        """Open nothing yet; PostgreSQL gets this many connections at most, the embedded database 40."""
         self.url = url
         self.session_info: dict[str, Any] = {}  # what every session of this database carries
         parsed = make_url(url)
@@ -160,8 +161,8 @@ class Database:
             # The connection that was used last is used next: it has the statements prepared that are sent most.
             self.engine = sa.create_engine(
                 parsed,
-                pool_size=20,
-                max_overflow=10,
+                pool_size=connections,
+                max_overflow=0,
                 pool_timeout=10,
                 pool_use_lifo=True,
                 json_deserializer=from_json,

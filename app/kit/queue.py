@@ -29,6 +29,7 @@ JOB_QUEUE = "jobs"
 QUEUE = "queue"  # key in a session's info: the queue of the database that it is on
 # Changes only when a job's steps change incompatibly: DBOS resumes only jobs of the version it runs.
 STEPS_VERSION = "1"
+CLIENT_CONNECTIONS = 1  # to park and to resume jobs; what is enqueued is written on the caller's connection
 APPLICATION = "soundlist"
 RUN_JOB = "soundlist.run_job"
 RETRY_DELAYS_S = (1.0, 10.0, 60.0, 300.0, 900.0)  # between the attempts at a job that fails; then it is parked
@@ -144,6 +145,7 @@ class JobQueue:
             system_database_url=system_url(database),
             application_name=APPLICATION,
             serializer=dbos_internals.SERIALIZER,
+            system_database_pool_size=CLIENT_CONNECTIONS,
             lazy=True,
             retry_connection_errors=False,
         )

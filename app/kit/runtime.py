@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from app.kit.db import Database
 from app.kit.parsing import Parsers
-from app.kit.queue import JobQueue
+from app.kit.queue import CLIENT_CONNECTIONS, JobQueue
 from app.kit.storage import Store, open_store
 from app.settings import Settings
 
@@ -20,9 +20,10 @@ class Runtime:
     parsers: Parsers = field(default_factory=Parsers)  # of what strangers send; nothing starts before the first call
 
     @classmethod
-    def of(cls, settings: Settings) -> "Runtime":
-        """Open what the settings name."""
-        database = Database(settings.resolved_database_url)
+    def of(cls, settings: Settings, *, engine_connections: int = 0) -> "Runtime":
+        """Open what the settings name; a worker leaves some of the process's connections to the engine of jobs."""
+        connections = settings.database_connections - CLIENT_CONNECTIONS - engine_connections
+        database = Database(settings.resolved_database_url, connections=connections)
         return cls(settings, database, open_store(settings), JobQueue(database))
 
     def close(self) -> None:

@@ -200,6 +200,15 @@ def _prepare_soon(connection: Any, _record: Any) -> None:
     connection.prepare_threshold = 1
 
 
+def _pool_size(jobs_at_once: int) -> int:
+    return jobs_at_once + 2  # each job's progress, the search for work, and what takes over from dead workers
+
+
+def engine_connections(jobs_at_once: int) -> int:
+    """Return how many connections the engine of jobs has at most, with the one that listens for notifications."""
+    return _pool_size(jobs_at_once) + 1
+
+
 def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:
     return {
         "name": queue.APPLICATION,
@@ -207,7 +216,7 @@ def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig
         "application_version": queue.STEPS_VERSION,
         "executor_id": worker_id,
         "serializer": dbos_internals.SERIALIZER,
-        "sys_db_pool_size": 5 + jobs_at_once,
+        "sys_db_pool_size": _pool_size(jobs_at_once),
         "db_engine_kwargs": {
             "pool_pre_ping": False,
             "pool_use_lifo": True,  # the connection that was used last has its statements prepared

@@ -1,0 +1,87 @@
+"""A process has no more connections to PostgreSQL than the operator allows it, whatever it does at once."""
+
+from collections.abc import Iterator
+from contextlib import ExitStack
+from uuid import uuid4
+
+import pytest
+import sqlalchemy as sa
+from pydantic import ValidationError
+
+from app.kit import dbos_internals
+from app.kit.queue import JobQueue
+from app.kit.runtime import Runtime
+from app.kit.workers import engine_connections
+from app.migrate import migrate
+from app.settings import Settings
+from app.worker import start_worker
+from tests.support.postgres import Postgres
+
+WAIT_S = 0.01  # for a connection that nobody gives back
+
+
+@pytest.fixture
+def settings(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Settings]:
+    name = f"connections_{uuid4().hex}"
+    yield Settings(
+        data_dir=tmp_path_factory.mktemp("data"), secret_key="only for tests", database_url=postgres.new_database(name)
+    )
+    postgres.drop_database(name)
+
+
+def exhaust(engine: sa.Engine, kept: ExitStack) -> None:
+    """Take every connection that a pool gives."""
+    assert isinstance(engine.pool, sa.QueuePool)
+    engine.pool._timeout = WAIT_S
+    while True:
+        try:
+            kept.enter_context(engine.connect())
+        except sa.exc.TimeoutError:
+            return
+
+
+def exhaust_client(queue: JobQueue, kept: ExitStack) -> None:
+    exhaust(queue._client._sys_db.engine, kept)
+
+
+def opened(postgres: Postgres, settings: Settings) -> int:
+    """Return how many connections PostgreSQL counts."""
+    name = sa.make_url(settings.database_url).database
+    count = "select count(*) from pg_stat_activity where datname = %s and backend_type = 'client backend'"
+    with postgres.superuser() as connection:
+        row = connection.execute(count, [name]).fetchone()
+    assert row is not None
+    return int(row[0])
+
+
+def test_a_web_process_opens_as_many_as_it_may(postgres: Postgres, settings: Settings):
+    runtime = Runtime.of(settings)
+    with ExitStack() as kept:
+        assert opened(postgres, settings) == 0, "before anything is asked"
+        exhaust(runtime.database.engine, kept)
+        exhaust_client(runtime.queue, kept)
+        assert opened(postgres, settings) == settings.database_connections == 16
+    runtime.close()
+
+
+def test_a_worker_opens_as_many_as_it_may(postgres: Postgres, settings: Settings):
+    runtime = Runtime.of(settings, engine_connections=engine_connections(settings.worker_jobs))
+    migrate(runtime.database)
+    worker = start_worker(runtime)
+    try:
+        with ExitStack() as kept:
+            exhaust(runtime.database.engine, kept)
+            exhaust(dbos_internals.engine(worker._dbos), kept)
+            exhaust_client(runtime.queue, kept)
+            assert opened(postgres, settings) <= settings.database_connections
+    finally:
+        worker.stop()
+        runtime.close()
+
+
+def test_jobs_that_need_more_connections_are_refused_in_numbers():
+    address = "postgresql://soundlist@db/soundlist"
+    with pytest.raises(ValidationError, match="need 24 connections; SOUNDLIST_DATABASE_CONNECTIONS is 16"):
+        Settings(database_url=address, worker_jobs=8)
+    assert Settings(database_url=address, worker_jobs=8, database_connections=24).worker_jobs == 8
+    assert Settings(worker_jobs=64).database_url == "", "the embedded database has no server to spare"
