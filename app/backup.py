@@ -20,6 +20,7 @@ import sqlalchemy as sa
 from sqlalchemy.engine import URL
 
 from app.kit import clock
+from app.kit.backups import record_backup
 from app.kit.db import Database
 from app.kit.health import NotReady
 from app.kit.plural import counted
@@ -90,11 +91,13 @@ def back_up(runtime: Runtime, folder: Path, *, keep: int) -> Copied:
         old.unlink()
     still_named = _named(runtime)
     if named is None or still_named is None:
+        record_backup(runtime.database, len(copied.damaged))
         return copied
     in_backup = {(studio_id, blob.sha256) for studio_id, blob in blobs.blobs()}
     copied.lost = sorted(f"{studio_id}/{sha256}" for studio_id, sha256 in (named & still_named) - in_backup)
     copied.lost = [blob for blob in copied.lost if blob not in copied.damaged]
     _expire(folder, blobs, in_backup - in_store - named - still_named, now, copied)
+    record_backup(runtime.database, len(copied.damaged) + len(copied.lost))
     return copied
 
 

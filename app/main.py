@@ -8,13 +8,12 @@ from pathlib import Path
 import structlog
 from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
-from prometheus_client.registry import Collector
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from app import rooms
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
 from app.dashboards.watching import GRANTING, sights_of
-from app.kit import error_responses, events, health, metrics
+from app.kit import error_responses, events, health
 from app.kit.api_document import ApiDocument, Application
 from app.kit.change_feed import ChangeFeed
 from app.kit.changes import forget_old_changes
@@ -26,7 +25,7 @@ from app.kit.response_headers import WithResponseHeaders, security_headers
 from app.kit.runtime import Runtime
 from app.kit.uploads import Uploads
 from app.migrate import ensure_at_head
-from app.operations.figures import ScrubFigures
+from app.operations.figures import web_collectors
 from app.projects.queries import rights_of
 
 SWEEP_EVERY_S = 3600.0
@@ -55,8 +54,8 @@ def create_app(runtime: Runtime) -> FastAPI:
         generate_unique_id_function=lambda route: route.name,
     )
     app.state.runtime = runtime
-    app.state.collectors = collectors(runtime)
     app.state.change_feed = ChangeFeed(runtime.database, sights_of, GRANTING)
+    app.state.collectors = web_collectors(runtime)
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     runtime.parsers.connect(rooms.PARSERS)
     events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
@@ -75,11 +74,6 @@ def create_app(runtime: Runtime) -> FastAPI:
         app.add_middleware(ProxyHeadersMiddleware, trusted_hosts=list(runtime.settings.trusted_proxies))
     _serve_frontend(app, runtime.settings.frontend_dir)
     return app
-
-
-def collectors(runtime: Runtime) -> tuple[Collector, ...]:
-    """Return the metrics of a web process, those of the whole server included."""
-    return (*metrics.collectors(runtime), ScrubFigures(runtime))
 
 
 async def _sweep(runtime: Runtime) -> None:

@@ -31,7 +31,7 @@ NEVER_ALTERED = frozenset(  # what was said and owed stands
 )
 SERVERS_OWN = frozenset(
     {
-        *("kit_heartbeats", "accounts_rate_limits", "accounts_sign_ups"),
+        *("kit_heartbeats", "kit_backups", "accounts_rate_limits", "accounts_sign_ups"),
         *("operations_scrubs", "operations_damaged_blobs"),
     }
 )

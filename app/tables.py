@@ -11,6 +11,7 @@ from app.builds import same_sound_models as _same_sounds
 from app.conformance import models as _conformance
 from app.deliveries import models as _deliveries
 from app.hiring import models as _hiring
+from app.kit import backups as _backups
 from app.kit import changes as _changes
 from app.kit import http as _http
 from app.kit.db import Base

@@ -66,11 +66,12 @@ def _apart(work: Callable[[], None]) -> None:
 
 def _serve(runtime: Runtime, listening: Callable[[], socket.socket], *, place: int = 0) -> None:
     from app.kit import metrics, processes, serving
-    from app.main import collectors, create_app
+    from app.main import create_app
+    from app.operations.figures import web_collectors
 
     settings = runtime.settings
     try:
-        with metrics.listening(settings, collectors(runtime), place=place):
+        with metrics.listening(settings, web_collectors(runtime), place=place):
             serving.serve(create_app(runtime), listening(), drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)
     except (metrics.CannotListen, processes.PortTaken) as error:
         raise refusal([str(error)]) from None
@@ -84,6 +85,7 @@ def worker(stop_with_input: StopWithInput = False) -> None:
     if stop_with_input:
         processes.stop_with_input()
     from app.kit.workers import engine_connections
+    from app.operations.figures import process_collectors
     from app.worker import run
 
     memory.return_free_memory()
@@ -92,7 +94,7 @@ def worker(stop_with_input: StopWithInput = False) -> None:
     logs.report_confinement()
     runtime = ready_to_serve(settings, engine_connections=engine_connections(settings.worker_jobs))
     try:
-        with metrics.listening(settings, [metrics.PoolFigures(runtime.database)]):
+        with metrics.listening(settings, process_collectors(runtime)):
             run(runtime)
     except metrics.CannotListen as error:
         raise refusal([str(error)]) from None

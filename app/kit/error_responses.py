@@ -28,7 +28,7 @@ from app.kit.plural import verb
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
 REQUEST_ID = re.compile(r"[A-Za-z0-9._:-]{8,128}")
 MAX_ERRORS = 100  # of one body, in one answer
-UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/metrics"})  # asked every few seconds by machines
+UNLOGGED_ROUTES = frozenset({"/healthz", "/readyz", "/readyz/web", "/metrics"})  # asked every few seconds by machines
 UNAVAILABLE_RETRY_S = 5  # the Retry-After while the database is unavailable
 log = structlog.get_logger(__name__)
 

@@ -115,7 +115,18 @@ def alive() -> dict[str, str]:
 def ready(request: Request) -> Response:
     """Answer whether every part is there, each by trying."""
     readiness: Readiness = request.app.state.readiness
-    parts = readiness.parts()
+    return _readiness_answer(readiness.parts())
+
+
+@router.get("/readyz/web", include_in_schema=False)
+def web_ready(request: Request) -> Response:
+    """Answer whether this process can serve people, for load balancers; without workers it can, and uploads wait."""
+    readiness: Readiness = request.app.state.readiness
+    parts = {name: state for name, state in readiness.parts().items() if name != "worker"}
+    return _readiness_answer(parts)
+
+
+def _readiness_answer(parts: Mapping[str, str]) -> Response:
     is_ready = all(state == "ok" for state in parts.values())
     return JSONResponse({"status": "ready" if is_ready else "not ready", **parts}, 200 if is_ready else 503)
 

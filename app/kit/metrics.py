@@ -90,11 +90,6 @@ class PoolFigures(Collector):
         yield family
 
 
-def collectors(runtime: "Runtime") -> tuple[Collector, ...]:
-    """Return the collectors of a web process; a worker leaves out those of the whole server."""
-    return ServerFigures(runtime), PoolFigures(runtime.database)
-
-
 def exposition(collectors: Iterable[Collector]) -> bytes:
     """Return this process's counters, and the current values of the collectors."""
     registry = CollectorRegistry()
@@ -149,15 +144,16 @@ class MetricsServer:
         self._thread.join()
 
     def _answer(self, environ: dict[str, Any], start_response: Callable[..., Any]) -> list[bytes]:
-        status, body = "200 OK", b""
-        if environ.get("PATH_INFO") != "/metrics":
-            status, body = "404 Not Found", b"only /metrics is here\n"
+        status, content_type, body = "200 OK", "text/plain", b""
+        if environ.get("PATH_INFO") == "/healthz":
+            body = b"alive\n"
+        elif environ.get("PATH_INFO") != "/metrics":
+            status, body = "404 Not Found", b"only /metrics and /healthz are here\n"
         elif self._token and not is_authorized(environ.get("HTTP_AUTHORIZATION", ""), self._token):
             status, body = "401 Unauthorized", b"send the token of SOUNDLIST_METRICS_TOKEN as a bearer\n"
         else:
-            body = exposition(self._collectors)
-        is_figures = status.startswith("200")
-        headers = [("Content-Type", CONTENT_TYPE if is_figures else "text/plain"), ("Content-Length", str(len(body)))]
+            content_type, body = CONTENT_TYPE, exposition(self._collectors)
+        headers = [("Content-Type", content_type), ("Content-Length", str(len(body)))]
         start_response(status, headers)
         return [body]
 

@@ -13,7 +13,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from app.kit.memory import collect_garbage
 from app.kit.uvicorn_internals import BoundedHttpProtocol, SteppedServer
 
-READY = "/readyz"
+READY = frozenset({"/readyz", "/readyz/web"})
 IS_LEAVING = "is_leaving"
 STARTUP_FAILED = 3
 GARBAGE_AFTER = 20_000  # objects: a page of the review queue makes as many, and nearly all go without a collector
@@ -60,7 +60,7 @@ class _Draining:
                 MutableHeaders(scope=message)["Connection"] = "close"
             await send(message)
 
-        if scope["type"] == "http" and scope["path"] == READY and self._is_leaving():
+        if scope["type"] == "http" and scope["path"] in READY and self._is_leaving():
             await JSONResponse({"status": "stopping"}, 503)(scope, receive, say)
             return
         if scope["type"] == "http":

@@ -91,6 +91,13 @@ def link_mails(session: Session, project: Project, *, of_members: bool) -> Seque
     return list(newest.values())
 
 
+def unsent_mails(session: Session) -> tuple[int, int, datetime | None]:
+    """Return how many mails wait, how many of the unsent ones a mail server refused, and when the oldest was due."""
+    unsent = select(func.count(), func.count(Mail.failure), func.min(Mail.send_after)).where(Mail.sent_at.is_(None))
+    count, failed, due_at = session.execute(unsent).one()
+    return count - failed, failed, due_at
+
+
 def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequence[UUID]:
     """Return the mails that no job will send any more, oldest first: sealed, or past the time of their job."""
     due_before = at - timedelta(seconds=digest_delay_s)

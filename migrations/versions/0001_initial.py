@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_70ea2356"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_a474e011"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -49,6 +49,12 @@ def upgrade() -> None:
         sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_sign_ups_secret_sha256")),
     )
     op.create_index(op.f("ix_accounts_sign_ups_email"), "accounts_sign_ups", ["email"])
+    op.create_table(
+        "kit_backups",
+        sa.Column("finished_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("damaged_blobs", sa.Integer(), nullable=False),
+        sa.PrimaryKeyConstraint("finished_at", name=op.f("pk_kit_backups")),
+    )
     op.create_table(
         "kit_changed_rooms",
         sa.Column("id", sa.Uuid(), nullable=False),

@@ -12,6 +12,7 @@ import threading
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import Any
+from uuid import UUID
 
 import httpx
 import pytest
@@ -22,15 +23,22 @@ from app.cli import cli
 from app.cli.running import STOP_WITHIN_S
 from app.deliveries.rules import MAX_ARCHIVE_BYTES
 from app.kit import bodies, serving, uvicorn_internals
-from app.settings import Settings, bucket_address
+from app.kit.storage import open_store
+from app.settings import Settings, bucket_address, read_settings
 from tests.support.s3 import KEY, free_port, run_program, s3_program
 from tests.support.server import RunningServer
 
 ROOT = Path(__file__).resolve().parents[2]
 DEPLOY = ROOT / "deploy"
 UNITS = sorted((DEPLOY / "systemd").iterdir())
+OUR_SERVICES = [path for path in UNITS if path.suffix == ".service" and "failed" not in path.name]
+HOST = DEPLOY / "host"
+STUDIO_ID = UUID(int=1)
 SET = {"SOUNDLIST_DOMAIN": "sounds.example", "SOUNDLIST_FILES_DOMAIN": "files.sounds.example"}
-SECRETS = {"SOUNDLIST_SECRET_KEY", "POSTGRES_PASSWORD", "S3_ACCESS_KEY", "S3_SECRET_KEY"}
+SECRETS = {
+    *("SOUNDLIST_SECRET_KEY", "POSTGRES_PASSWORD"),
+    *("S3_ROOT_ACCESS_KEY", "S3_ROOT_SECRET_KEY", "S3_ACCESS_KEY", "S3_SECRET_KEY"),
+}
 
 
 def filled(written: Any, given: dict[str, str]) -> Any:
@@ -61,7 +69,7 @@ def compose() -> dict[str, Any]:
 @pytest.fixture(scope="module")
 def ours(compose: dict[str, Any]) -> dict[str, dict[str, Any]]:
     """The services that run our image."""
-    return {name: service for name, service in compose["services"].items() if service["image"] == "soundlist"}
+    return {name: service for name, service in compose["services"].items() if "build" in service}
 
 
 @pytest.mark.parametrize("name", sorted({"SOUNDLIST_DOMAIN", "SOUNDLIST_FILES_DOMAIN"} | SECRETS))
@@ -125,6 +133,37 @@ def test_nothing_runs_with_more_rights_than_it_needs(compose: dict[str, Any]):
             assert name == "proxy" or port.startswith("127.0.0.1:"), f"{name} is open to everyone"
 
 
+def test_no_service_takes_all_memory_processes_or_disk(compose: dict[str, Any]):
+    for name, service in compose["services"].items():
+        assert re.fullmatch(r"[0-9]+[mg]", service["mem_limit"]), name
+        assert 0 < service["pids_limit"] <= 512, name
+        assert service["logging"]["options"].keys() == {"max-size", "max-file"}, name
+        for mount in service.get("tmpfs", []):
+            if mount.startswith("/tmp"):  # noqa: S108
+                [size, unit] = re.findall(r"^/tmp:size=([0-9]+)([mg]),mode=1777$", mount)[0]
+                share = mebibytes(f"{size}{unit}") / mebibytes(service["mem_limit"])
+                assert share <= 0.6, f"{name}: what is in /tmp counts as memory"
+
+
+def mebibytes(written: str) -> int:
+    return int(written[:-1]) * {"m": 1, "g": 1024}[written[-1]]
+
+
+def test_every_image_has_a_version(compose: dict[str, Any]):
+    for name, service in compose["services"].items():
+        assert re.fullmatch(r"[\w./-]+:[\w.-]+", service["image"]), name
+    written = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
+    assert filled(written, SET | dict.fromkeys(SECRETS, "x") | {"IMAGE_TAG": "1.2.3"})["services"]["web"]["image"] == (
+        "soundlist:1.2.3"
+    )
+
+
+def test_the_key_of_the_whole_store_stays_with_the_store():
+    services = yaml.safe_load((ROOT / "docker-compose.yml").read_text())["services"]
+    knowing = {name for name, service in services.items() if "S3_ROOT" in json.dumps(service)}
+    assert knowing == {"s3", "bucket-key"}
+
+
 def test_every_volume_and_every_service_waited_for_is_there(compose: dict[str, Any]):
     for name, service in compose["services"].items():
         for volume in service.get("volumes", []):
@@ -146,7 +185,7 @@ def test_a_health_check_distinguishes_well_from_ill(ours: dict[str, dict[str, An
         with answering(address, status) as port:
             here = [re.sub(r"127\.0\.0\.1:[0-9]+", f"127.0.0.1:{port}", part) for part in command]
             assert subprocess.run([sys.executable, *here[1:]], capture_output=True).returncode == code
-    assert address in ("/healthz", "/metrics")
+    assert address == "/healthz"
 
 
 class answering:  # noqa: N801
@@ -193,6 +232,13 @@ def test_the_store_runs_as_configured(compose: dict[str, Any], tmp_path: Path):
     assert (tmp_path / "buckets" / address.bucket).is_dir()
     environment = service["environment"] | {"ROOT_ACCESS_KEY": KEY.id, "ROOT_SECRET_KEY": KEY.secret}
     endpoint = f"http://127.0.0.1:{port}"
+    (tmp_path / "versitygw").symlink_to(s3_program())
+    keys = {
+        "ADMIN_ENDPOINT_URL": endpoint,
+        "ADMIN_ACCESS_KEY": KEY.id,
+        "ADMIN_SECRET_KEY": KEY.secret,
+        "PATH": f"{tmp_path}:{os.environ['PATH']}",
+    }
     with run_program([s3_program(), *command], f"{endpoint}/health", tmp_path / "log", environment):
         asked = httpx.options(
             f"{endpoint}/{address.bucket}/key",
@@ -200,6 +246,21 @@ def test_the_store_runs_as_configured(compose: dict[str, Any], tmp_path: Path):
         )
         assert asked.headers["access-control-allow-origin"] == "https://sounds.example"
         assert address.region == service["environment"]["VGW_REGION"]
+        for secret in ("the first secret", "the second secret"):  # at each start, and with another secret in .env
+            give_key = [part.replace("$$", "$") for part in compose["services"]["bucket-key"]["entrypoint"]]
+            subprocess.run(give_key, env=keys | {"KEY": "application", "SECRET": secret}, check=True)
+        url = compose["services"]["web"]["environment"]["SOUNDLIST_STORE_URL"].replace("http://s3:7070", endpoint)
+        store = open_store(
+            Settings(
+                data_dir=tmp_path / "data",
+                store_url=url,
+                aws_access_key_id="application",
+                aws_secret_access_key="the second secret",
+            )
+        )
+        store.ensure_ready()
+        stored = store.put(STUDIO_ID, [b"a sound"])
+        assert b"".join(store.stream(STUDIO_ID, stored.sha256)) == b"a sound"
     assert service["healthcheck"]["test"][-1].endswith(":7070/health")
 
 
@@ -283,7 +344,7 @@ def test_a_web_process_is_given_the_time_that_stopping_takes(ours: dict[str, dic
 def test_a_worker_may_write_where_librosa_keeps_what_it_compiles(ours: dict[str, dict[str, Any]]):
     """Where it may not, librosa cannot be imported; nearly everything else is read-only."""
     [in_image] = re.findall(r"NUMBA_CACHE_DIR=(\S+)", (ROOT / "Dockerfile").read_text())
-    assert any(Path(in_image).is_relative_to(folder) for folder in ours["worker"]["tmpfs"])
+    assert any(Path(in_image).is_relative_to(mount.partition(":")[0]) for mount in ours["worker"]["tmpfs"])
     unit = (DEPLOY / "systemd" / "soundlist-worker@.service").read_text()
     [by_unit] = re.findall(r"NUMBA_CACHE_DIR=(\S+)", unit)
     assert by_unit == in_image
@@ -297,7 +358,7 @@ class TestUnits:
         read.read_string(path.read_text())
         return read
 
-    @pytest.mark.parametrize("path", [path for path in UNITS if path.suffix == ".service"], ids=lambda path: path.name)
+    @pytest.mark.parametrize("path", OUR_SERVICES, ids=lambda path: path.name)
     def test_a_unit_runs_a_command_that_there_is(self, path: Path):
         service = self.unit(path)["Service"]
         program, command, *options = shlex.split(service["ExecStart"])
@@ -320,6 +381,44 @@ class TestUnits:
                 assert other in names, f"{path.name}: {other}"
         assert {f"{path.stem}.service" for path in UNITS if path.suffix == ".timer"} <= names
 
+    def test_each_start_migrates_and_what_fails_is_tried_again(self):
+        assert "RemainAfterExit" not in self.unit(DEPLOY / "systemd" / "soundlist-migrate.service")["Service"]
+        for name in ("soundlist-web.service", "soundlist-worker@.service"):
+            unit = self.unit(DEPLOY / "systemd" / name)
+            assert "soundlist-migrate.service" in unit["Unit"]["Wants"].split()
+            assert "soundlist-migrate.service" in unit["Unit"]["After"].split()
+            assert (unit["Service"]["Restart"], unit["Unit"]["StartLimitIntervalSec"]) == ("always", "0")
+
+    def test_failures_of_what_runs_alone_are_mailed(self):
+        for name in ("soundlist-migrate.service", "soundlist-backup.service"):
+            unit = self.unit(DEPLOY / "systemd" / name)
+            assert (unit["Service"]["Type"], unit["Unit"]["OnFailure"]) == ("oneshot", "soundlist-failed@%n.service")
+
+    def test_the_mail_about_a_failure_can_be_sent(self, tmp_path: Path):
+        command = self.unit(DEPLOY / "systemd" / "soundlist-failed@.service")["Service"]["ExecStart"]
+        command = command.replace("/usr/sbin/sendmail -t", f"cat > {tmp_path}/mail").replace("journalctl", "echo")
+        command = command.replace("%i", "soundlist-backup.service").replace("%H", "host").replace("\\\\", "\\")
+        subprocess.run(shlex.split(command), check=True)
+        mail = (tmp_path / "mail").read_text()
+        assert mail.startswith("To: root\nSubject: soundlist-backup.service failed on host\n\n")
+        assert "--unit=soundlist-backup.service" in mail
+
+    def test_backups_have_a_folder_that_their_user_may_write_to(self):
+        service = self.unit(DEPLOY / "systemd" / "soundlist-backup.service")["Service"]
+        [folder] = [shlex.split(service["ExecStart"])[2]]
+        assert service["ReadWritePaths"] == f"-{folder}", "without the minus a missing folder stops systemd, not us"
+        [line] = [line for line in (HOST / "tmpfiles.conf").read_text().splitlines() if line.startswith("d ")]
+        assert line.split()[1:5] == [folder, "0700", service["User"], service["User"]]
+
+    def test_systemd_itself_makes_the_user(self, tmp_path: Path):
+        program = shutil.which("systemd-sysusers")
+        if program is None:
+            return
+        (tmp_path / "etc").mkdir()
+        subprocess.run([program, f"--root={tmp_path}", str(HOST / "sysusers.conf")], check=True)
+        [line] = [line for line in (tmp_path / "etc/passwd").read_text().splitlines() if line.startswith("soundlist:")]
+        assert line.split(":")[5] == "/var/lib/soundlist"
+
     def test_systemd_itself_takes_them_where_there_is_one(self, tmp_path: Path):
         analyze = shutil.which("systemd-analyze")
         if analyze is None:
@@ -332,6 +431,56 @@ class TestUnits:
         )
         about_ours = [line for line in checked.stderr.splitlines() if "soundlist" in line]
         assert about_ours == []
+
+
+class TestHost:
+    """The files for a machine without containers."""
+
+    def test_the_example_of_settings_can_be_used_once_it_is_filled_in(self, monkeypatch: pytest.MonkeyPatch):
+        text = (HOST / "soundlist.env").read_text()
+        for uncommented in (text, re.sub(r"^#(?=[A-Z])", "", text, flags=re.MULTILINE)):
+            with monkeypatch.context() as patched:
+                for name, value in re.findall(r"^([A-Z_]+)=(.*)$", uncommented, re.MULTILINE):
+                    patched.setenv(name, value or "0123456789abcdef")
+                settings = read_settings(serving=True)
+            assert (settings.base_url, settings.sign_up) == ("https://sounds.example", "invited")
+
+    def test_its_proxy_does_what_the_other_does(self):
+        text, contained = (HOST / "Caddyfile").read_text(), (DEPLOY / "Caddyfile").read_text()
+        assert text.count("{") == text.count("}")
+        [address] = re.findall(r"^\t\tto (\S+)$", text, re.MULTILINE)
+        command = shlex.split((DEPLOY / "systemd" / "soundlist-web.service").read_text().split("ExecStart=")[1])
+        assert address == f"{command[command.index('--host') + 1]}:{command[command.index('--port') + 1]}"
+        for line in ("max_size 6GB", "max_size 20MB", "lb_try_duration 20s", "flush_interval -1", "keepalive 120s"):
+            assert line in text
+            assert line in contained
+
+    def test_caddy_itself_takes_it_where_there_is_one(self):
+        caddy = shutil.which("caddy")
+        if caddy is not None:
+            command = [caddy, "validate", "--adapter", "caddyfile", "--config", str(HOST / "Caddyfile")]
+            subprocess.run(command, check=True)
+
+
+def test_the_documented_upgrade_leaves_no_stopped_container_behind():
+    """One that stays would be started again, with the old version, by the next upgrade."""
+    docs = (ROOT / "docs" / "operate.md").read_text()
+    [commands] = [block for block in docs.split("```") if "--no-recreate" in block]
+    order = (
+        "git pull",
+        "IMAGE_TAG",
+        "compose build",
+        "migrate",
+        "compose ps",
+        "--scale web",
+        "docker rm $old",
+        "worker",
+    )
+    steps = [next(step for step in order if step in line) for line in commands.strip().splitlines()]
+    assert steps == list(order)
+    assert re.search(r"old=\$\(docker compose ps --quiet web\)", docs), "by its id, since numbers grow"
+    [replaced] = re.findall(r"s/\^(\w+)=", commands)
+    assert re.search(rf"^{replaced}=", (DEPLOY / "env.example").read_text(), re.MULTILINE)
 
 
 def test_the_cors_rules_are_those_that_the_page_needs():

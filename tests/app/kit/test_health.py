@@ -37,6 +37,13 @@ def asked(runtime: Runtime) -> tuple[int, dict[str, str]]:
     return answer.status_code, answer.json()
 
 
+def test_a_load_balancer_keeps_a_web_process_while_no_worker_runs(runtime: Runtime):
+    client = TestClient(create_app(runtime))
+    answer = client.get("/readyz/web")
+    assert (answer.status_code, answer.json()) == (200, {"status": "ready", **dict.fromkeys(PARTS - {"worker"}, "ok")})
+    assert client.get("/readyz").status_code == 503
+
+
 @pytest.mark.slow
 def test_without_a_worker_the_server_is_not_ready(runtime: Runtime):
     status, parts = asked(runtime)

@@ -11,9 +11,9 @@ from app.kit import clock, metrics
 from app.kit.db import new_id
 from app.kit.runtime import Runtime
 from app.kit.storage import FolderStore
-from app.main import collectors
 from app.migrate import migrate
 from app.operations import blob_queries, jobs, scrubbing
+from app.operations.figures import web_collectors
 from app.operations.models import BlobState
 from app.renders.take_jobs import prepare_take
 from app.tables import Base
@@ -111,13 +111,13 @@ def test_rot_is_found_refused_named_and_healed(server: RunningServer, tmp_path: 
         assert "upload the same file again" in answer.json()["fix"]
     [damage] = scrubbed(runtime)
     assert (damage.sha256, damage.state, damage.kind) == (sha256, BlobState.ALTERED, "masters")
-    shown = metrics.exposition(collectors(runtime)).decode()
+    shown = metrics.exposition(web_collectors(runtime)).decode()
     assert 'soundlist_damaged_blobs{state="altered"} 1.0' in shown
 
     runtime.store.put(world.studio_id, [content])  # as an upload of the same file does
     assert master_of(server, world, take) == (sha256, content)
     assert scrubbed(runtime) == []
-    assert 'soundlist_damaged_blobs{state="altered"} 0.0' in metrics.exposition(collectors(runtime)).decode()
+    assert 'soundlist_damaged_blobs{state="altered"} 0.0' in metrics.exposition(web_collectors(runtime)).decode()
 
     blob_file(runtime.store, world.studio_id, sha256).unlink()
     [damage] = scrubbed(runtime)
