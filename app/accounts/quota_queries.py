@@ -1,10 +1,11 @@
 """What studios have of what is limited, and the limits that are their own."""
 
 from collections import defaultdict
+from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, bindparam, func, select
+from sqlalchemy import BindParameter, ColumnElement, Select, bindparam, func, select
 from sqlalchemy.orm import InstrumentedAttribute, Session
 
 from app.accounts.models import Membership, Person, Quota, Studio, Token
@@ -54,7 +55,7 @@ def studios_opened_by(session: Session, person_id: UUID) -> int:
 
 
 people_in = Usage(Membership.studio_id)
-_NOW = bindparam("now", callable_=clock.now)  # of each execution
+_NOW: BindParameter[datetime] = bindparam("now", callable_=clock.now)  # of each execution
 tokens_of = Usage(Token.studio_id, Token.revoked_at.is_(None), Token.expires_at > _NOW)  # those that work
 
 
