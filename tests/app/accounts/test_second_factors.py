@@ -212,7 +212,7 @@ def test_an_invitation_with_the_password_does_not_pass_it_by(account: Account, w
 def test_the_operator_takes_a_lost_one_away(account: Account, monkeypatch: pytest.MonkeyPatch) -> None:
     settings = account.server.runtime.settings
     monkeypatch.setenv("SOUNDLIST_DATA_DIR", str(settings.data_dir))
-    monkeypatch.setenv("SOUNDLIST_SECRET_KEY", settings.secret_key.get_secret_value())
+    monkeypatch.setenv("SOUNDLIST_DATABASE_URL", settings.database_url)
     run = lambda *words: CliRunner().invoke(cli, ["accounts", "remove-second-factor", *words])  # noqa: E731
     removed = run(account.email.upper())
     assert removed.exit_code == 0, removed.output
