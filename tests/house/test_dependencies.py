@@ -25,7 +25,8 @@ NOT_PINNED = {
     "actions/setup-python@v5",
     "actions/setup-python@v6",
     "actions/upload-artifact@v5",
-    "axllent/mailpit",
+    "axllent/mailpit:v1.27",
+    "prom/prometheus:v3.5.0",
     "caddy:2.11.9",
     "node:22-trixie-slim",
     "postgres:17",
@@ -107,7 +108,9 @@ def test_pinning_writes_digests_and_keeps_what_is_ours():
         assert path.suffix != ".yml" or yaml.safe_load(after)
     assert changed == [path.name for path in PIN["files"]()]
     services: dict[str, Any] = yaml.safe_load(pinned((ROOT / "docker-compose.yml").read_text()))["services"]
-    assert {service["image"] for service in services.values() if "@" not in service["image"]} == {"soundlist"}
+    assert {service["image"] for service in services.values() if "@" not in service["image"]} == {
+        "soundlist:${IMAGE_TAG:-latest}"
+    }
 
 
 def test_workflows_have_no_right_that_they_do_not_need():

@@ -37,6 +37,7 @@ SERVERS_OWN_TABLES = {
     "app/kit/workers.py": "heartbeats",
     "app/kit/changes.py": "the log of which rooms changed, without any content",
     "app/dashboards/watching.py": "which rooms of which projects a person may see, read for streams of many people",
+    "app/kit/backups.py": "when the newest backup ended",
     "app/kit/health.py": "whether the database answers",
     "app/kit/uploads/parts.py": "an upload's row, for its owner alone",
     "app/kit/uploads/staged.py": "an upload's row, for its owner alone",
