@@ -7,7 +7,6 @@ from uuid import UUID
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session, joinedload
 
-from app.agreements.models import ContractAcceptance
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 
 
@@ -67,22 +66,6 @@ def change_order_by_number(session: Session, contract_id: UUID, number: int) -> 
 def next_change_order_number(session: Session, contract_id: UUID) -> int:
     """Return the number of a contract's next change order."""
     return (session.scalar(select(func.max(ChangeOrder.number)).where(ChangeOrder.contract_id == contract_id)) or 0) + 1
-
-
-def contract_acceptances_of(session: Session, contract_id: UUID) -> Sequence[ContractAcceptance]:
-    """Return every yes to a version of a contract, in order."""
-    return session.scalars(
-        select(ContractAcceptance).where(ContractAcceptance.contract_id == contract_id).order_by(ContractAcceptance.id)
-    ).all()
-
-
-def all_acceptances_of(session: Session, contract_id: UUID) -> Sequence[AmendmentAcceptance]:
-    """Return every yes to a statement or change order of a contract, in order."""
-    return session.scalars(
-        select(AmendmentAcceptance)
-        .where(AmendmentAcceptance.contract_id == contract_id)
-        .order_by(AmendmentAcceptance.id)
-    ).all()
 
 
 def notices_of(session: Session, contract_id: UUID) -> Sequence[Notice]:

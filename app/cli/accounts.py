@@ -1,6 +1,7 @@
 """Commands about people and studios: tokens, limits, mails, sign-ins, operators."""
 
-from typing import Annotated
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Annotated
 from uuid import UUID
 
 import typer
@@ -9,6 +10,11 @@ from rich.table import Table
 from app.cli.groups import accounts_cli, cli, console, operators_cli
 from app.cli.opening import opened, read_settings_or_exit, refusal
 from app.kit.errors import Refused
+
+if TYPE_CHECKING:
+    from sqlalchemy.orm import Session
+
+    from app.accounts.models import Person
 
 
 @cli.command()
@@ -75,34 +81,42 @@ def mails(
 @cli.command("sign-out")
 def sign_out(address: Annotated[str, typer.Argument(help="The address of an account.")]) -> None:
     """End every sign-in of an account, as after a theft; its password stays."""
-    _change_account("sign_out", address, "is signed out everywhere")
+    from app.accounts import operators
+
+    _change_account(operators.sign_out, address, "is signed out everywhere")
 
 
 @accounts_cli.command("remove-second-factor")
 def remove_second_factor(address: Annotated[str, typer.Argument(help="The address of an account.")]) -> None:
     """Take a lost second factor away, and sign the account out everywhere; its password stays."""
-    _change_account("remove_second_factor", address, "has no second factor any more, and is signed out everywhere")
+    from app.accounts import operators
+
+    _change_account(
+        operators.remove_second_factor, address, "has no second factor any more, and is signed out everywhere"
+    )
 
 
 @operators_cli.command("add")
 def add_operator(address: Annotated[str, typer.Argument(help="The verified address of an account.")]) -> None:
     """Let a person see every studio's jobs and storage."""
-    _change_account("add_operator", address, "is an operator now")
+    from app.accounts import operators
+
+    _change_account(operators.add_operator, address, "is an operator now")
 
 
 @operators_cli.command("remove")
 def remove_operator(address: Annotated[str, typer.Argument(help="The address of an operator.")]) -> None:
     """Remove a person's operator rights."""
-    _change_account("remove_operator", address, "is no longer an operator")
-
-
-def _change_account(change: str, address: str, done: str) -> None:
     from app.accounts import operators
 
+    _change_account(operators.remove_operator, address, "is no longer an operator")
+
+
+def _change_account(change: "Callable[[Session, str], Person]", address: str, done: str) -> None:
     runtime = opened(read_settings_or_exit())
     try:
         with runtime.database.writing() as session:
-            person = getattr(operators, change)(session, address)
+            person = change(session, address)
             typer.echo(f"{person.email} {done}")
     except Refused as error:
         raise refusal(["; ".join(filter(None, (error.message, error.fix)))]) from None

@@ -20,7 +20,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 
-from audio_checks.spec.sound_list import AUDIO_SUFFIXES
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES
 
 GONE = {"delete", "move/delete", "purge", "archive"}
 ENCODED = {"%40": "@", "%23": "#", "%2A": "*", "%25": "%"}  # how depot paths spell these; the percent sign last

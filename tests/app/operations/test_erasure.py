@@ -186,7 +186,7 @@ def test_the_file_of_a_removed_reference_leaves_the_disk(world: World, monkeypat
 def test_every_table_without_a_studio_is_known_to_the_erasure_of_people() -> None:
     of_nobody = {
         *("accounts_people", "accounts_studios", "accounts_rate_limits", "accounts_sign_ups"),
-        *("kit_heartbeats", "kit_saved_responses", "operations_scrubs"),
+        *("kit_backups", "kit_heartbeats", "kit_saved_responses", "operations_scrubs"),
     }
     without = {table.name for table in Base.metadata.sorted_tables if "studio_id" not in table.c}
     personal = {name for name in without if "person_id" in Base.metadata.tables[name].c}
