@@ -251,6 +251,10 @@ class _Package:
                 parser.Parse(b"", True)
         except expat.ExpatError as error:
             raise BadWordFile(f"the part {name[:100]} is damaged: {error}", fix=SAVE_AGAIN) from None
+        except (LookupError, UnicodeError, TypeError):  # an encoding that Python cannot map byte by byte
+            raise BadWordFile(
+                f"the part {name[:100]} is in an encoding that cannot be read; UTF-8 is wanted", fix=SAVE_AGAIN
+            ) from None
         except TooMuchInside as error:
             raise BadWordFile(
                 f"a document may have {error}, and this one has more", fix="cut the contract into several"

@@ -43,13 +43,14 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
     tail_ms, least_ms = _tail_ms(file, DIGITAL_DBFS), LEAST_MS
     if file.facts.bit_depth == DITHERED_BITS and tail_ms <= max(limit, LEAST_MS, 1000 * LEAST_SHARE * length_s):
         tail_ms, least_ms = _tail_ms(file, DITHERED_DBFS), LEAST_DITHERED_MS
-    if tail_ms > max(limit, least_ms, 1000 * LEAST_SHARE * length_s):
+    most_ms = max(limit, least_ms, 1000 * LEAST_SHARE * length_s)
+    if tail_ms > most_ms:
         yield Finding(
             code="tail-silence:over",
-            message=f"{tail_ms:.1f} ms of silence after the sound, limit {max(limit, least_ms):g} ms",
-            fix=f"trim {tail_ms - limit:.1f} ms or more from the end",
+            message=f"{tail_ms:.1f} ms of silence after the sound, limit {most_ms:.4g} ms",
+            fix=f"trim {tail_ms - most_ms:.1f} ms or more from the end",
             measured=tail_ms,
-            limit=limit,
+            limit=most_ms,
             unit="ms",
             start_s=length_s - tail_ms / 1000,
             end_s=length_s,

@@ -32,7 +32,8 @@ LIMITS = {"variation_level_lu": (0.0, 60.0, "Level within a set")}
 NOT_FIXED = "A set is balanced by ear, all of it together: in the session."
 FIGURES = ("integrated_lufs", "short_loudness_lufs", "likeness_print")
 MOST_SPREAD_LU, MOST_SPREAD_VARIED_LU = 2.0, 4.0
-VARIED = re.compile(r"foot|step|foley|impact|hit|weapon|gun|shot", re.IGNORECASE)  # categories that vary on purpose
+# Categories that vary on purpose: beginnings of words, and no one-shots.
+VARIED = re.compile(r"(?<![a-z])(?:foot|step|foley|impact|hit|weapon|gun|(?<!one[ _-])shot)", re.IGNORECASE)
 VARIED_KIND = "natural-decay"
 FEWEST_SPREAD, SPREADS, MOST_SPREAD_OF_SET_LU = 5, 3.5, 6.0  # a set that spreads as a whole has its own limit
 MOST_LENGTH_OFF = 0.25

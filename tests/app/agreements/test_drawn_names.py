@@ -44,7 +44,7 @@ def test_a_drawing_within_its_limits_fits() -> None:
         ([[]], "without a point"),
         ([[[0, 0], [500, 100]], []], "without a point"),
         ([[[0, 0]]] * (MAX_STROKES + 1), "101 strokes"),
-        ([[[0, 0], [500, 100]] * 1_501], "3002 points"),
+        ([[[0, 0], [500, 100]] * 1_501], "3,002 points"),
         ([[[0, 0], [500, HEIGHT + 1]]], "outside of its box"),
         ([[[0, 0], [-1, 100]]], "outside of its box"),
         ([[[0, 0], [500, 100, 7]]], "outside of its box"),

@@ -89,6 +89,10 @@ REFUSALS: dict[str, tuple[Callable[[], bytes], str]] = {
         ),
         "declares a document type",
     ),
+    "an encoding that is none": (
+        lambda: with_parts(GOOD, **{"word__document.xml": '<?xml version="1.0" encoding="UTyes"?><a/>'}),
+        "in an encoding that cannot be read",
+    ),
     "a zip bomb": (
         lambda: packed({**parts_of(GOOD), "word/media/a.bin": b"\0" * 101_000_000}),
         "may unpack to 100,000,000",

@@ -26,16 +26,16 @@ TOKENS = [{"name": "what", "case": "lower", "repeats": True}, {"name": "variatio
 @pytest.mark.parametrize(
     ("values", "wanted"),
     [
-        ({"effects": {"everything": ["reverb"]}}, {"engine.adds": ["reverb"]}),
+        ({"effects": {"everything": ["reverb", "doppler"]}}, {"engine.adds": ["reverb", "doppler"]}),
         (
             {"effects": {"everything": ["reverb"], "ui": [], "vehicle": ["reverb", "doppler"], "vo": ["reverb"]}},
             {
-                "engine.adds": ["reverb"],
                 "categories.ui.engine.adds": [],
                 "categories.vehicle.engine.adds": ["reverb", "doppler"],
             },
         ),
-        ({"effects": {"everything": []}}, {}),  # as it is
+        ({"effects": {"everything": ["reverb"]}}, {}),  # as it is
+        ({"effects": {"everything": []}}, {"engine.adds": []}),
         ({"memory": 8}, {"targets.handheld.budget_bytes": 8_000_000}),
         ({"platforms": ["pc"]}, {"targets.handheld": None}),
         ({"platforms": ["pc", "handheld"]}, {}),
@@ -80,15 +80,15 @@ def test_a_spec_without_targets_is_left_so() -> None:
 
 def test_the_proposal_names_its_question_and_is_saved_in_one_act(world: World) -> None:
     naming = {"tokens": TOKENS, "separator": "_", "extension": ".wav"}
-    save(world, 0, effects={"everything": ["reverb"]}, memory=8, naming=naming)
+    save(world, 0, effects={"everything": ["doppler"]}, memory=8, naming=naming)
     shown = world.designer.get(path(world, "/spec"))
     assert shown.status_code == 200, shown.text
     proposed = shown.json()
     assert (proposed["based_on_version"], proposed["brief_revision"], proposed["errors"]) == (1, 1, [])
     first = next(change for change in proposed["changes"] if change["place"] == "engine.adds")
-    assert (first["before"], first["after"], first["number"]) == ([], ["reverb"], 16)
-    assert first["lines"] == ["[engine]", 'adds = ["reverb"]']
-    assert audio_checks.parse_spec(proposed["toml"]).engine.adds == ("reverb",)
+    assert (first["before"], first["after"], first["number"]) == (["reverb"], ["doppler"], 16)
+    assert first["lines"] == ["[engine]", 'adds = ["doppler"]']
+    assert audio_checks.parse_spec(proposed["toml"]).engine.adds == ("doppler",)
 
     made_from = {"based_on_version": 1, "brief_revision": 1}
     assert world.designer.post(path(world, "/spec"), json=made_from).status_code == 403
@@ -107,7 +107,7 @@ def test_the_proposal_names_its_question_and_is_saved_in_one_act(world: World) -
 
 
 def test_a_spec_that_another_person_saved_is_not_overwritten(world: World) -> None:
-    save(world, 0, effects={"everything": ["reverb"]})
+    save(world, 0, effects={"everything": []})
     toml = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()["toml"] + "\n# A remark.\n"
     url = f"/v1/projects/{world.project_id}/spec"
     assert world.approver.put(url, json={"toml": toml, "based_on_version": 1}).status_code == 200

@@ -2,6 +2,7 @@
 
 import base64
 import hashlib
+from datetime import timedelta
 from typing import Any
 from uuid import UUID
 
@@ -259,6 +260,7 @@ class TestPut:
                     secret_sha256=hashlib.sha256(f"{token}{world.project_id}".encode()).hexdigest(),
                     scopes=[Scope.DELIVERIES_WRITE],
                     created_by=world.producer_id,
+                    expires_at=clock.now() + timedelta(days=1),
                 )
             )
         )

@@ -1,7 +1,10 @@
 """A process has no more connections to PostgreSQL than the operator allows it, whatever it does at once."""
 
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import ExitStack
+from pathlib import Path
 from uuid import uuid4
 
 import pytest
@@ -17,6 +20,7 @@ from app.settings import Settings
 from app.worker import start_worker
 from tests.support.postgres import Postgres
 
+ROOT = Path(__file__).parents[3]
 WAIT_S = 0.01  # for a connection that nobody gives back
 
 
@@ -64,19 +68,34 @@ def test_a_web_process_opens_as_many_as_it_may(postgres: Postgres, settings: Set
     runtime.close()
 
 
-def test_a_worker_opens_as_many_as_it_may(postgres: Postgres, settings: Settings):
-    runtime = Runtime.of(settings, engine_connections=engine_connections(settings.worker_jobs))
+def run_worker_and_wait(settings: str) -> None:
+    """Run a worker that takes every connection it may, until something comes in: a process has one worker at most."""
+    runtime_settings = Settings.model_validate_json(settings)
+    runtime = Runtime.of(runtime_settings, engine_connections=engine_connections(runtime_settings.worker_jobs))
     migrate(runtime.database)
     worker = start_worker(runtime)
-    try:
-        with ExitStack() as kept:
-            exhaust(runtime.database.engine, kept)
-            exhaust(dbos_internals.engine(worker._dbos), kept)
-            exhaust_client(runtime.queue, kept)
-            assert opened(postgres, settings) <= settings.database_connections
-    finally:
-        worker.stop()
-        runtime.close()
+    with ExitStack() as kept:
+        exhaust(runtime.database.engine, kept)
+        exhaust(dbos_internals.engine(worker._dbos), kept)
+        exhaust_client(runtime.queue, kept)
+        sys.stdout.write("all are taken\n")
+        sys.stdout.flush()
+        sys.stdin.readline()
+    worker.stop()
+    runtime.close()
+
+
+def test_a_worker_opens_as_many_as_it_may(postgres: Postgres, settings: Settings):
+    program = f"import sys\nfrom {__name__} import run_worker_and_wait\nrun_worker_and_wait(sys.argv[1])"
+    given = settings.model_dump_json(include={"data_dir", "database_url"})
+    command = [sys.executable, "-c", program, given]
+    with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+        assert running.stdout is not None
+        assert any("all are taken" in line for line in running.stdout)
+        count = opened(postgres, settings)
+        running.communicate("go on\n")
+    assert running.returncode == 0
+    assert 1 < count <= settings.database_connections
 
 
 def test_jobs_that_need_more_connections_are_refused_in_numbers():

@@ -7,7 +7,7 @@ import pytest
 
 from audio_checks import check_files, read_sound_list
 from audio_checks.audio.audio_file import AudioFile
-from audio_checks.checks.variation_set import LEAST_UNLIKE_DB
+from audio_checks.checks.variation_set import LEAST_UNLIKE_DB, VARIED
 from audio_checks.measure.likeness import unlikeness_db
 from audio_checks.spec.delivery_spec import parse_spec
 from tests.support.waves import noise, silence, sine, write_wav
@@ -60,6 +60,14 @@ def footsteps(tmp_path, levels_db, tables):
     spec = parse_spec(f"format = 1\naccept.channels = 'any'\n[files]\n'*' = 'footsteps'\n{tables}")
     steps(tmp_path, levels_db)
     return codes(found_in(sorted(tmp_path.glob("*.wav")), len(levels_db), spec))
+
+
+@pytest.mark.parametrize(
+    ("category", "varies"),
+    [("footsteps", True), ("metal hits", True), ("gunshots", True), ("white_noise", False), ("one-shot", False)],
+)
+def test_some_categories_vary_on_purpose(category, varies):
+    assert (VARIED.search(category) is not None) == varies
 
 
 @pytest.mark.parametrize(
