@@ -47,10 +47,10 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
     if tail_ms > most_ms:
         yield Finding(
             code="tail-silence:over",
-            message=f"{tail_ms:.1f} ms of silence after the sound, limit {most_ms:.4g} ms",
-            fix=f"trim {tail_ms - most_ms:.1f} ms or more from the end",
+            message=f"{tail_ms:.1f} ms of silence after the sound, over {most_ms:.4g} ms",
+            fix=f"trim {tail_ms - limit:.1f} ms or more from the end",
             measured=tail_ms,
-            limit=most_ms,
+            limit=limit,
             unit="ms",
             start_s=length_s - tail_ms / 1000,
             end_s=length_s,

@@ -36,7 +36,8 @@ def test_the_place_is_the_end_of_the_file(found_by):
     (finding,) = found_by("tail-silence", lingering(400), LIMIT)
     assert finding.measured == pytest.approx(400.0)
     assert (finding.start_s, finding.end_s) == (pytest.approx(0.1), pytest.approx(0.5))
-    assert (finding.limit, finding.fix) == (250.0, "trim 150.0 ms or more from the end")
+    assert finding.message == "400.0 ms of silence after the sound, over 250 ms"
+    assert (finding.limit, finding.fix) == (100.0, "trim 300.0 ms or more from the end")
 
 
 @pytest.mark.parametrize("bits", [16, 24])
