@@ -88,10 +88,7 @@ def test_verify_names_a_sent_version_without_what_was_agreed(world: World, redli
 
     assert redlining.faults() == []
     world.server.in_database(tamper)
-    assert redlining.faults() == [
-        f"version {number} has not redline 1 as it was agreed",
-        f"clauses, terms or currency of version {number} were altered",
-    ]
+    assert redlining.faults() == [f"version {number} has not redline 1 as it was agreed"]
 
 
 @pytest.mark.parametrize("kind", ["redlines_proposed", "redline_answered"])

@@ -104,6 +104,7 @@ def taken_out(parties: Parties, contract: dict[str, Any]) -> bytes:
         for name in ("read_word_file", "_ensure_small", "_main_part", "_read")
         for n in (1, 2, 3)
     ),
+    f"{NUMBERED}_read BadWordFile 4",
     *(f"{NUMBERED}{name} BadWordFile" for name in ("_relations", "start", "_refuse_doctype")),
 )
 def _a_file_is_saved_again_as_a_word_document(parties: Parties) -> None:

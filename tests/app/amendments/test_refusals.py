@@ -30,6 +30,7 @@ OTHERS = {
     "agreements.rules.ensure_another_person SamePersonOnBothSides": "test_both_sides",
     "agreements.rules.ensure_address_proven AddressNotProven": "test_signing",
     "agreements.access.contract_for_producer SamePersonOnBothSides": "test_both_sides",
+    "agreements.signing.end_signers_of_member HandOverNeeded": "test_leaving",
     "agreements.lifecycle.send DraftChanged": "a race while the PDF is drawn: the text is read again and sent",
 }
 

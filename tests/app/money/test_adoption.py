@@ -56,7 +56,7 @@ def test_what_was_approved_before_is_due_with_the_agreement(world: World, stage:
     assert owed(contracts, agreed) == [("accepted", 18_000, "acceptance")]
     kinds = [entry["kind"] for entry in contracts.entries(agreed)]
     assert [kind for kind in kinds if kind != "sealed"][-3:] == ["planned", "adopted", "due"]
-    adopted = contracts.entries(agreed)[-2]["payload"]
+    [adopted] = [entry["payload"] for entry in contracts.entries(agreed) if entry["kind"] == "adopted"]
     reported = (adopted["by"], adopted["role"], adopted["approved_by"], adopted["cue"].endswith("radar_ping"))
     assert reported == ("Soundlist", "server", "Audio director", True)
     assert how(world, before) == [AcceptedBy.ADOPTION]
