@@ -25,7 +25,7 @@ from app.migrate import migrate
 from app.operations import blob_queries, scopes
 from app.settings import Settings
 from app.transfers import rows
-from app.transfers.move import LEFT, Moved, _copy_rows, move
+from app.transfers.move import LEFT, Moved, _copy_rows, move, unfinished_jobs
 from app.transfers.refusal import TransferRefused
 from app.transfers.studio_files import LEFT_OUT, export_studio, import_studio
 from app.worker import start_worker
@@ -35,9 +35,19 @@ from tests.house.objects import House
 from tests.support.blobs import blob_file
 from tests.support.s3 import S3Server
 from tests.support.server import RunningServer, World
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.slow
 Opened = Callable[..., AbstractContextManager[RunningServer]]
+
+
+@pytest.fixture(autouse=True)
+def only_worker(server: RunningServer) -> Iterator[None]:
+    """Stop the worker that all tests share, as a process has one worker at most, and start it again afterwards."""
+    if server.worker:
+        server.worker.stop()
+    yield
+    server.worker = start_worker(server.runtime)
 
 
 @pytest.fixture
@@ -71,20 +81,25 @@ def agreed_studio(server: RunningServer) -> World:
     world = lived_in(server)
     contracts = Contracts(world)
     contracts.agree(contracts.begin())
-    server.wait_for_jobs()
+    let_jobs_end(server)
     return world
+
+
+def let_jobs_end(server: RunningServer) -> None:
+    """Wait for every job, those that begin some seconds later too; mails wait for a mail server."""
+    until(lambda: not unfinished_jobs(server.runtime))
 
 
 def whole_records(runtime: Runtime) -> tuple[int, list[str]]:
     """Return how many records there are, and the faults of all, as `soundlist verify` finds them."""
-    with runtime.database.reading() as session:
-        found = list(verification.faults_of_all(session, runtime.store))
-    return len(found), [fault for _, faults in found for fault in faults]
+    verified = list(verification.verify_all(runtime.database, runtime.store))
+    return len(verified), [fault for each in verified for fault in each.faults]
 
 
 def at_rest(server: RunningServer) -> None:
-    """Forget the worker of this process, which was stopped."""
+    """Let the worker finish, stop it, and forget it."""
     assert server.worker is not None
+    let_jobs_end(server)
     server.worker.stop()
     server.in_database(lambda session: session.execute(sa.text("delete from kit_heartbeats")))
 
