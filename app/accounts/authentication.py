@@ -16,6 +16,7 @@ from app.kit import clock
 from app.kit.db import Database
 from app.kit.http import SAFE_METHODS
 from app.kit.lru_cache import LRUCache
+from app.kit.plural import day_in_words
 from app.settings import Settings
 
 SESSION_COOKIE = "soundlist_session"
@@ -195,7 +196,7 @@ def _why_refused(database: Database, secret_sha256: str) -> str:
         return "this token was revoked; ask the producer for a new one"
     if expires_at > clock.now():
         return "this is a token for soundlist desk, which does not work here; ask the producer for one"
-    return f"this token ended on {expires_at:%Y-%m-%d}; make a new one"
+    return f"this token ended on {day_in_words(expires_at)}; make a new one"
 
 
 def _ensure_csrf_token(settings: Settings, credentials: RequestCredentials, secret: str) -> None:

@@ -49,7 +49,7 @@ class Usage:
 
 
 def studios_opened_by(session: Session, person_id: UUID) -> int:
-    """Return how many studios a person has opened, with the person locked until this transaction ends."""
+    """Return the number of studios that a person has opened, with the person locked until this transaction ends."""
     session.execute(select(Person.id).where(Person.id == person_id).with_for_update())
     return session.scalar(select(func.count()).where(Studio.opened_by == person_id)) or 0
 

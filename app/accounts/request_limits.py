@@ -63,10 +63,10 @@ def _sign_in_limits(request: Request, account: str) -> list[tuple[rate_limits.Li
         device := authentication.device_for(settings, request.cookies.get(authentication.DEVICE_COOKIE, ""), account)
     ) is not None:
         return [(rate_limits.SIGN_INS_FROM_DEVICE, device)]  # whatever strangers do, its owner comes through
-    place = network_of(request)
+    network = network_of(request)
     return [
-        (rate_limits.SIGN_INS_FROM_NETWORK, place),
-        (rate_limits.SIGN_INS_TO_ACCOUNT_FROM_NETWORK, f"{account} {place}"),
+        (rate_limits.SIGN_INS_FROM_NETWORK, network),
+        (rate_limits.SIGN_INS_TO_ACCOUNT_FROM_NETWORK, f"{account} {network}"),
         (rate_limits.SIGN_INS_TO_ACCOUNT, account),
     ]
 
@@ -115,11 +115,11 @@ def ensure_guest_guess_allowed(request: Request, link: str) -> None:
 
     Each network counts by itself, so that who guesses makes nobody else wait.
     """
-    place = network_of(request)
+    network = network_of(request)
     ensure_within_limits(
         request,
-        (rate_limits.SIGN_INS_FROM_NETWORK, place),
-        (rate_limits.GUESSES_AT_LINK_FROM_NETWORK, f"{link} {place}"),
+        (rate_limits.SIGN_INS_FROM_NETWORK, network),
+        (rate_limits.GUESSES_AT_LINK_FROM_NETWORK, f"{link} {network}"),
     )
 
 

@@ -160,7 +160,7 @@ def mailbox_of(address: str) -> str:
 
 
 def network_of(address: str) -> str:
-    """Return what counts as one place: an IPv4 address, or the /64 of an IPv6 one."""
+    """Return the network of an address: an IPv4 address, or the /64 of an IPv6 one."""
     try:
         ip = ipaddress.ip_address(address)
     except ValueError:

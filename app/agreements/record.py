@@ -85,7 +85,7 @@ def append(
 
 
 def _changes_to_record(session: Session, contract: Contract, kind: str) -> RowChanges:
-    """Return what this transaction changed in the rows of a contract, as far as both parties may read it.
+    """Return the changes of this transaction to the rows of a contract, as far as both parties may read it.
 
     When it is sent, all that it will be agreed on goes on record; so does, once it is agreed, who may approve by which
     delivery spec.

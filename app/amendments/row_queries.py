@@ -134,5 +134,5 @@ def is_id(text: str) -> bool:
 
 
 def first_line(error: BaseException) -> str:
-    """Return what an error says, in one line."""
+    """Return the message of an error, in one line."""
     return (str(error) or type(error).__name__).splitlines()[0]

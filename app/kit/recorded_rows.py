@@ -154,7 +154,7 @@ class RowChanges:
             self.removed[name] += ids
 
     def without_drafts(self) -> "RowChanges":
-        """Return what is left without the tables that are private while their owner is a draft."""
+        """Return the changes without the tables that are private while their owner is a draft."""
         kept = RowChanges()
         for name in (*self.added, *self.changed, *self.removed):
             if not NAMES[name].is_draft:
@@ -166,7 +166,7 @@ class RowChanges:
         return kept
 
     def as_json(self) -> dict[str, Any]:
-        """Return what the record holds of it: nothing that is empty."""
+        """Return the facts for the record, without those that are empty."""
         kept: dict[str, Any] = {}
         for act, tables in (("added", self.added), ("changed", self.changed), ("removed", self.removed)):
             if some := {name: rows for name, rows in tables.items() if rows}:
@@ -180,7 +180,7 @@ class RowChanges:
 
 
 def take_changes(session: Session, owner_id: UUID) -> RowChanges:
-    """Return what this transaction changed in the rows of an owner since it was last asked."""
+    """Return the changes of this transaction to the rows of an owner since the last call."""
     pending: dict[UUID, RowChanges] = session.info.get(PENDING, {})
     return pending.pop(owner_id, RowChanges())
 

@@ -205,7 +205,7 @@ def _pool_size(jobs_at_once: int) -> int:
 
 
 def engine_connections(jobs_at_once: int) -> int:
-    """Return how many connections the engine of jobs has at most, with the one that listens for notifications."""
+    """Return the most connections of the engine of jobs, with the one that listens for notifications."""
     return _pool_size(jobs_at_once) + 1
 
 

@@ -92,7 +92,7 @@ def link_mails(session: Session, project: Project, *, of_members: bool) -> Seque
 
 
 def unsent_mails(session: Session) -> tuple[int, int, datetime | None]:
-    """Return how many mails wait, how many of the unsent ones a mail server refused, and when the oldest was due."""
+    """Return the numbers of mails that wait and that a mail server refused, and the due time of the oldest."""
     unsent = select(func.count(), func.count(Mail.failure), func.min(Mail.send_after)).where(Mail.sent_at.is_(None))
     count, failed, due_at = session.execute(unsent).one()
     return count - failed, failed, due_at

@@ -9,6 +9,7 @@ from app.accounts.models import DeskToken, Person, Studio, Token
 from app.accounts.queries import tokens_that_end_before
 from app.accounts.rules import TOKEN_WARNED_BEFORE, is_end_near
 from app.kit import clock
+from app.kit.plural import day_in_words
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
 from app.notifications import notices, queries, service
@@ -57,7 +58,7 @@ def notify_token(runtime: Runtime, payload: Payload) -> None:
         maker, project = session.get_one(Person, token.created_by), session.get_one(Project, token.project_id)
         line = (
             f"{maker.name} made the token “{token.name}” for builds of {project.name}. It ends on "
-            f"{token.expires_at:%Y-%m-%d}. If nobody of you meant to, revoke it on the page Builds."
+            f"{day_in_words(token.expires_at)}. If nobody of you meant to, revoke it on the page Builds."
         )
         event_id, subject, path = payload["event_id"], f"{project.name}: a new token for builds", _builds_page(project)
         _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path)
@@ -87,7 +88,7 @@ def warn_of_token_ends(runtime: Runtime, _payload: Payload) -> None:
             if not is_end_near(token.created_at, token.expires_at, now):
                 continue
             token.warned_at = now
-            end, event_id = f"{token.expires_at:%Y-%m-%d}", f"token-end:{token.id}"
+            end, event_id = day_in_words(token.expires_at), f"token-end:{token.id}"
             if isinstance(token, DeskToken):
                 line = f"The desk token “{token.name}” ends on {end}. Make a new one before, on the page Account."
                 service.write_mail(

@@ -59,7 +59,7 @@ def newest_scrub(session: Session, *, finished: bool = False) -> Scrub | None:
 
 
 def damaged_counts(session: Session) -> dict[str, int]:
-    """Return how many blobs are damaged, by their state."""
+    """Return the number of damaged blobs, by their state."""
     counts = select(DamagedBlob.state, func.count()).group_by(DamagedBlob.state)
     return {state.value: count for state, count in session.execute(counts)}
 

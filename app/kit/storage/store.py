@@ -116,7 +116,7 @@ class Store(ABC):
 
     @abstractmethod
     def _state(self, studio_id: UUID, sha256: str) -> str:
-        """Return what changes whenever a blob is written; raise BlobMissing if there is none."""
+        """Return a text that changes whenever a blob is written; raise BlobMissing if there is none."""
 
     def stream(self, studio_id: UUID, sha256: str, start: int = 0, end: int | None = None) -> Pieces:
         """Yield a blob's bytes from `start` up to, not including, `end`; raise BlobMissing where there is none.

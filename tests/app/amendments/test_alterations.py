@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, timedelta
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 from uuid import UUID, uuid4
@@ -305,8 +306,8 @@ def no_rows_at_all(kind: str, payload: dict[str, Any]) -> dict[str, Any]:
     return payload | {"rows": ["nothing"]} if kind == "sent" else payload
 
 
-STRANGER: Callable[[Scene], UUID] = lambda scene: scene.person_id  # noqa: E731
-OTHER: Callable[[Scene], UUID] = lambda scene: scene.other_id  # noqa: E731
+STRANGER: Callable[[Scene], UUID] = attrgetter("person_id")
+OTHER: Callable[[Scene], UUID] = attrgetter("other_id")
 
 
 def cue_of(name: str) -> Callable[[Scene], UUID]:

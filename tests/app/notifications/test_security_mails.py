@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 from app.accounts.models import DeskToken, Person, Token
 from app.accounts.rules import is_end_near
 from app.kit import clock
+from app.kit.plural import day_in_words
 from app.kit.queue import Payload
 from app.notifications.models import Mail, Notice
 from app.notifications.security_jobs import warn_of_token_ends
@@ -142,7 +143,7 @@ def test_tokens_end_on_their_day_are_announced_once_and_refused_with_the_reason_
     assert world.server.in_database(lambda session: session.scalar(notices)) == 1
     assert build(world, made["secret"]).get(spec).status_code == 200
     end_in(-timedelta(days=1))
-    day = f"{clock.now() - timedelta(days=1):%Y-%m-%d}"
+    day = day_in_words(clock.now() - timedelta(days=1))
     for secret in (made["secret"], desk["secret"]):
         refused = build(world, secret).get(spec)
         assert (refused.status_code, refused.json()["code"]) == (401, "not-signed-in")
