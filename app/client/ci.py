@@ -35,7 +35,8 @@ INSTALLING = "pip install audio-checks into the environment of this job; docs/ci
 def add_arguments(command: argparse.ArgumentParser) -> None:
     """Add what only this command takes."""
     command.add_argument("folder", nargs="?", default=".", help="the game's sounds; this folder if left out")
-    command.add_argument("--label", help=f"what to call the build; else {', '.join(LABELS[:3])} or another CI's number")
+    numbers = ", ".join(LABELS[:3])
+    command.add_argument("--label", help=f"what to call the build; else {numbers}, another CI's number or the time")
     command.add_argument("--commit", help=f"its commit; else {', '.join(COMMITS[:3])} or another CI's")
     command.add_argument(
         "--fail-level", choices=("error", "warning"), default="error", help="what makes the exit code 1"
@@ -79,12 +80,16 @@ def audio_checks_command() -> list[str]:
     return [sys.executable, "-I", "-m", "audio_checks.cli"]
 
 
+def _now_in_words() -> str:
+    return time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
+
+
 class _Run:
     """One build of a game."""
 
     def __init__(self, options: argparse.Namespace, server: Server, judge: Sequence[str]) -> None:
         self._options, self._server, self._judge = options, server, list(judge)
-        self._label = (options.label or _first_set(LABELS) or "unnamed")[:MAX_LABEL_CHARS]
+        self._label = (options.label or _first_set(LABELS) or _now_in_words())[:MAX_LABEL_CHARS]
         self._commit = (options.commit or _first_set(COMMITS) or "")[:MAX_LABEL_CHARS]
 
     def all(self, target: str | None) -> int:

@@ -148,7 +148,7 @@ def _welcome(address: str, project: str, token: str) -> None:
         f"\n  Soundlist is at {address}\n"
         "  It needs no sign-in: the menu at the top right switches between producer, approver and designer.\n\n"
         "  The game's CI would say:\n"
-        f"    curl -fsS -H 'Authorization: Bearer {token}' {address}/v1/projects/{project}/spec.toml -o spec.toml"
-        " && .venv/bin/audio-checks check --spec spec.toml --target game assets/\n\n"
+        f"    SOUNDLIST_TOKEN={token} .venv/bin/soundlist ci --server {address} --project {project}"
+        " --target game assets/\n\n"
         "  Ctrl C stops it; what you did is kept.\n"
     )
