@@ -21,13 +21,15 @@ async function linkTo(producer: Page, url: string, recipient: string, subject: R
   return link
 }
 
+const NEXT_YEAR = new Date().getFullYear() + 1
+
 /** Give the bid that is open a price a line, hours and dates, and send it. */
 async function bid(page: Page, price: string, hours: string): Promise<void> {
   await expect(page.getByRole('heading', { name: 'Your bid' })).toBeVisible()
   for (const field of await page.getByLabel('Price, USD').all()) await field.fill(price)
   await page.getByLabel('Hours in all').fill(hours)
-  await page.getByLabel('From', { exact: true }).fill('2027-01-11')
-  await page.getByLabel('To', { exact: true }).fill('2027-03-26')
+  await page.getByLabel('From', { exact: true }).fill(`${NEXT_YEAR}-01-11`)
+  await page.getByLabel('To', { exact: true }).fill(`${NEXT_YEAR}-03-26`)
   await page.keyboard.press('Control+Enter')
   await expect(page.getByRole('button', { name: /^Send again/ })).toBeVisible()
 }
@@ -89,9 +91,9 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await producer.getByLabel('Title').fill('All sounds of Deep Field')
     await producer.keyboard.press('Enter')
     await producer.getByLabel('Budget', { exact: true }).fill('9000')
-    await producer.getByLabel('Bids until').fill('2027-01-05')
-    await producer.getByLabel('Work from').fill('2027-01-11')
-    await producer.getByLabel('Work to').fill('2027-03-31')
+    await producer.getByLabel('Bids until').fill(`${NEXT_YEAR}-01-05`)
+    await producer.getByLabel('Work from').fill(`${NEXT_YEAR}-01-11`)
+    await producer.getByLabel('Work to').fill(`${NEXT_YEAR}-03-31`)
     await producer.getByRole('button', { name: 'Save', exact: true }).click()
     await expect(producer.getByText('Posting saved.')).toBeVisible()
     await producer.getByLabel('Email of a designer').fill(addressOf('ada'))

@@ -71,12 +71,17 @@ async function leaveAndSend(page: Page, form: Typed): Promise<void> {
   await form.field.fill(form.then)
   await expect(form.send).toBeEnabled() // what was typed is read by now
   await page.context().clearCookies({ name: 'soundlist_session' })
+  // A comment shows before the server has it: the page is left once the server has answered.
+  const answer = page.waitForResponse(
+    (response) => response.request().method() !== 'GET' && response.ok() && !response.url().endsWith('/v1/sign-in'),
+  )
   // A read of the page may have opened the dialog already; the request waits for it all the same.
   await form.send.dispatchEvent('click')
   await signInAgain(page).getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
   await expect(signInAgain(page)).toBeHidden()
   await expect(form.sent.first(), `${form.name} is sent`).toBeVisible()
+  await answer
 
   await page.goto(form.path)
   await form.open?.()

@@ -119,10 +119,10 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
         </div>
       </aside>
       <div className={classes.judge}>
-        <p className={`${classes.phoneHead} small`}>
-          <span className="strong">{`${at + 1} of ${cues.length}, build ${audit.label}`}</span>
+        <header className={`${classes.phoneHead} small`}>
+          <h1 className="small strong">{`Listening pass, ${at + 1} of ${cues.length}, build ${audit.label}`}</h1>
           <span>{`${countOf(heard.size, cues.length)} heard`}</span>
-        </p>
+        </header>
         <span className={classes.phoneBar} aria-hidden="true">
           <i style={{ width: `${(heard.size / cues.length) * 100}%` }} />
         </span>
