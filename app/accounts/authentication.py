@@ -10,7 +10,7 @@ from urllib.parse import urlsplit
 from uuid import UUID
 
 from app.accounts import queries
-from app.accounts.errors import CsrfMismatch, NotSignedIn, RecentSignInNeeded
+from app.accounts.errors import CsrfMismatch, NotSignedIn, RecentSignInNeeded, SecondFactorRequired
 from app.accounts.rules import Actor, network_of
 from app.kit import clock
 from app.kit.db import Database
@@ -26,6 +26,24 @@ DEVICE_COOKIE = "soundlist_device"  # OWASP, device cookies: shows that this bro
 DEMO_COOKIE = "soundlist_demo_part"
 DEMO_PARTS = ("approver", "producer", "designer")  # the first is who comes in without choosing
 DEMO_SECRET = "demo"  # noqa: S105  what the demo's CSRF token is made from: it has no session
+SET_UP_SECOND_FACTOR = "set one up on the page Account, under Second factor"
+# Reached without the second factor that a studio requires: setting one up begins here.
+ACCOUNT_PATHS = frozenset({"/v1/me", "/v1/sign-out"})
+ACCOUNT_PREFIXES = tuple(
+    f"/v1/{name}"
+    for name in (
+        "me/email-",
+        "me/mail-preferences",
+        "me/passkeys",
+        "me/password",
+        "me/picture",
+        "me/recovery-codes",
+        "me/second-factors",
+        "me/sign-ins",
+        "me/totp",
+        "email-",
+    )
+)
 RECENT_SIGN_IN = timedelta(minutes=30)
 # Holders by the hashes of their secrets; one that was dropped counts as its network until it is good again.
 _KNOWN_CALLERS: LRUCache[str, str] = LRUCache(20_000)
@@ -55,6 +73,7 @@ class AuthResult:
     demo_part: str | None = None
     unrecorded_sign_in_id: UUID | None = None  # of the sign-in whose use is to be noted
     signed_in_at: datetime | None = None  # of a browser's sign-in; None: a token, or the demo
+    lacks_second_factor: bool = False  # which a studio of theirs requires
     desk_token_id: UUID | None = None
 
 
@@ -158,8 +177,16 @@ def authenticate_request(
     secret = credentials.cookies.get(SESSION_COOKIE)
     if secret and (signed_in := queries.actor_for_sign_in(database, sha256_of(secret))) is not None:
         _ensure_csrf_token(settings, credentials, secret)
-        actor, unnoted_id, signed_in_at = signed_in
-        return _remember(secret, AuthResult(actor, secret, unrecorded_sign_in_id=unnoted_id, signed_in_at=signed_in_at))
+        return _remember(
+            secret,
+            AuthResult(
+                signed_in.actor,
+                secret,
+                unrecorded_sign_in_id=signed_in.unrecorded_id,
+                signed_in_at=signed_in.signed_in_at,
+                lacks_second_factor=signed_in.lacks_second_factor,
+            ),
+        )
     if secret:
         _KNOWN_CALLERS.drop(sha256_of(secret))
     if is_demo_request(settings, credentials):
@@ -184,6 +211,15 @@ def ensure_recent_sign_in(auth: AuthResult) -> None:
         raise RecentSignInNeeded(
             f"this gives access to others, so it asks for a sign-in of the last {minutes} minutes; nothing was done",
             fix="sign in again, then repeat it",
+        )
+
+
+def ensure_second_factor(auth: AuthResult, path: str) -> None:
+    """Raise SecondFactorRequired where a studio of the caller requires one; their own account stays open for it."""
+    if auth.lacks_second_factor and not (path in ACCOUNT_PATHS or path.startswith(ACCOUNT_PREFIXES)):
+        raise SecondFactorRequired(
+            "a studio of yours requires a second factor of its members, and your account has none; nothing was done",
+            fix=SET_UP_SECOND_FACTOR,
         )
 
 

@@ -69,6 +69,10 @@ class WrongPassword(Forbidden):
     """The present password that was given is not the account's."""
 
 
+class SecondFactorRequired(Forbidden):
+    """The studio asks for a second factor that the caller has not set up."""
+
+
 class WrongSecondFactor(Forbidden):
     """The code is wrong, too old or was used before."""
 

@@ -27,6 +27,7 @@ class Studio(Base):
     name: Mapped[str]
     is_demo: Mapped[bool] = mapped_column(default=False)
     time_zone: Mapped[str] = mapped_column(default="UTC")  # an IANA name: Europe/Berlin
+    second_factor_for: Mapped[list[str]] = mapped_column(default=list)  # each a SecondFactorUse
     opened_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)  # None: by the server
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
 

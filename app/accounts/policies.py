@@ -89,6 +89,7 @@ class Allowed(Authentication):
                 raise PersonNeeded("a build's token cannot do this; sign in as a person")
             if self.policy.build not in actor.scopes:
                 raise ScopeMissing(f"this token lacks the scope {self.policy.build}")
+        authentication.ensure_second_factor(auth, request.url.path)
         if self.policy.audience is Audience.OPERATOR:
             _ensure_operator(database_of(request), actor)
         if self.policy.recent_sign_in:

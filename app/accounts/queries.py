@@ -1,6 +1,7 @@
 """Queries for people, studios, memberships and sessions."""
 
 from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 from datetime import datetime, timedelta
 from uuid import UUID
 
@@ -23,7 +24,8 @@ from app.accounts.models import (
     StudioInvitation,
     Token,
 )
-from app.accounts.rules import Actor, Role, Scope
+from app.accounts.rules import Actor, Role, Scope, SecondFactorUse
+from app.accounts.second_factor_queries import second_factor_exists
 from app.kit import clock
 from app.kit.db import Database, UtcDateTime
 
@@ -40,8 +42,18 @@ def actor_for_person(session: Session, person_id: UUID) -> Actor:
 
 # Built once: every request of a browser asks for it.
 _SIGNED_IN = (
-    select(SignIn.id, SignIn.person_id, SignIn.created_at, SignIn.last_seen_at, Membership.studio_id, Membership.roles)
+    select(
+        SignIn.id,
+        SignIn.person_id,
+        SignIn.created_at,
+        SignIn.last_seen_at,
+        Membership.studio_id,
+        Membership.roles,
+        Studio.second_factor_for,
+        second_factor_exists(SignIn.person_id).label("has_second_factor"),
+    )
     .join(Membership, Membership.person_id == SignIn.person_id, isouter=True)
+    .join(Studio, Studio.id == Membership.studio_id, isouter=True)
     .where(
         SignIn.secret_sha256 == bindparam("secret_sha256"),
         SignIn.expires_at > bindparam("now", type_=UtcDateTime()),
@@ -50,11 +62,18 @@ _SIGNED_IN = (
 )
 
 
-def actor_for_sign_in(database: Database, secret_sha256: str) -> tuple[Actor, UUID | None, datetime] | None:
-    """Return who holds this session cookie, None when it is unknown or over.
+@dataclass(frozen=True)
+class SignedIn:
+    """Who holds a session cookie."""
 
-    With them come the sign-in's id where its use is to be noted (`record_seen`), and when it began.
-    """
+    actor: Actor
+    unrecorded_id: UUID | None  # of the sign-in, where its use is to be noted (`record_seen`)
+    signed_in_at: datetime
+    lacks_second_factor: bool  # which one of their studios requires of every member
+
+
+def actor_for_sign_in(database: Database, secret_sha256: str) -> SignedIn | None:
+    """Return who holds this session cookie, None when it is unknown or over."""
     now = clock.now()
     values = {"secret_sha256": secret_sha256, "now": now, "idle_since": now - IDLE_FOR}
     rows = database.read_autocommit(_SIGNED_IN, values)
@@ -62,8 +81,13 @@ def actor_for_sign_in(database: Database, secret_sha256: str) -> tuple[Actor, UU
         return None
     roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
     first = rows[0]
-    unnoted = first.id if first.last_seen_at < now - SEEN_RECORDED_EVERY else None
-    return Actor(person_id=first.person_id, roles=roles), unnoted, first.created_at
+    is_required = any(SecondFactorUse.EVERYTHING in (row.second_factor_for or ()) for row in rows)
+    return SignedIn(
+        Actor(person_id=first.person_id, roles=roles),
+        first.id if first.last_seen_at < now - SEEN_RECORDED_EVERY else None,
+        first.created_at,
+        lacks_second_factor=is_required and not first.has_second_factor,
+    )
 
 
 def record_seen(session: Session, sign_in_id: UUID) -> None:

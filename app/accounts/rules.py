@@ -36,6 +36,14 @@ class AccessKind(StrEnum):
     WEBHOOKS = "webhooks"
 
 
+class SecondFactorUse(StrEnum):
+    """What a studio may require a second factor for."""
+
+    SIGNING = "signing"  # its contracts, by either party
+    PAYING = "paying"  # recording payments and refunds, and what makes an amount due at once
+    EVERYTHING = "everything"  # all that its members do, and signing by either party
+
+
 class Scope(StrEnum):
     """The rights of a build's token."""
 

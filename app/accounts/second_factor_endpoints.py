@@ -1,14 +1,18 @@
-"""The endpoints of the caller's second factors: authenticator app and recovery codes."""
+"""The endpoints of second factors: the caller's own, and what a studio requires one for."""
+
+from uuid import UUID
 
 from fastapi import APIRouter, Request
 
-from app.accounts import second_factors
+from app.accounts import second_factor_requirements, second_factors
 from app.accounts.authentication import SESSION_COOKIE
 from app.accounts.errors import (
     NoSecondFactor,
     NotInDemo,
+    ProducerNeeded,
     RecentSignInNeeded,
     SecondFactorExists,
+    StudioNotFound,
     TooManyAttempts,
     WrongSecondFactor,
 )
@@ -20,7 +24,13 @@ from app.accounts.request_limits import (
     ensure_second_factor_allowed,
 )
 from app.accounts.rules import Actor, Audience
-from app.accounts.second_factor_schemas import RecoveryCodesMade, SecondFactorsRead, TotpConfirm, TotpSetupRead
+from app.accounts.second_factor_schemas import (
+    RecoveryCodesMade,
+    SecondFactorRequirement,
+    SecondFactorsRead,
+    TotpConfirm,
+    TotpSetupRead,
+)
 from app.accounts.second_factors import SecondFactors, TotpSetup
 from app.kit.http import CurrentRuntime, DbSession, Router, problems
 
@@ -78,6 +88,29 @@ def renew_my_recovery_codes(
 ) -> RecoveryCodesMade:
     """Make new recovery codes, shown this once; the earlier ones stop working."""
     return RecoveryCodesMade(recovery_codes=second_factors.renew_recovery_codes(session, actor))
+
+
+@router.get("/studios/{studio_id}/second-factor", responses=problems(StudioNotFound))
+def read_second_factor_requirement(
+    studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.STUDIO)
+) -> SecondFactorRequirement:
+    """Return what the studio requires a second factor for."""
+    return SecondFactorRequirement(required_for=second_factor_requirements.requirement(session, actor, studio_id))
+
+
+@router.put(
+    "/studios/{studio_id}/second-factor",
+    responses=problems(StudioNotFound, ProducerNeeded, NoSecondFactor, NotInDemo, RecentSignInNeeded),
+)
+def set_second_factor_requirement(
+    studio_id: UUID,
+    body: SecondFactorRequirement,
+    session: DbSession,
+    actor: Actor = allows(Audience.PRODUCER, recent_sign_in=True),
+) -> SecondFactorRequirement:
+    """Set what the studio requires a second factor for."""
+    uses = second_factor_requirements.set_requirement(session, actor, studio_id, body.required_for)
+    return SecondFactorRequirement(required_for=uses)
 
 
 router.include_router(_unsaved_router)

@@ -2,19 +2,35 @@
 
 from uuid import UUID
 
-from sqlalchemy import delete, func, select, update
+from sqlalchemy import ColumnElement, SQLColumnExpression, delete, exists, func, literal, select, update
 from sqlalchemy.orm import Session
 
-from app.accounts.models import RecoveryCode, TotpFactor
+from app.accounts.models import Membership, RecoveryCode, Studio, TotpFactor
+from app.accounts.rules import SecondFactorUse
 from app.kit import clock
+
+
+def second_factor_exists(person_id: SQLColumnExpression[UUID]) -> ColumnElement[bool]:
+    """Return the condition that a person's sign-in asks for more than a password."""
+    return exists().where(TotpFactor.person_id == person_id, TotpFactor.confirmed_at.is_not(None))
 
 
 def has_second_factor(session: Session, person_id: UUID) -> bool:
     """Whether a person's sign-in asks for more than a password."""
-    is_set_up = select(TotpFactor.person_id).where(
-        TotpFactor.person_id == person_id, TotpFactor.confirmed_at.is_not(None)
+    return bool(session.scalar(select(second_factor_exists(literal(person_id)))))
+
+
+def studios_waiting_for_factor(session: Session, person_id: UUID) -> list[str]:
+    """Return the names of a person's studios that stay shut until the person has set up a second factor."""
+    if has_second_factor(session, person_id):
+        return []
+    rows = session.execute(
+        select(Studio.name, Studio.second_factor_for)
+        .join(Membership, Membership.studio_id == Studio.id)
+        .where(Membership.person_id == person_id)
+        .order_by(Studio.name)
     )
-    return session.scalar(is_set_up) is not None
+    return [name for name, uses in rows if SecondFactorUse.EVERYTHING in uses]
 
 
 def totp_factor(session: Session, person_id: UUID) -> TotpFactor | None:

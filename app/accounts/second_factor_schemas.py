@@ -5,6 +5,7 @@ from typing import Annotated
 
 from pydantic import Field, StringConstraints
 
+from app.accounts.rules import SecondFactorUse
 from app.kit.http import Schema
 
 Code = Annotated[str, StringConstraints(strip_whitespace=True, max_length=40)]
@@ -15,6 +16,17 @@ class SecondFactorsRead(Schema):
 
     totp_since: datetime | None = Field(description="Since when an authenticator app is asked; null: none is set up.")
     recovery_codes_left: int = Field(description="Each signs in once in place of the authenticator app.")
+
+
+class SecondFactorRequirement(Schema):
+    """What a studio requires a second factor for."""
+
+    required_for: list[SecondFactorUse] = Field(
+        max_length=len(SecondFactorUse),
+        description="`signing`: signing its contracts, change orders and statements, by either party. `paying`: "
+        "recording payments and refunds, agreeing to the price of a round, saying that the game has shipped. "
+        "`everything`: all that its members do, and both of these.",
+    )
 
 
 class TotpSetupRead(Schema):

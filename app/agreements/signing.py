@@ -11,7 +11,8 @@ from sqlalchemy.orm import Session
 from app.accounts.errors import HandOverNeeded
 from app.accounts.models import Person
 from app.accounts.queries import members
-from app.accounts.rules import PROOF_WORDS, Actor, MemberChange, Role
+from app.accounts.rules import PROOF_WORDS, Actor, MemberChange, Role, SecondFactorUse
+from app.accounts.second_factor_requirements import ensure_second_factor_for
 from app.agreements import queries, record
 from app.agreements.access import contract_to_change, party_of, visible_contract
 from app.agreements.drawn_names import drawing_sha256
@@ -197,6 +198,7 @@ def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signatu
     given = queries.acceptances_of(session, version.id)
     order = order_of(session, contract)
     order.ensure_turn(party, actor.person, yeses(given))
+    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.SIGNING)
     person = session.get_one(Person, actor.person)
     others = [(each.person_id, each.email) for each in given if each.party is not party]
     ensure_another_person(person.id, person.email, others)

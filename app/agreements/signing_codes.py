@@ -8,7 +8,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
 from app.accounts.passwords import hash_of, matches
-from app.accounts.rules import Actor
+from app.accounts.rules import Actor, SecondFactorUse
+from app.accounts.second_factor_requirements import ensure_second_factor_for
 from app.agreements import queries
 from app.agreements.access import party_of, visible_contract
 from app.agreements.errors import NoSigningCode, NotYourContract, SigningCodeNeeded, SigningCodeOver, WrongSigningCode
@@ -39,6 +40,7 @@ def request_code(
     contract = visible_contract(session, actor, contract_id)
     if party_of(actor, contract) is None:
         raise NotYourContract("only a producer of the studio and the contract's designer sign it")
+    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.SIGNING)
     if not is_mail_on:
         raise NoSigningCode("this server sends no mail, so a signature needs no code", fix="sign without one")
     person = session.get_one(Person, actor.person)

@@ -5,7 +5,7 @@ from uuid import UUID
 from fastapi import Request
 from starlette.concurrency import run_in_threadpool
 
-from app.accounts.errors import TooManyAttempts
+from app.accounts.errors import SecondFactorRequired, TooManyAttempts
 from app.accounts.policies import allows, client_address
 from app.accounts.request_limits import RateLimitedRoute, ensure_signing_code_allowed
 from app.accounts.rules import Actor, Audience, device_of
@@ -34,6 +34,7 @@ SIGNING = (
     AlreadyAccepted,
     BadDrawing,
     SamePersonOnBothSides,
+    SecondFactorRequired,
     SigningCodeNeeded,
     SigningCodeOver,
     TextChanged,
@@ -67,7 +68,9 @@ def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> 
 @router.post(
     "/contracts/{contract_id}/signing-codes",
     status_code=201,
-    responses=problems(ContractNotFound, NotYourContract, AddressNotProven, NoSigningCode, TooManyAttempts),
+    responses=problems(
+        ContractNotFound, NotYourContract, SecondFactorRequired, AddressNotProven, NoSigningCode, TooManyAttempts
+    ),
 )
 def request_signing_code(
     contract_id: UUID,

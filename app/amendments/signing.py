@@ -8,7 +8,8 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.accounts.rules import Actor
+from app.accounts.rules import Actor, SecondFactorUse
+from app.accounts.second_factor_requirements import ensure_second_factor_for
 from app.agreements import record
 from app.agreements.access import party_of, visible_contract
 from app.agreements.errors import NotYourContract
@@ -51,6 +52,7 @@ def sign(
     given = queries.acceptances_of(session, contract.id, text_sha256)
     order = amendment_order_of(session, contract)
     order.ensure_turn(party, actor.person, _yeses(given))
+    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.SIGNING)
     person = session.get_one(Person, actor.person)
     others = [(each.person_id, each.email) for each in given if each.party is not party]
     ensure_another_person(person.id, person.email, others)

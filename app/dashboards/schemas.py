@@ -60,6 +60,10 @@ class Me(Schema):
     email: str
     email_verified_at: datetime | None = Field(description="Since when it is known that they read this address.")
     is_operator: bool = Field(description="Whether the caller runs this server.")
+    second_factor_required_by: list[str] = Field(
+        default_factory=list,
+        description="Names of studios that open once the caller has set up a second factor; empty once they have.",
+    )
     studios: list[MyStudio]
     projects: list[MyProject]
 

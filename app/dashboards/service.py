@@ -8,6 +8,7 @@ from sqlalchemy import and_
 from sqlalchemy.orm import Session
 
 from app.accounts import queries as accounts
+from app.accounts import second_factor_queries
 from app.accounts.models import Person
 from app.accounts.rules import Actor, Role
 from app.accounts.schemas import PersonBrief
@@ -37,7 +38,9 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     person = session.get_one(Person, actor.person)
     engagements = {each.project_id: each for each in queries.my_engagements(session, person.id)}
     liaisons = queries.my_liaisons(session, actor)
-    projects = queries.my_projects(session, person.id, list(actor.roles))
+    required_by = second_factor_queries.studios_waiting_for_factor(session, person.id)
+    # Nothing opens before it is set up.
+    projects = [] if required_by else queries.my_projects(session, person.id, list(actor.roles))
     studios = {project.studio_id: project.studio.name for project in projects}
     approvers = approvers_of(session, [project for project in projects if project.studio_id in actor.roles])
     rights = approval_rights_of(session, {project_id: approver.id for project_id, approver in approvers.items()})
@@ -48,6 +51,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
         email=person.email,
         email_verified_at=person.email_verified_at,
         is_operator=accounts.is_operator(session, person.id),
+        second_factor_required_by=required_by,
         studios=[
             schemas.MyStudio(id=studio_id, name=named[studio_id], roles=sorted(roles))
             for studio_id, roles in actor.roles.items()

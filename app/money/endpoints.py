@@ -5,7 +5,7 @@ from uuid import UUID
 
 from fastapi import APIRouter, Response
 
-from app.accounts.errors import RecentSignInNeeded
+from app.accounts.errors import RecentSignInNeeded, SecondFactorRequired
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.agreements import documents, plan
@@ -118,7 +118,7 @@ def check_plan(
 
 @router.post(
     "/contracts/{contract_id}/shipped",
-    responses=problems(ContractNotFound, ProducerNeeded, NoShippingBonus, DayInFuture),
+    responses=problems(ContractNotFound, ProducerNeeded, SecondFactorRequired, NoShippingBonus, DayInFuture),
 )
 def say_game_shipped(
     contract_id: UUID, body: schemas.Shipped, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
@@ -144,7 +144,7 @@ def read_extra_rounds(
 
 @router.post(
     "/extra-rounds/{extra_round_id}/agree",
-    responses=problems(ExtraRoundNotFound, OtherPartyNeeded, ProducerNeeded, RoundAlreadySettled),
+    responses=problems(ExtraRoundNotFound, OtherPartyNeeded, ProducerNeeded, SecondFactorRequired, RoundAlreadySettled),
 )
 def agree_extra_round(
     extra_round_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
@@ -240,7 +240,7 @@ def charge_late_interest(
 @router.post(
     "/invoices/{invoice_id}/payments",
     status_code=201,
-    responses=problems(InvoiceNotFound, ProducerNeeded, Overpayment, DayInFuture),
+    responses=problems(InvoiceNotFound, ProducerNeeded, SecondFactorRequired, Overpayment, DayInFuture),
 )
 def record_payment(
     invoice_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
@@ -260,7 +260,7 @@ def record_payment(
 @router.post(
     "/payments/{payment_id}/refunds",
     status_code=201,
-    responses=problems(PaymentNotFound, ProducerNeeded, RefundTooLarge, DayInFuture),
+    responses=problems(PaymentNotFound, ProducerNeeded, SecondFactorRequired, RefundTooLarge, DayInFuture),
 )
 def refund_payment(
     payment_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)

@@ -5,7 +5,8 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import Actor, Role, SecondFactorUse
+from app.accounts.second_factor_requirements import ensure_second_factor_for
 from app.agreements.models import Contract
 from app.agreements.plan_queries import today_of
 from app.agreements.queries import lock_contract
@@ -25,7 +26,7 @@ def record_payment(
 ) -> Payment:
     """Record what was paid on an invoice, in part or whole; raise Overpayment beyond what is open."""
     invoice, contract = visible_invoice(session, actor, invoice_id)
-    _ensure_pays(actor, contract)
+    _ensure_pays(session, actor, contract)
     ensure_not_ahead(paid_on, today_of(session, contract), "record a payment only after it was made")
     lock_contract(session, contract.id)
     entries = allocate(load_ledger_book(session, contract), invoice.id, amount_minor)
@@ -43,7 +44,7 @@ def refund_payment(
         invoice, contract = visible_invoice(session, actor, payment.invoice_id)
     except InvoiceNotFound:
         raise PaymentNotFound(f"no payment {payment_id}") from None
-    _ensure_pays(actor, contract)
+    _ensure_pays(session, actor, contract)
     ensure_not_ahead(paid_on, today_of(session, contract), "record a refund only after it was made")
     lock_contract(session, contract.id)
     entries = refund(load_ledger_book(session, contract), payment.id, amount_minor)
@@ -52,9 +53,10 @@ def refund_payment(
     )
 
 
-def _ensure_pays(actor: Actor, contract: Contract) -> None:
+def _ensure_pays(session: Session, actor: Actor, contract: Contract) -> None:
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio records payments")
+    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.PAYING)
 
 
 def _keep(

@@ -7,7 +7,8 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import Actor, Role, SecondFactorUse
+from app.accounts.second_factor_requirements import ensure_second_factor_for
 from app.agreements import plan_queries, record
 from app.agreements.deemed_acceptance import CLAUSE as SILENCE
 from app.agreements.models import Contract, ContractCue
@@ -198,6 +199,7 @@ def agree_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> E
         raise OtherPartyNeeded("only the studio agrees to the fee", fix="waive it, or wait for the studio")
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio agrees to a price")
+    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.PAYING)
     charge_round(session, contract, proposed, person_id=actor.person)
     return proposed
 

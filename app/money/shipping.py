@@ -5,7 +5,8 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import Actor, Role, SecondFactorUse
+from app.accounts.second_factor_requirements import ensure_second_factor_for
 from app.agreements import record
 from app.agreements.access import visible_contract
 from app.agreements.plan_queries import terms_of
@@ -26,6 +27,7 @@ def say_shipped(session: Session, actor: Actor, contract_id: UUID, *, shipped_on
     contract = visible_contract(session, actor, contract_id)
     if Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("only a producer of the studio says that the game has shipped")
+    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.PAYING)
     lock_contract(session, contract.id)
     session.refresh(contract, ["state", "game_shipped_on"])
     terms = terms_of(session, contract)

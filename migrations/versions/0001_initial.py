@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_a474e011"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_fd0517dc"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -213,6 +213,7 @@ def upgrade() -> None:
         sa.Column("name", sa.String(), nullable=False),
         sa.Column("is_demo", sa.Boolean(), nullable=False),
         sa.Column("time_zone", sa.String(), nullable=False),
+        sa.Column("second_factor_for", JSON, nullable=False),
         sa.Column("opened_by", sa.Uuid()),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(["opened_by"], ["accounts_people.id"], name=op.f("fk_accounts_studios_opened_by")),

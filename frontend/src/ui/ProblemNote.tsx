@@ -11,13 +11,27 @@ interface ProblemNoteProps {
   action?: ReactNode
 }
 
+const ACCOUNT = /(page Account)/
+
+/** What to do, with a link where it names the page that shows one's account. */
+const linked = (fix: string) =>
+  fix.split(ACCOUNT).map((part) =>
+    ACCOUNT.test(part) ? (
+      <a key={part} className="link" href="/account">
+        {part}
+      </a>
+    ) : (
+      part
+    ),
+  )
+
 /** A refusal, said where it happened and until it is put right. */
 export function ProblemNote({ detail, fix, action }: ProblemNoteProps) {
   return (
     <div role="alert" className={`${classes.note} tone-bad`}>
       <Icon name="back" />
       <p>
-        <span className="toned">{detail}</span> {fix}
+        <span className="toned">{detail}</span> {fix !== undefined && linked(fix)}
       </p>
       {action}
     </div>

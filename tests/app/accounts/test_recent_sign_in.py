@@ -28,6 +28,7 @@ ACCESS_GIVEN = {
     "confirm_my_totp",
     "end_my_totp",
     "renew_my_recovery_codes",
+    "set_second_factor_requirement",
 }
 
 

@@ -18,6 +18,7 @@ from app.agreements.rules import Party
 from app.agreements.signing_rules import CODE_TRIES, CONSENT, SigningOrder, Yes
 from app.kit import clock
 from app.kit.db import new_id
+from tests.app.accounts.test_second_factor_requirements import REQUIRED, require_second_factor, set_up_totp
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import milestone
 from tests.app.reviews.making import Stage
@@ -303,3 +304,28 @@ def test_who_is_no_party_is_mailed_no_code(world: World, contracts: Contracts) -
     path = f"/v1/contracts/{sent['id']}/signing-codes"
     assert refusal(world.approver.post(path, json=body)) == (403, "not-your-contract")
     assert world.stranger.post(path, json=body).status_code == 404
+
+
+@pytest.mark.slow
+def test_a_second_factor_that_the_studio_requires_is_asked_of_either_party(world: World, contracts: Contracts) -> None:
+    cue, begun = Stage(world).cue("radar_ping"), contracts.begin()
+    plan = {"milestones": [milestone("Alpha", cue, amount_minor=36_000)]}
+    contracts.ask(world.producer, "PUT", f"/contracts/{begun['id']}/milestones", json=plan)
+    contract = contracts.send(begun)
+    set_up_totp(world.producer)
+    assert require_second_factor(world, "signing").status_code == 200
+    refused = sign(world.designer, contract)
+    assert refusal(refused) == REQUIRED
+    assert refused.json()["detail"].startswith("Test studio requires a second factor of who signs its contracts")
+    code = {"text_sha256": contract["version"]["text_sha256"]}
+    assert refusal(world.designer.post(f"/v1/contracts/{contract['id']}/signing-codes", json=code)) == REQUIRED
+    half = sign(world.producer, contract).json()
+    assert [acceptance["party"] for acceptance in half["acceptances"]] == ["studio"]
+    set_up_totp(world.designer)
+    assert sign(world.designer, contract).json()["state"] == "agreed"
+    assert world.designer.delete("/v1/me/totp").status_code == 204
+    path = f"/v1/contracts/{contract['id']}/change-orders"
+    order = {"reason": "More", "changes": [{"kind": "add_round", "cue_id": str(cue)}]}
+    text_sha256 = world.producer.post(path, json=order).json()["orders"][0]["text_sha256"]
+    signature = {"name": "Sound designer", "text_sha256": text_sha256}
+    assert refusal(world.designer.post(f"{path}/1/accept", json=signature)) == REQUIRED

@@ -6,6 +6,7 @@ from uuid import UUID
 import pytest
 import sqlalchemy as sa
 
+from app.accounts.models import Studio
 from app.agreements.models import ContractCue
 from app.agreements.queries import events_of
 from app.agreements.rules import ReleaseClause
@@ -197,7 +198,13 @@ def test_a_round_too_many_is_priced_and_due_once_agreed(agreed: Agreed) -> None:
     missile = two_milestones(agreed)[3]
     extra = three_rounds(agreed, missile)
     assert agreed.owed()[1:] == []
-    answer = body_of(agreed.world.producer.post(f"/v1/extra-rounds/{extra}/agree"))
+    set_studio = sa.update(Studio).where(Studio.id == agreed.world.studio_id)
+    agreed.world.server.in_database(lambda session: session.execute(set_studio.values(second_factor_for=["paying"])))
+    agree = f"/v1/extra-rounds/{extra}/agree"
+    assert refused(agreed.world.producer.post(agree)) == (403, "second-factor-required")
+    assert agreed.owed()[1:] == []
+    agreed.world.server.in_database(lambda session: session.execute(set_studio.values(second_factor_for=[])))
+    answer = body_of(agreed.world.producer.post(agree))
     assert answer["state"] == "agreed"
     assert agreed.owed()[1:] == [("extra_round", 7_875)]
     assert agreed.figures()["agreed_minor"] == 243_000 + 7_875

@@ -3,7 +3,11 @@
 from typing import Any
 
 import pytest
+from fastapi.testclient import TestClient
 
+from app.accounts.models import Membership
+from app.accounts.rules import Role
+from tests.app.accounts.test_second_factor_requirements import REQUIRED, require_second_factor, set_up_totp
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
 from tests.app.reviews.making import body_of, refused
 from tests.support.calendars import calendar_of, events_at, events_of
@@ -18,6 +22,17 @@ def invoiced(world: World) -> tuple[Agreed, dict[str, Any]]:
     agreed.agree(milestone("Alpha", cue, amount_minor=18_000, due_on=day(-4)))
     agreed.approve(agreed.take(cue))
     return agreed, agreed.invoice()
+
+
+@pytest.fixture
+def deputy(world: World) -> TestClient:
+    """Sign in another producer of the studio."""
+    world.server.in_database(
+        lambda session: setattr(
+            session.get_one(Membership, (world.studio_id, world.approver_id)), "roles", [Role.LIAISON, Role.PRODUCER]
+        )
+    )
+    return world.approver
 
 
 @pytest.mark.slow
@@ -48,6 +63,25 @@ def test_sight_is_not_yet_a_right(invoiced: tuple[Agreed, dict[str, Any]]) -> No
         assert refused(paid) == (403, "producer-needed")
     mine = world.producer.post(f"/v1/contracts/{agreed.contract_id}/invoices", json={"seller": "me"})
     assert refused(mine) == (403, "other-party-needed")
+
+
+def test_a_studio_requires_a_second_factor_of_who_pays(
+    invoiced: tuple[Agreed, dict[str, Any]], deputy: TestClient
+) -> None:
+    agreed, invoice = invoiced
+    world, path = agreed.world, f"/v1/invoices/{invoice['id']}"
+    set_up_totp(world.producer)
+    assert require_second_factor(world, "paying").status_code == 200
+    body = {"amount_minor": 18_000, "reference": "T", "paid_on": TODAY.isoformat()}
+    shipped = {"shipped_on": TODAY.isoformat()}
+    assert refused(deputy.post(f"{path}/payments", json=body)) == REQUIRED
+    assert refused(deputy.post(f"/v1/contracts/{agreed.contract_id}/shipped", json=shipped)) == REQUIRED
+    assert body_of(deputy.get(path))["payments"] == []
+    payment = world.producer.post(f"{path}/payments", json=body).json()["payments"][0]
+    back = body | {"amount_minor": 1}
+    assert refused(deputy.post(f"/v1/payments/{payment['id']}/refunds", json=back)) == REQUIRED
+    set_up_totp(deputy)
+    assert deputy.post(f"/v1/payments/{payment['id']}/refunds", json=back).status_code == 201
 
 
 @pytest.mark.slow

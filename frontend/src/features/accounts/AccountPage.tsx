@@ -35,12 +35,19 @@ export function AccountPage() {
   const { data: me } = useQuery(meQuery)
   const { data: session } = useQuery(sessionQuery)
   if (me === undefined) return null
+  const requiredBy = me.second_factor_required_by ?? []
   return (
     <div className="page">
       <h1>Account</h1>
       <p className="mid">
         {me.person.name}, {me.email}
       </p>
+      {requiredBy.length > 0 && (
+        <p role="status" className={classes.required}>
+          <span className="strong">{`${requiredBy.join(', ')}: a second factor is required.`}</span> Set one up below;
+          then the studio’s pages open.
+        </p>
+      )}
       <div className={classes.cards}>
         <NameCard me={me} />
         <PictureCard me={me} />

@@ -11,6 +11,7 @@ import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
 import { QuotasCard } from './QuotasCard'
+import { SecondFactorRequirementCard } from './SecondFactorRequirementCard'
 import classes from './Studio.module.css'
 
 /** Who belongs to the studio, who is invited, the mails that wait, and the limits. */
@@ -60,6 +61,7 @@ export function StudioPage() {
             <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />
             <CalendarCard key={`calendar ${studio.id}`} studioId={studio.id} />
             <InvoiceDetailsCard key={`invoices ${studio.id}`} studioId={studio.id} />
+            <SecondFactorRequirementCard key={`second factor ${studio.id}`} studioId={studio.id} />
             <QuotasCard key={`quotas ${studio.id}`} studioId={studio.id} />
           </div>
         )}

@@ -50,6 +50,34 @@ describe('the second factor of an account', () => {
     expect(await card.findByRole('button', { name: 'Set up authenticator app' })).toBeVisible()
   })
 
+  test('who has none, though a studio requires one, is shown where to set it up', async () => {
+    const waiting = { ...PRODUCER, second_factor_required_by: ['Shield Wing studio'] }
+    serve(asPerson(waiting))
+    const app = openApp('/studio')
+    expect(await screen.findByText('Shield Wing studio: a second factor is required.')).toBeVisible()
+    expect(app.at()).toBe('/account')
+    expect(await screen.findByRole('button', { name: 'Set up authenticator app' })).toBeVisible()
+  })
+
+  test('a producer requires one of those who sign, and is told what stands in the way', async () => {
+    const path = '/v1/studios/s1/second-factor'
+    const server = serve(
+      asPerson(PRODUCER, {
+        [`GET ${path}`]: { required_for: [] },
+        [`PUT ${path}`]: refusal(409, 'no-second-factor', 'you have no second factor yourself', { fix: 'set one up' }),
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/studio')
+    const card = within(await screen.findByRole('region', { name: 'Second factor' }))
+    await user.click(await card.findByLabelText('Signing contracts'))
+    expect(await card.findByText('You have no second factor yourself.')).toBeVisible()
+    server.answers[`PUT ${path}`] = { required_for: ['signing'] }
+    await user.click(card.getByLabelText('Signing contracts'))
+    await waitFor(() => expect(card.getByLabelText('Signing contracts')).toBeChecked())
+    expect(server.asked.find(({ method }) => method === 'PUT')?.body).toEqual({ required_for: ['signing'] })
+  })
+
   test('signing in asks for the code as a second step, and says when it is wrong', async () => {
     const server = serve({
       'GET /v1/session': NOBODY,

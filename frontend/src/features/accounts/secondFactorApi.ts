@@ -13,11 +13,32 @@ export const secondFactorsQuery = queryOptions({
 
 export const useBeginTotp = () => useMutation({ mutationFn: () => answered(api.POST('/v1/me/totp')) })
 
+export type SecondFactorUse = components['schemas']['SecondFactorUse']
+
+const inStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
+
+export const requirementQuery = (studioId: string) =>
+  queryOptions({
+    queryKey: queryKeys.secondFactorRequirement(studioId),
+    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/second-factor', inStudio(studioId))),
+  })
+
+export function useSetRequirement(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (uses: SecondFactorUse[]) =>
+      answered(
+        api.PUT('/v1/studios/{studio_id}/second-factor', { ...inStudio(studioId), body: { required_for: uses } }),
+      ),
+    onSuccess: (saved) => client.setQueryData(queryKeys.secondFactorRequirement(studioId), saved),
+  })
+}
+
 export function useConfirmTotp() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (code: string) => answered(api.POST('/v1/me/totp/confirm', { body: { code } })),
-    onSuccess: () => invalidate(client, queryKeys.secondFactors(), queryKeys.signIns()),
+    onSuccess: () => invalidate(client, queryKeys.secondFactors(), queryKeys.signIns(), queryKeys.me()),
   })
 }
 
@@ -25,7 +46,7 @@ export function useEndTotp() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => answered(api.DELETE('/v1/me/totp')),
-    onSettled: () => invalidate(client, queryKeys.secondFactors()),
+    onSettled: () => invalidate(client, queryKeys.secondFactors(), queryKeys.me()),
   })
 }
 

@@ -22,6 +22,9 @@ import { SignInAgain } from './SignInAgain'
 
 const DemoSwitch = lazy(async () => ({ default: (await import('./DemoSwitch')).DemoSwitch }))
 
+/** Where a second factor is set up. */
+const ACCOUNT = '/account'
+
 const isSignedOut = (error: unknown): boolean => error instanceof ApiProblem && error.status === 401
 
 /** The page to return to after signing in; omitted for the start page. */
@@ -128,6 +131,7 @@ export function createSession(client: QueryClient): Session {
       try {
         const me = await client.ensureQueryData(meQuery)
         openDraftsOf(me.person.id)
+        if (me.second_factor_required_by?.length && !href.startsWith(ACCOUNT)) throw redirect({ to: ACCOUNT })
       } catch (error) {
         if (!isSignedOut(error)) throw error
         client.clear()
