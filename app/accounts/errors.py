@@ -61,6 +61,10 @@ class SignUpClosed(Forbidden):
     """The server takes new people by invitation only."""
 
 
+class SetupCodeNeeded(Forbidden):
+    """The first account of the server needs the set-up code, or the code is wrong."""
+
+
 class SignInNeeded(Forbidden):
     """The link is for an address that has an account: its holder signs in or gives its password."""
 

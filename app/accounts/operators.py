@@ -2,7 +2,7 @@
 
 from sqlalchemy.orm import Session
 
-from app.accounts import queries, second_factors
+from app.accounts import people, queries, second_factors, service
 from app.accounts.errors import AddressNotVerified, OperatorNotFound
 from app.accounts.models import Operator, Person
 from app.accounts.rules import normalised_email
@@ -20,6 +20,13 @@ def add_operator(session: Session, address: str) -> Person:
         )
     insert_if_absent(session, Operator, {"person_id": person.id}, unique=("person_id",))
     return person
+
+
+def add_account(session: Session, address: str, name: str, password: str, studio_name: str) -> Person:
+    """Make an account and, where a name of one is given, the studio it produces for."""
+    if studio_name:
+        return service.sign_up(session, email=address, name=name, password=password, studio_name=studio_name)
+    return people.create_person(session, email=address, name=name, password=password)
 
 
 def remove_operator(session: Session, address: str) -> Person:

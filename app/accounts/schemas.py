@@ -16,6 +16,7 @@ MaybeLine = Annotated[str, StringConstraints(strip_whitespace=True, max_length=1
 Prose = Annotated[str, StringConstraints(strip_whitespace=True, max_length=5000, pattern="^[^\\x00]*$")]
 Email = Annotated[str, StringConstraints(strip_whitespace=True, max_length=MAX_ADDRESS_LENGTH)]
 Password = Annotated[str, StringConstraints(max_length=MAX_PASSWORD_LENGTH)]
+SetupCode = Annotated[str, StringConstraints(max_length=40)]
 
 
 class PersonBrief(Schema):
@@ -120,12 +121,18 @@ class SignUpAdd(_WithPassword):
     name: Line
     password: Password
     studio_name: Line
+    setup_code: SetupCode | None = Field(
+        None, description="Printed by `soundlist serve`; for a server's first account."
+    )
 
 
 class SignUpRequest(Schema):
     """The address of a new account, on a server that mails a link first."""
 
     email: Email
+    setup_code: SetupCode | None = Field(
+        None, description="Printed by `soundlist serve`; for a server's first account."
+    )
 
 
 class SignUpFinish(_WithPassword):
@@ -147,6 +154,7 @@ class SignUpMode(Schema):
 
     open: bool = Field(description="Whether anyone may sign up now; otherwise people are invited.")
     by_mail: bool = Field(description="Whether the address is verified by a mailed link first.")
+    setup_code: bool = Field(description="Whether the account is the server's first and needs its set-up code.")
 
 
 class SignInRead(Schema):

@@ -12,7 +12,6 @@ from app.accounts.errors import (
     AlreadyMember,
     MemberNotFound,
     ProducerNeeded,
-    SignUpClosed,
     SignUpNotFound,
     StudioInvitationNotFound,
     StudioNotFound,
@@ -34,7 +33,6 @@ from app.kit import clock
 from app.kit.db import bypass_row_policies
 from app.kit.events import publish
 from app.kit.plural import counted
-from app.settings import Settings
 
 INVITATION_LIFETIME = timedelta(days=30)
 TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it
@@ -45,15 +43,6 @@ def sign_up(session: Session, *, email: str, name: str, password: str, studio_na
     person = people.create_person(session, email=email, name=name, password=password, studio_name=studio_name)
     create_studio(session, studio_name, person)
     return person
-
-
-def ensure_sign_up_allowed(session: Session, settings: Settings) -> None:
-    """Raise SignUpClosed where people come by invitation only; the first person of a server may always sign up."""
-    if settings.sign_up == "invited" and queries.has_people(session):
-        raise SignUpClosed(
-            "sign-up on this server is by invitation only",
-            fix="ask a studio for an invitation, or the operator of this server to set SOUNDLIST_SIGN_UP=open",
-        )
 
 
 def request_sign_up(session: Session, email: str) -> None:

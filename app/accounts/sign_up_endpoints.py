@@ -2,7 +2,7 @@
 
 from fastapi import APIRouter, Request, Response
 
-from app.accounts import people, queries, rate_limits, service
+from app.accounts import people, queries, rate_limits, service, setup_codes
 from app.accounts.browser_sign_ins import sign_in_browser
 from app.accounts.errors import (
     AddressTaken,
@@ -10,6 +10,7 @@ from app.accounts.errors import (
     NoMailServer,
     PasswordTooWeak,
     ResetNotFound,
+    SetupCodeNeeded,
     SignUpClosed,
     SignUpNotFound,
     TooManyAttempts,
@@ -47,14 +48,23 @@ def read_sign_up(runtime: CurrentRuntime, session: DbSession, _actor: Actor = al
     """Return whether anyone may open an account here, and whether by a mailed link."""
     settings = runtime.settings
     is_open = settings.sign_up == "open" or not queries.has_people(session)
-    return SignUpMode(open=is_open, by_mail=bool(settings.smtp_url))
+    needs_setup_code = setup_codes.needs_setup_code(session, settings)
+    return SignUpMode(open=is_open, by_mail=bool(settings.smtp_url), setup_code=needs_setup_code)
 
 
 @_unsaved_router.post(
     "/sign-up",
     status_code=201,
     response_model=PersonRead,
-    responses=problems(AddressTaken, BadAddress, VerificationNeeded, PasswordTooWeak, SignUpClosed, TooManyAttempts),
+    responses=problems(
+        AddressTaken,
+        BadAddress,
+        VerificationNeeded,
+        PasswordTooWeak,
+        SetupCodeNeeded,
+        SignUpClosed,
+        TooManyAttempts,
+    ),
 )
 def sign_up(
     body: SignUpAdd,
@@ -69,7 +79,7 @@ def sign_up(
     if runtime.settings.smtp_url:
         raise VerificationNeeded("this server verifies addresses first", fix="ask for a link: POST /v1/sign-ups")
     with begin() as session:
-        service.ensure_sign_up_allowed(session, runtime.settings)
+        setup_codes.ensure_sign_up_allowed(session, runtime.settings, body.setup_code or "")
         person = service.sign_up(
             session, email=body.email, name=body.name, password=body.password, studio_name=body.studio_name
         )
@@ -78,7 +88,9 @@ def sign_up(
 
 
 @_unsaved_router.post(
-    "/sign-ups", status_code=202, responses=problems(BadAddress, NoMailServer, SignUpClosed, TooManyAttempts)
+    "/sign-ups",
+    status_code=202,
+    responses=problems(BadAddress, NoMailServer, SetupCodeNeeded, SignUpClosed, TooManyAttempts),
 )
 def request_sign_up(
     body: SignUpRequest,
@@ -92,7 +104,7 @@ def request_sign_up(
         raise NoMailServer("this server has no mail server to send a link by", fix="sign up at once: POST /v1/sign-up")
     ensure_mail_allowed(request, normalised_email(body.email))
     with begin() as session:
-        service.ensure_sign_up_allowed(session, runtime.settings)
+        setup_codes.ensure_sign_up_allowed(session, runtime.settings, body.setup_code or "")
         service.request_sign_up(session, body.email)
 
 

@@ -1,5 +1,6 @@
 """Commands about people and studios: tokens, limits, mails, sign-ins, operators."""
 
+import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated
 from uuid import UUID
@@ -84,6 +85,24 @@ def sign_out(address: Annotated[str, typer.Argument(help="The address of an acco
     from app.accounts import operators
 
     _change_account(operators.sign_out, address, "is signed out everywhere")
+
+
+@accounts_cli.command("add")
+def add_account(
+    address: Annotated[str, typer.Argument(help="The address to sign in with.")],
+    name: Annotated[str, typer.Option(prompt="Name", help="The person's name.")],
+    studio: Annotated[str, typer.Option(help="The name of a studio to open, which the person produces for.")] = "",
+) -> None:
+    """Make an account, as the first one of an empty server; asks for its password, or reads it from a pipe."""
+    from app.accounts import operators
+
+    if sys.stdin.isatty():
+        password = typer.prompt("Password", hide_input=True, confirmation_prompt=True)
+    else:
+        password = sys.stdin.readline().rstrip("\r\n")
+    _change_account(
+        lambda session, email: operators.add_account(session, email, name, password, studio), address, "has an account"
+    )
 
 
 @accounts_cli.command("remove-second-factor")

@@ -40,10 +40,12 @@ def serve(
     if settings.demo and host != "127.0.0.1":
         raise refusal(["the demo listens on 127.0.0.1 only, since it needs no sign-in"])
     if settings.web_processes == 1:
-        _serve(ready_to_serve(settings), lambda: processes.listener(host, port))
+        runtime = ready_to_serve(settings)
+        _print_setup_code(runtime)
+        _serve(runtime, lambda: processes.listener(host, port))
         return
     # Problems are reported once, by a process whose threads and connections are not inherited.
-    if code := processes.run_in_subprocess(lambda: _apart(lambda: ready_to_serve(settings).close())):
+    if code := processes.run_in_subprocess(lambda: _apart(lambda: _try_to_serve(settings))):
         raise typer.Exit(code)
     try:
         kept = processes.listener(host, port, shared=True)
@@ -54,6 +56,23 @@ def serve(
         _apart(lambda: _serve(opened(settings), lambda: processes.shared_listener(kept), place=place))
 
     raise typer.Exit(processes.PreforkSupervisor(serve_beside, settings.web_processes).run())
+
+
+def _try_to_serve(settings: Settings) -> None:
+    runtime = ready_to_serve(settings)
+    _print_setup_code(runtime)
+    runtime.close()
+
+
+def _print_setup_code(runtime: Runtime) -> None:
+    from app.accounts.setup_codes import needs_setup_code, setup_code
+
+    with runtime.database.reading() as session:
+        if needs_setup_code(session, runtime.settings):
+            typer.echo(
+                f"This server has no account yet. Set-up code of the first one: {setup_code(runtime.settings)}\n"
+                f"Enter it at {runtime.settings.base_url}/sign-up, or run: soundlist accounts add ADDRESS"
+            )
 
 
 def _apart(work: Callable[[], None]) -> None:

@@ -67,7 +67,7 @@ const SIGN_INS = [
     expires_at: '2026-12-18T09:00:00Z',
   },
 ]
-export const AT_ONCE = { open: true, by_mail: false }
+export const AT_ONCE = { open: true, by_mail: false, setup_code: false }
 export const NOBODY = { signed_in: false, demo: false, person: null }
 export const signedIn = (me: typeof PRODUCER | typeof DESIGNER, demo = false) => ({
   signed_in: true,

@@ -6,10 +6,6 @@ import pytest
 from fastapi.testclient import TestClient
 
 from app.accounts.rules import AddressProof
-from app.accounts.service import ensure_sign_up_allowed
-from app.kit.runtime import Runtime
-from app.migrate import migrate
-from app.settings import Settings
 from tests.app.accounts.test_addresses import proof_of
 from tests.app.accounts.test_sign_in import NEW_PASSWORD, PASSWORD, address, sign_in, sign_up, with_csrf
 from tests.support.server import RunningServer
@@ -103,17 +99,6 @@ def test_by_invitation_only_the_first_person_signs_up(server: RunningServer) -> 
             assert ask(server.browser(), address()) == 403
     finally:
         settings.sign_up = "open"
-
-
-@pytest.mark.slow
-@pytest.mark.on_folder
-def test_an_empty_server_takes_its_first_person(tmp_path_factory: pytest.TempPathFactory) -> None:
-    runtime = Runtime.of(Settings(data_dir=tmp_path_factory.mktemp("empty")))
-    migrate(runtime.database)
-    with runtime.database.reading() as session:
-        assert runtime.settings.sign_up == "invited"
-        ensure_sign_up_allowed(session, runtime.settings)
-    runtime.close()
 
 
 @pytest.mark.slow

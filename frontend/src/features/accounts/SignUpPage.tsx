@@ -64,10 +64,20 @@ export function SignUpPage() {
       </Sheet>
     )
   }
-  return way.by_mail ? <AskByMail /> : <AtOnce />
+  return way.by_mail ? <AskByMail setupCode={way.setup_code} /> : <AtOnce setupCode={way.setup_code} />
 }
 
-function AtOnce() {
+/** The code that the first account of a server needs. */
+const setupCodeField = (
+  <Field
+    name="setup_code"
+    label="Set-up code"
+    autoComplete="off"
+    hint="This server has no account yet. The command soundlist serve prints the code when it starts: look in the server’s log."
+  />
+)
+
+function AtOnce({ setupCode }: { setupCode: boolean }) {
   const router = useRouter()
   const signUp = useSignUp()
   return (
@@ -85,27 +95,29 @@ function AtOnce() {
               name: value('name'),
               email: value('email'),
               password: value('password'),
+              ...(setupCode && { setup_code: value('setup_code') }),
             },
             { onSuccess: () => void router.navigate({ href: '/' }) },
           )
         }
         other={toSignIn}
       >
+        {setupCode && setupCodeField}
         <AccountFields />
       </Form>
     </Sheet>
   )
 }
 
-function AskByMail() {
+function AskByMail({ setupCode }: { setupCode: boolean }) {
   const asking = useAskSignUp()
   if (asking.isSuccess) {
     return (
       <Sheet>
         <h1>Check your inbox</h1>
         <p className="mid">
-          We have sent an email to {asking.variables} with a link to continue. The link works once, within a day. If
-          nothing arrives in a few minutes, check your spam folder.
+          We have sent an email to {asking.variables.email} with a link to continue. The link works once, within a day.
+          If nothing arrives in a few minutes, check your spam folder.
         </p>
         <p className="small mid" style={{ marginTop: 'var(--sl-4)' }}>
           <button type="button" className="link" onClick={() => asking.reset()}>
@@ -124,9 +136,12 @@ function AskByMail() {
         action="Email me a link"
         busy={asking.isPending}
         error={asking.error}
-        onSubmit={(value) => asking.mutate(value('email'))}
+        onSubmit={(value) =>
+          asking.mutate({ email: value('email'), ...(setupCode && { setup_code: value('setup_code') }) })
+        }
         other={toSignIn}
       >
+        {setupCode && setupCodeField}
         <Field name="email" label="Email" type="email" autoComplete="username" />
       </Form>
     </Sheet>

@@ -51,7 +51,7 @@ export const signUpQuery = queryOptions({
 
 export const useAskSignUp = () =>
   useMutation({
-    mutationFn: (email: string) => answered(api.POST('/v1/sign-ups', { body: { email } })),
+    mutationFn: (body: Schemas['SignUpRequest']) => answered(api.POST('/v1/sign-ups', { body })),
   })
 
 export const signUpLinkQuery = (secret: string) =>

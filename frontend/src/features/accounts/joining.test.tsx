@@ -60,6 +60,30 @@ describe('signing up', () => {
     expect(screen.queryByRole('textbox')).toBeNull()
   })
 
+  test.each([
+    { by_mail: false, action: 'Create studio', path: '/v1/sign-up' },
+    { by_mail: true, action: 'Email me a link', path: '/v1/sign-ups' },
+  ])('the first account of a server needs its set-up code (by mail: $by_mail)', async ({ by_mail, action, path }) => {
+    const server = serve({
+      'GET /v1/session': NOBODY,
+      'GET /v1/sign-up': { open: true, by_mail, setup_code: true },
+      [`POST ${path}`]: refusal(403, 'setup-code-needed', 'this is not the set-up code of this server', {
+        errors: [{ where: 'setup_code', message: 'this is not the set-up code of this server' }],
+      }),
+    })
+    const user = userEvent.setup()
+    openApp('/sign-up')
+    const code = await screen.findByLabelText('Set-up code')
+    expect(screen.getByText(/soundlist serve prints the code/)).toBeInTheDocument()
+    for (const field of screen.queryAllByRole('textbox')) await user.type(field, 'a@hull.example')
+    await user.clear(code)
+    await user.type(code, 'ABCD-EFGH')
+    if (!by_mail) await user.type(screen.getByLabelText('Password'), 'four words of music')
+    await user.click(screen.getByRole('button', { name: action }))
+    expect(await screen.findByText('This is not the set-up code of this server.')).toBeInTheDocument()
+    expect(server.asked.find(({ method }) => method === 'POST')?.body).toMatchObject({ setup_code: 'ABCD-EFGH' })
+  })
+
   test('with a mail server it asks for the address alone, and says to look into the mail', async () => {
     const server = serve({
       'GET /v1/session': NOBODY,
