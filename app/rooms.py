@@ -55,6 +55,7 @@ from app.notifications.notice_endpoints import router as notices
 from app.notifications.preference_endpoints import router as mail_preferences
 from app.notifications.service import drop_news_of_member
 from app.operations.endpoints import router as operations
+from app.operations.erasure_endpoints import router as erasures
 from app.projects.approval_endpoints import router as approval
 from app.projects.budget_endpoints import router as budgets
 from app.projects.endpoints import router as projects
@@ -166,6 +167,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     mail_preferences,
     webhooks,
     operations,
+    erasures,
 )
 JOB_MODULES = (
     "app.projects.jobs",

@@ -64,6 +64,7 @@ CHORES = (
     "notifications.delete_old_notices",
     "webhooks.delete_old_calls",
     "operations.scrub_blobs",
+    "operations.carry_out_erasures",
 )
 
 

@@ -209,7 +209,8 @@ def ensure_recent_sign_in(auth: AuthResult) -> None:
     if auth.signed_in_at is not None and auth.signed_in_at < clock.now() - RECENT_SIGN_IN:
         minutes = RECENT_SIGN_IN // timedelta(minutes=1)
         raise RecentSignInNeeded(
-            f"this gives access to others, so it asks for a sign-in of the last {minutes} minutes; nothing was done",
+            f"this gives access to others or erases for good, so it asks for a sign-in of the last {minutes} minutes; "
+            "nothing was done",
             fix="sign in again, then repeat it",
         )
 

@@ -46,7 +46,7 @@ class ScopeMissing(Forbidden):
 
 
 class RecentSignInNeeded(Forbidden):
-    """The caller signed in too long ago for an act that gives access to others."""
+    """The caller signed in too long ago for an act that gives access to others or erases for good."""
 
 
 class CsrfMismatch(Forbidden):

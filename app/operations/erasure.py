@@ -16,6 +16,7 @@ from app.kit.db import Base
 from app.kit.plural import counted
 from app.notifications.models import Mail
 from app.operations import erasure_queries, scopes
+from app.operations.erasure_queries import Kept
 from app.operations.errors import ErasureRefused
 
 ERASED_DOMAIN = "erased.invalid"
@@ -29,7 +30,7 @@ class Erased:
 
     name: str
     rows: int = 0
-    kept: list[str] = field(default_factory=list)
+    kept: list[Kept] = field(default_factory=list)
 
 
 def erase_project(session: Session, project_id: UUID) -> Erased:
@@ -55,21 +56,23 @@ def erase_studio(session: Session, studio_id: UUID) -> Erased:
 
 
 def erase_person(session: Session, address: str) -> Erased:
-    """Delete an account and what is about the person alone; their name and address become a pseudonym everywhere else.
+    """Delete the account of an address and what is about the person alone.
 
-    Raises ErasureRefused while the person is a member of a studio, an operator, or a party of a running contract.
+    Their name and address become a pseudonym everywhere else. Raises ErasureRefused while the person is a member of a
+    studio, an operator, or a party of a running contract.
     """
     person = erasure_queries.person(session, address)
     if person is None:
         raise ErasureRefused(f"no account has the address {address}")
-    if reasons := erasure_queries.reasons_to_stay(session, person.id):
+    if reasons := erasure_queries.obstacles_of_person(session, person.id):
         raise ErasureRefused(f"{person.email} {'; '.join(reasons)}")
     name, email, pseudonym = person.name, person.email, f"{person.id}@{ERASED_DOMAIN}"
     erased = Erased(name, kept=erasure_queries.kept_of_person(session, person.id))
+    scope = of_person(person.id)
     for table in scopes.tables():
-        is_personal = "studio_id" not in table.c or table.name in PERSONAL
-        if is_personal and "person_id" in table.c:
-            erased.rows += _count(session, sa.delete(table).where(table.c.person_id == person.id))
+        where = scope(table)
+        if where is not None:
+            erased.rows += _count(session, sa.delete(table).where(where))
     erased.rows += _count(session, sa.delete(Mail).where(Mail.recipient == email))
     erased.rows += _count(session, sa.delete(SignUp).where(SignUp.email == email))
     for name_of_table in INVITED:
@@ -81,12 +84,31 @@ def erase_person(session: Session, address: str) -> Erased:
     return erased
 
 
-def _ensure_unsigned(session: Session, name: str, **of: UUID) -> None:
+def of_person(person_id: UUID) -> scopes.Scope:
+    """Return which rows of a table are about a person alone; None where none are."""
+
+    def scope(table: sa.Table) -> sa.ColumnElement[bool] | None:
+        is_personal = "studio_id" not in table.c or table.name in PERSONAL
+        return table.c.person_id == person_id if is_personal and "person_id" in table.c else None
+
+    return scope
+
+
+def obstacle_of_contracts(session: Session, name: str, **of: UUID) -> str | None:
+    """Return why signed contracts keep a project or a studio; None where it has none."""
     signed = erasure_queries.signed_contracts(session, **of)
-    if signed:
+    if not signed:
+        return None
+    return (
+        f"{name} has {counted(len(signed), 'signed contract')}, such as {signed[0].title}: contracts, invoices and "
+        "the record of what was accepted are kept as evidence and for the tax office"
+    )
+
+
+def _ensure_unsigned(session: Session, name: str, **of: UUID) -> None:
+    if obstacle := obstacle_of_contracts(session, name, **of):
         raise ErasureRefused(
-            f"{name} has {counted(len(signed), 'signed contract')}, such as {signed[0].title}: contracts, invoices and "
-            "the record of what was accepted are kept as evidence and for the tax office",
+            obstacle,
             fix="export the studio and keep the file as long as the law asks, or erase what has no contract",
         )
 

@@ -1,6 +1,6 @@
 """Refusals of this room."""
 
-from app.kit.errors import Conflict, NotFound
+from app.kit.errors import Conflict, Invalid, NotFound
 
 
 class JobNotFound(NotFound):
@@ -13,3 +13,7 @@ class JobNotParked(Conflict):
 
 class ErasureRefused(Conflict):
     """Something requires that this stays, or ends first."""
+
+
+class ConfirmationMismatch(Invalid):
+    """The typed confirmation is not the name of what is to be erased."""

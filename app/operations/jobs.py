@@ -1,4 +1,4 @@
-"""Jobs that look after what the server stores."""
+"""Jobs that look after what the server stores, and erase what people asked for."""
 
 from datetime import timedelta
 
@@ -7,7 +7,8 @@ import structlog
 from app.kit import clock
 from app.kit.queue import Payload, job
 from app.kit.runtime import Runtime
-from app.operations import blob_queries, scrubbing
+from app.operations import blob_queries, erasure_queries, erasure_requests, scrubbing
+from app.operations.errors import ErasureRefused
 
 SCRUB_EVERY = timedelta(days=1)
 SCRUB_BYTES = 2 << 30  # each five minutes, so 560 GiB a day
@@ -33,3 +34,18 @@ def scrub_blobs(runtime: Runtime, _payload: Payload) -> None:
     if ended is not None and ended.id == scrub_id:
         deleted = sum(1 for _ in scrubbing.delete_orphans(runtime, scrubbing.ORPHANS_KEPT))
         log.info("unused files were deleted", files=deleted)
+
+
+@job("operations.carry_out_erasures")
+def carry_out_erasures(runtime: Runtime, _payload: Payload) -> None:
+    """Erase the projects and studios whose days of grace are over."""
+    with runtime.database.reading() as session:
+        due = erasure_queries.due_erasures(session, clock.now())
+    for erasure_id in due:
+        try:
+            with runtime.database.writing() as session:
+                erasure_requests.carry_out(session, erasure_id)
+            log.info("an erasure was carried out", erasure_id=str(erasure_id))
+        except ErasureRefused as error:
+            with runtime.database.writing() as session:
+                erasure_requests.give_up(session, erasure_id, error.message)

@@ -1,10 +1,10 @@
-"""The tables of this room: passes over all stored files, and the files that they found damaged."""
+"""The tables of this room: passes over all stored files, the files that they found damaged, and erasures to come."""
 
 from datetime import datetime
 from enum import StrEnum
 from uuid import UUID
 
-from sqlalchemy import BigInteger
+from sqlalchemy import BigInteger, ForeignKey, Index, text
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.kit import clock
@@ -46,3 +46,26 @@ class DamagedBlob(Base):
     kind: Mapped[str]
     state: Mapped[BlobState]
     found_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Erasure(Base):
+    """A project, or a studio with all its projects, that is erased once its day comes."""
+
+    __tablename__ = "operations_erasures"
+    __table_args__ = (
+        Index(
+            "uq_operations_erasures_of_studio",
+            "studio_id",
+            unique=True,
+            sqlite_where=text("project_id is null"),
+            postgresql_where=text("project_id is null"),
+        ),
+        Index("uq_operations_erasures_of_project", "project_id", unique=True),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID | None] = mapped_column(ForeignKey("projects_projects.id"))  # None: the studio
+    requested_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    requested_at: Mapped[datetime] = mapped_column(default=clock.now)
+    due_at: Mapped[datetime] = mapped_column(index=True)

@@ -191,3 +191,31 @@ class DepartureItem(Schema):
     name: str = Field(description="Its own name: of a project, a contract, a category, a link; the address of a call.")
     project_id: UUID | None = Field(description="Null: of the studio.")
     project_name: str | None
+
+
+class KeptItem(Schema):
+    """What an erasure leaves, and why."""
+
+    name: str = Field(examples=["3 signatures"])
+    reason: str = Field(examples=["evidence of a contract; with the name as signed"])
+
+
+class ErasureRead(Schema):
+    """What an erasure deletes, what stays and why, and what must end first."""
+
+    name: str
+    confirmation: str = Field(description="What must be typed to erase it: its name, or the address of the account.")
+    obstacles: list[str] = Field(description="What must end first; none: it can be erased.")
+    deleted: list[str] = Field(description="Kinds of rows with their number, such as 12 sounds.")
+    kept: list[KeptItem]
+    grace_days: int = Field(description="The days until it is carried out, in which it can be cancelled; 0: at once.")
+    due_at: datetime | None = Field(description="When it is carried out; null unless it was requested.")
+    requested_by: str | None = Field(description="The name of the person who requested it.")
+
+
+class ErasureRequest(Schema):
+    """The confirmation of an erasure."""
+
+    confirmation: str = Field(
+        max_length=400, description="The `confirmation` of the list of what is deleted, typed by the person."
+    )

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_fd0517dc"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_355172a2"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -870,6 +870,23 @@ def upgrade() -> None:
     op.create_index(op.f("ix_notifications_notices_studio_id"), "notifications_notices", ["studio_id"])
     op.create_index("ix_notifications_notices_unread", "notifications_notices", ["person_id"], sqlite_where=sa.text("read_at is null"), postgresql_where=sa.text("read_at is null"))
     op.create_index("uq_notifications_notices_open", "notifications_notices", ["person_id", "topic"], unique=True, sqlite_where=sa.text("is_open"), postgresql_where=sa.text("is_open"))
+    op.create_table(
+        "operations_erasures",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("project_id", sa.Uuid()),
+        sa.Column("requested_by", sa.Uuid(), nullable=False),
+        sa.Column("requested_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("due_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_operations_erasures_project_id")),
+        sa.ForeignKeyConstraint(["requested_by"], ["accounts_people.id"], name=op.f("fk_operations_erasures_requested_by")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_operations_erasures_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_operations_erasures")),
+    )
+    op.create_index(op.f("ix_operations_erasures_due_at"), "operations_erasures", ["due_at"])
+    op.create_index(op.f("ix_operations_erasures_requested_by"), "operations_erasures", ["requested_by"])
+    op.create_index("uq_operations_erasures_of_project", "operations_erasures", ["project_id"], unique=True)
+    op.create_index("uq_operations_erasures_of_studio", "operations_erasures", ["studio_id"], unique=True, sqlite_where=sa.text("project_id is null"), postgresql_where=sa.text("project_id is null"))
     op.create_table(
         "projects_approver_changes",
         sa.Column("id", sa.Uuid(), nullable=False),

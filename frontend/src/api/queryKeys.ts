@@ -175,6 +175,7 @@ export const queryKeys = {
   hours: family<[projectId: string]>('hours'),
   pace: family<[projectId: string]>('pace'),
   progress: family<[projectId: string, part?: 'cues' | 'counts']>('progress'),
+  erasure: family<[kind: string, id: string]>('erasure'),
   operations: family<[scope: string, part: 'kept' | 'limits' | 'sums' | 'jobs', state?: string]>('operations'),
 }
 

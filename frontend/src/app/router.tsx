@@ -11,6 +11,7 @@ import { checkRoutes } from '@/features/checks/routes'
 import { contractRoutes, verifyRoutes } from '@/features/contracts/routes'
 import { deliveryRoutes } from '@/features/deliveries/routes'
 import { deskRoutes } from '@/features/desk/routes'
+import { erasureRoutes } from '@/features/erasure/routes'
 import { gameFilesRoutes } from '@/features/game-files/routes'
 import { hiringRoutes, postingLinkRoutes } from '@/features/hiring/routes'
 import { invitationRoutes } from '@/features/invitation/routes'
@@ -65,6 +66,7 @@ const pages = [
     ...takeRoutes,
     ...accountRoutes,
     ...operationRoutes,
+    ...erasureRoutes,
     ...noticeRoutes,
     ...webhookRoutes,
     nowhereRoute,

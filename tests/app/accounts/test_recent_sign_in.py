@@ -29,6 +29,10 @@ ACCESS_GIVEN = {
     "end_my_totp",
     "renew_my_recovery_codes",
     "set_second_factor_requirement",
+    # Each erases for good.
+    "erase_me",
+    "request_project_erasure",
+    "request_studio_erasure",
 }
 
 

@@ -10,6 +10,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
 import classes from './Account.module.css'
 import { DeskTokensCard } from './DeskTokensCard'
+import { EraseCard } from './EraseCard'
 import { Field, Form } from '@/app/Form'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
@@ -85,6 +86,7 @@ export function AccountPage() {
         {session?.demo === false && me.projects.some(({ part }) => part === 'designer') && <DeskTokensCard />}
         <MailCard />
         {session?.demo !== true && <StudioCard />}
+        {session?.demo !== true && <EraseCard to="/erase/account" title="Erase your account" />}
       </div>
     </div>
   )

@@ -25,7 +25,7 @@ export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: S
     <Dialog title={isRecent ? 'Confirm your password' : 'Sign in to go on'} opened={opened} onClose={onClose}>
       <p className="mid">
         {isRecent
-          ? 'This gives access to others, and you signed in a while ago. What you typed is kept.'
+          ? 'You signed in a while ago, and this needs a recent sign-in. What you typed is kept.'
           : 'Your session has ended. What you typed is kept.'}
       </p>
       <Form

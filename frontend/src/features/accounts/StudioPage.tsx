@@ -7,6 +7,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Segmented } from '@/ui/Segmented'
 
 import { CalendarCard } from './CalendarCard'
+import { EraseCard } from './EraseCard'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
@@ -63,6 +64,7 @@ export function StudioPage() {
             <InvoiceDetailsCard key={`invoices ${studio.id}`} studioId={studio.id} />
             <SecondFactorRequirementCard key={`second factor ${studio.id}`} studioId={studio.id} />
             <QuotasCard key={`quotas ${studio.id}`} studioId={studio.id} />
+            <EraseCard to={`/erase/studios/${studio.id}`} title="Erase the studio" />
           </div>
         )}
       </div>

@@ -6,6 +6,7 @@ import type { JobCount, JobState, Lane, Scope, Scrub } from './api'
 /** What each job does, for people; one without words here is called by its own name. */
 const JOBS: Partial<Record<string, string>> = {
   'operations.scrub_blobs': 'Read stored files and compare them with their hashes',
+  'operations.carry_out_erasures': 'Erase projects and studios whose days of grace are over',
   'agreements.seal_contract': 'Seal the PDF of a signed contract',
   'agreements.seal_unsealed': 'Seal signed contracts that have no seal yet',
   'notifications.delete_old_notices': 'Delete old notices',

@@ -190,6 +190,9 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
           <Button variant="quiet" className="end" onClick={() => putAway(!isAway)}>
             {isAway ? 'Restore' : 'Archive'}
           </Button>
+          <Link className="link small" to={`/erase/projects/${project.id}` as LinkProps['to']}>
+            Erase…
+          </Link>
         </div>
       </form>
       <Refusal error={change.error} />
