@@ -12,7 +12,9 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from app import rooms
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
+from app.accounts.policies import authenticate, caller_key
 from app.dashboards.watching import GRANTING, sights_of
+from app.deliveries.upload_endpoints import TusHeaders
 from app.kit import error_responses, events, health
 from app.kit.api_document import ApiDocument, Application
 from app.kit.change_feed import ChangeFeed
@@ -59,13 +61,20 @@ def create_app(runtime: Runtime) -> FastAPI:
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     runtime.parsers.connect(rooms.PARSERS)
     events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
-    error_responses.install(app, credential_cookies=(SESSION_COOKIE, DEMO_COOKIE), rights_of=rights_of)
+    error_responses.install(
+        app,
+        credential_cookies=(SESSION_COOKIE, DEMO_COOKIE),
+        rights_of=rights_of,
+        caller_key=caller_key,
+        authenticate=authenticate,
+    )
     for router in rooms.ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
     app.add_route("/v1/openapi.json", ApiDocument(app).respond, include_in_schema=False)
     headers = security_headers(runtime.store.public_origin, is_https=runtime.settings.is_https)
     app.state.security_headers = headers
+    app.add_middleware(TusHeaders)
     app.add_middleware(CompressedAnswers)
     app.add_middleware(WithResponseHeaders, headers=headers)
     if runtime.settings.is_https:

@@ -2,14 +2,16 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts import calendars
 from app.accounts.errors import DayNamedTwice, ProducerNeeded, StudioNotFound, TimeZoneUnknown
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import CalendarRead, CalendarSave
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["accounts"])
 
 
 @router.get("/studios/{studio_id}/calendar", response_model=CalendarRead, responses=problems(StudioNotFound))

@@ -21,8 +21,6 @@ from app.accounts.models import Person
 from app.accounts.policies import allows, authenticate, demo_part_of
 from app.accounts.request_limits import (
     DeferredSession,
-    RateLimitedRoute,
-    UnsavedResponseRoute,
     ensure_second_factor_allowed,
     ensure_sign_in_allowed,
     network_of,
@@ -34,13 +32,13 @@ from app.kit.db import widen_reach
 from app.kit.http import (
     CurrentRuntime,
     DbSession,
-    Router,
     problems,
 )
+from app.kit.idempotency import UNSAVED
 from app.kit.reach import Reach
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["accounts"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 log = structlog.get_logger(__name__)
 
 

@@ -2,15 +2,17 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts import invoice_details
 from app.accounts.errors import BadInvoiceDetails, ProducerNeeded, StudioNotFound
 from app.accounts.invoice_rules import PartyDetails
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import InvoiceDetailsRead, InvoiceDetailsSave
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["accounts"])
 
 
 @router.get("/me/invoice-details", response_model=InvoiceDetailsRead)

@@ -23,8 +23,6 @@ from app.accounts.models import DeskToken, Person
 from app.accounts.policies import allows
 from app.accounts.request_limits import (
     DeferredSession,
-    RateLimitedRoute,
-    UnsavedResponseRoute,
     ensure_mail_allowed,
     ensure_sign_in_allowed,
 )
@@ -38,10 +36,11 @@ from app.accounts.schemas import (
     PersonRead,
     SignInRead,
 )
-from app.kit.http import DbSession, Router, problems
+from app.kit.http import DbSession, problems
+from app.kit.idempotency import UNSAVED
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["accounts"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 
 
 @router.put("/me", response_model=PersonRead)

@@ -1,8 +1,9 @@
 """The endpoints of the caller's own picture."""
 
+from typing import Annotated
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 from sqlalchemy.orm import Session
 
 from app.accounts import pictures
@@ -12,11 +13,11 @@ from app.accounts.picture_drawing import MAX_BYTES, draw_square
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
-from app.kit.bodies import content_length, read_whole
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.bodies import accepts_body
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["accounts"])
 _BINARY = {"schema": {"type": "string", "format": "binary"}}
 PICTURE_BODY = {"requestBody": {"content": {"application/octet-stream": _BINARY}, "required": True}}
 ANY = UUID(int=0)
@@ -28,20 +29,19 @@ def _themselves(_session: Session, _actor: Actor, _whose: UUID) -> None:
 
 async def _drawn(request: Request) -> bytes:
     """Return the square that a child drew of the picture that was sent."""
-    receive = await read_whole(request.receive, content_length(request.scope), MAX_BYTES)
-    body = await Request(request.scope, receive).body()
+    body = await request.body()
     return await parse_request(request, draw_square, body, refusal=PictureRefused, permit=_themselves, whose=ANY)
 
 
 @router.put(
     "/me/picture",
     response_model=PersonBrief,
-    max_body_size=MAX_BYTES,
     openapi_extra=PICTURE_BODY,
     responses=problems(PictureRefused, ParsingBusy),
 )
+@accepts_body(MAX_BYTES)
 def save_my_picture(
-    session: DbSession, actor: Actor = allows(Audience.PERSON), drawn: bytes = Depends(_drawn)
+    actor: Annotated[Actor, allows(Audience.PERSON)], drawn: Annotated[bytes, Depends(_drawn)], session: DbSession
 ) -> Person:
     """Show a picture beside the caller's name: a PNG, JPEG or WebP, of which the middle is kept as a small square."""
     return pictures.save_picture(session, actor, drawn)

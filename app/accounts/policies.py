@@ -1,6 +1,5 @@
 """Policies of endpoints: who is asking, and whether the declared policy admits them."""
 
-from functools import partial
 from typing import Any
 from uuid import UUID
 
@@ -24,10 +23,9 @@ from app.kit.db import Database
 from app.kit.http import (
     database_of,
     runtime_of,
-    set_caller,
     set_reach,
 )
-from app.kit.single_thread_route import Authentication, LazyAuthentication
+from app.kit.idempotency import ensure_first
 
 
 def client_address(request: Request) -> str:
@@ -47,23 +45,22 @@ def _credentials(request: Request) -> RequestCredentials:
     return RequestCredentials(request.method, request.headers, request.cookies, client_address(request))
 
 
-class Allowed(Authentication):
-    """The dependency that an endpoint's policy becomes."""
+def caller_key(request: Request) -> str:
+    """Return by whom a request is counted before it is authenticated."""
+    return authentication.caller_key(_credentials(request))
+
+
+class Allowed:
+    """The dependency that an endpoint's policy becomes; services check the project and the role."""
 
     def __init__(self, policy: Policy) -> None:
         self.policy = policy
 
-    async def __call__(self, request: Request, background: BackgroundTasks) -> LazyAuthentication:
-        """Return what authenticates the caller, once the endpoint has a thread for it."""
-        set_caller(request, authentication.caller_key(_credentials(request)))
-        return LazyAuthentication(request, partial(self._who, request, background))
-
-    def authenticate(self, request: Request) -> Actor:
-        """Return the caller if the policy admits them; services check the project and the role."""
-        return self._admit(request).actor
-
-    def _who(self, request: Request, background: BackgroundTasks) -> Actor:
+    def __call__(self, request: Request, background: BackgroundTasks) -> Actor:
+        """Return the caller if the policy admits them; a write that was answered before is answered the same again."""
         auth = self._admit(request)
+        request.state.actor = auth.actor
+        ensure_first(request, auth.actor)
         if self.policy.audience is not Audience.ANYONE:
             if auth.unrecorded_sign_in_id is not None:
                 background.add_task(_record_seen, database_of(request), auth.unrecorded_sign_in_id)

@@ -1,43 +1,35 @@
-"""How often a caller may try: rate limits of requests, and the routes that answer with Retry-After."""
+"""How often a caller may try: rate limits of requests."""
 
-from collections.abc import Callable, Coroutine
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import AsyncIterator, Callable
+from contextlib import AbstractContextManager
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated
 from uuid import UUID
 
-from fastapi import Depends, Request, Response
-from fastapi.responses import JSONResponse
+from fastapi import Depends, Request
 from sqlalchemy.orm import Session
 
 from app.accounts import authentication, rate_limits, rules
-from app.accounts.errors import (
-    TooManyAttempts,
-)
 from app.accounts.policies import client_address
 from app.accounts.rules import Actor
 from app.kit.db import bypass_row_policies
 from app.kit.http import (
-    PROBLEM_TYPE,
-    Problem,
-    Route,
     database_of,
     person_slot,
     runtime_of,
     transaction,
 )
-from app.kit.single_thread_route import LazySession, SingleThreadRoute
 
-Handler = Callable[[Request], Coroutine[Any, Any, Response]]
+Begin = Callable[[], AbstractContextManager[Session]]
 
 
-async def _deferred_session(request: Request) -> LazySession:
-    opener: Any = nullcontext(partial(transaction, request))
-    return LazySession(partial(person_slot, request, reads=False), lambda: opener)
+async def _deferred_session(request: Request) -> AsyncIterator[Begin]:
+    async with person_slot(request, reads=False):
+        yield partial(transaction, request)
 
 
 # What opens the request's transaction, for endpoints that first write what stays although the request is refused.
-DeferredSession = Annotated[Callable[[], AbstractContextManager[Session]], Depends(_deferred_session)]
+DeferredSession = Annotated[Begin, Depends(_deferred_session, scope="function")]
 
 
 def network_of(request: Request) -> str:
@@ -142,41 +134,3 @@ def ensure_mail_allowed(request: Request, whom: str) -> None:
         (rate_limits.MAILS_FROM_NETWORK, network_of(request)),
         (rate_limits.MAILS_TO_ADDRESS, rules.mailbox_of(whom)),
     )
-
-
-def _wait(request: Request, error: TooManyAttempts) -> Response:
-    problem = Problem(
-        title="Too many tries",
-        status=error.status,
-        code=error.code(),
-        detail=error.message,
-        request_id=getattr(request.state, "request_id", None),
-    )
-    headers = {"Retry-After": str(error.retry_after_s)}
-    return JSONResponse(problem.model_dump(mode="json"), error.status, headers, media_type=PROBLEM_TYPE)
-
-
-def _with_retry_after(handle: Handler) -> Handler:
-    async def handle_with_retry_after(request: Request) -> Response:
-        try:
-            return await handle(request)
-        except TooManyAttempts as error:
-            return _wait(request, error)
-
-    return handle_with_retry_after
-
-
-class RateLimitedRoute(Route):
-    """A route that says how long to wait after too many tries."""
-
-    def get_route_handler(self) -> Handler:
-        """Answer TooManyAttempts with Retry-After."""
-        return _with_retry_after(super().get_route_handler())
-
-
-class UnsavedResponseRoute(SingleThreadRoute):
-    """A patient route whose answer carries a secret, so none is kept to be replayed for an Idempotency-Key."""
-
-    def get_route_handler(self) -> Handler:
-        """Answer TooManyAttempts with Retry-After."""
-        return _with_retry_after(super().get_route_handler())

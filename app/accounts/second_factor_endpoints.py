@@ -19,8 +19,6 @@ from app.accounts.errors import (
 from app.accounts.policies import allows
 from app.accounts.request_limits import (
     DeferredSession,
-    RateLimitedRoute,
-    UnsavedResponseRoute,
     ensure_second_factor_allowed,
 )
 from app.accounts.rules import Actor, Audience
@@ -32,10 +30,11 @@ from app.accounts.second_factor_schemas import (
     TotpSetupRead,
 )
 from app.accounts.second_factors import SecondFactors, TotpSetup
-from app.kit.http import CurrentRuntime, DbSession, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
+from app.kit.idempotency import UNSAVED
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["accounts"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 
 
 @router.get("/me/second-factors", response_model=SecondFactorsRead)

@@ -20,8 +20,6 @@ from app.accounts.models import Person
 from app.accounts.policies import allows
 from app.accounts.request_limits import (
     DeferredSession,
-    RateLimitedRoute,
-    UnsavedResponseRoute,
     ensure_mail_allowed,
     ensure_within_limits,
     network_of,
@@ -37,10 +35,11 @@ from app.accounts.schemas import (
     SignUpRequest,
     SignUpShown,
 )
-from app.kit.http import CurrentRuntime, DbSession, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
+from app.kit.idempotency import UNSAVED
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["accounts"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 
 
 @router.get("/sign-up")

@@ -31,8 +31,6 @@ from app.accounts.models import Membership, Person, Studio, StudioInvitation
 from app.accounts.policies import allows, ensure_recent_sign_in
 from app.accounts.request_limits import (
     DeferredSession,
-    RateLimitedRoute,
-    UnsavedResponseRoute,
     ensure_invitation_allowed,
     ensure_sign_in_allowed,
 )
@@ -50,10 +48,11 @@ from app.accounts.schemas import (
     StudioInvitationRead,
     StudioInvitationShown,
 )
-from app.kit.http import CurrentRuntime, DbSession, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
+from app.kit.idempotency import UNSAVED
 
-router = Router(prefix="/v1", tags=["accounts"], route_class=RateLimitedRoute)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["accounts"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 
 
 @router.post("/studios", status_code=201, response_model=StudioBrief, responses=problems(NotInDemo, TooManyStudios))

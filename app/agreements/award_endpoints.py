@@ -2,16 +2,18 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.agreements.awards import award
 from app.agreements.errors import NoContractNeeded, SamePersonOnBothSides
 from app.hiring.errors import BidNotFound, BidNotSent, WrongPostingState
 from app.hiring.schemas import PostingAwarded
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProducerNeeded, TeamNeeded
 
-router = Router(prefix="/v1", tags=["postings"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["postings"])
 
 
 @router.post(

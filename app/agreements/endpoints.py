@@ -2,10 +2,10 @@
 
 import json
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 from starlette.concurrency import run_in_threadpool
 
 from app.accounts.policies import allows
@@ -39,12 +39,12 @@ from app.agreements.signing_endpoints import SIGNING, signature_sent
 from app.agreements.template_endpoints import clauses_of
 from app.agreements.text import blocks_of
 from app.agreements.version_endpoints import blocks_read, version_read
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
-router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["contracts"])
 
 
 def _waits_for(contract: Contract, to_sign: Sequence[Party]) -> list[Party]:
@@ -229,8 +229,8 @@ def read_contract(
 @router.put(
     "/contracts/{contract_id}/draft",
     responses=problems(ContractNotFound, ProducerNeeded, WrongState, DraftChanged, BadDraft, AmountsNeeded),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def save_contract_draft(
     contract_id: UUID, body: schemas.DraftSave, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ContractRead:
@@ -251,8 +251,8 @@ def save_contract_draft(
 @router.post(
     "/contracts/{contract_id}/preview",
     responses=problems(ContractNotFound, ProducerNeeded),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def preview_contract(
     contract_id: UUID, body: schemas.DraftChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.DraftPreview:
@@ -265,9 +265,7 @@ def preview_contract(
 
 async def _pdf_to_send(request: Request, contract_id: UUID) -> TextPdf:
     database = request.app.state.runtime.database
-    return await run_in_threadpool(
-        lambda: lifecycle.pdf_to_send(database, request.state.lazy_authentication(), contract_id)
-    )
+    return await run_in_threadpool(lifecycle.pdf_to_send, database, request.state.actor, contract_id)
 
 
 @router.post(
@@ -288,9 +286,9 @@ def send_contract(
     contract_id: UUID,
     body: schemas.SendAdd,
     runtime: CurrentRuntime,
+    actor: Annotated[Actor, allows(Audience.PRODUCER)],
+    pdf: Annotated[TextPdf, Depends(_pdf_to_send)],
     session: DbSession,
-    actor: Actor = allows(Audience.PRODUCER),
-    pdf: TextPdf = Depends(_pdf_to_send),
 ) -> schemas.ContractRead:
     """Put the text before both parties as PDF, with the open questions of this moment."""
     lifecycle.send(session, runtime.store, actor, contract_id, pdf=pdf, note=body.note)
@@ -333,9 +331,9 @@ def set_contract_signers(
 )
 def accept_contract(
     contract_id: UUID,
+    actor: Annotated[Actor, allows(Audience.PROJECT)],
+    signature: Annotated[signing.Signature, Depends(signature_sent)],
     session: DbSession,
-    actor: Actor = allows(Audience.PROJECT),
-    signature: signing.Signature = Depends(signature_sent),
 ) -> schemas.ContractRead:
     """Sign the text that was sent, for the caller's party; once all have signed, it is agreed."""
     signing.accept(session, actor, contract_id, signature)

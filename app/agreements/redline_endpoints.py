@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Depends, Path, Query, Request
+from fastapi import APIRouter, Depends, Path, Query, Request
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -25,13 +25,13 @@ from app.agreements.redline_rules import Change, RedlineKind, Wording
 from app.agreements.rules import ContractState, Party
 from app.agreements.schemas import DraftProblem
 from app.agreements.word_file import WordText, parse_word_file
-from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
 from app.kit.fair_share import FairShare, TooManyAtOnce
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ProducerNeeded
 
-router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["contracts"])
 MARKED = FairShare(2, "texts with redlines")
 RedlineNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
@@ -97,8 +97,8 @@ def read_redlines(
     "/contracts/{contract_id}/redlines",
     status_code=201,
     responses=problems(ContractNotFound, NotYourContract, WrongState, TextChanged, BadRedlines, TooManyAtOnce),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def propose_redlines(
     contract_id: UUID, body: schemas.RedlinesAdd, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> schemas.RedlinesRead:
@@ -112,8 +112,8 @@ def propose_redlines(
 @router.post(
     "/contracts/{contract_id}/redline-preview",
     responses=problems(ContractNotFound, NotYourContract, WrongState, TooManyAtOnce),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def preview_redlines(
     contract_id: UUID, body: schemas.RedlinesSet, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> schemas.RedlinesPreview:
@@ -149,13 +149,13 @@ async def _word_text(contract_id: UUID, body: schemas.WordFile, request: Request
         TooManyAtOnce,
         ParsingBusy,
     ),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def read_word_redlines(
     contract_id: UUID,
+    actor: Annotated[Actor, allows(Audience.DESIGNER)],
+    word: Annotated[WordText, Depends(_word_text)],
     session: DbSession,
-    actor: Actor = allows(Audience.DESIGNER),
-    word: WordText = Depends(_word_text),
 ) -> schemas.WordChangesRead:
     """Return what a Word document changes in a contract, clause by clause; nothing is saved or sent."""
     with MARKED.of(actor.person):
@@ -182,8 +182,8 @@ def read_word_redlines(
 @router.post(
     "/contracts/{contract_id}/redlines/{redline_number}/answer",
     responses=problems(ContractNotFound, ProducerNeeded, WrongState, RedlineNotFound, BadRedlines, TooManyAtOnce),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def answer_redline(
     contract_id: UUID,
     redline_number: RedlineNumber,

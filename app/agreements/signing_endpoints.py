@@ -2,12 +2,12 @@
 
 from uuid import UUID
 
-from fastapi import Request
+from fastapi import APIRouter, Request
 from starlette.concurrency import run_in_threadpool
 
 from app.accounts.errors import SecondFactorRequired, TooManyAttempts
 from app.accounts.policies import allows, client_address
-from app.accounts.request_limits import RateLimitedRoute, ensure_signing_code_allowed
+from app.accounts.request_limits import ensure_signing_code_allowed
 from app.accounts.rules import Actor, Audience, device_of
 from app.agreements import schemas, signing_codes
 from app.agreements.drawn_names import ensure_drawing_fits
@@ -26,9 +26,9 @@ from app.agreements.errors import (
 )
 from app.agreements.signing import Signature
 from app.agreements.signing_rules import AGENT_LENGTH, CODE_TRIES
-from app.kit.http import CurrentRuntime, DbSession, Router, problems, runtime_of
+from app.kit.http import CurrentRuntime, DbSession, problems, runtime_of
 
-router = Router(prefix="/v1", tags=["contracts"], route_class=RateLimitedRoute)
+router = APIRouter(prefix="/v1", tags=["contracts"])
 SIGNING = (
     AddressNotProven,
     AlreadyAccepted,
@@ -53,7 +53,7 @@ def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> 
     runtime, agent = runtime_of(request), request.headers.get("user-agent", "")
     check = None
     if runtime.settings.smtp_url:
-        actor = request.state.lazy_authentication()
+        actor = request.state.actor
         check = signing_codes.check(runtime.database, actor, contract_id, body.text_sha256, body.code)
     return Signature(
         name=body.name,

@@ -1,11 +1,11 @@
 """The endpoints of the clause library and of the templates that studios keep."""
 
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 from urllib.parse import quote
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 from fastapi.responses import PlainTextResponse
 
 from app.accounts.errors import ProducerNeeded as StudioProducerNeeded
@@ -17,12 +17,12 @@ from app.agreements import clauses, schemas, template_files, templates
 from app.agreements.errors import BadTemplate, ContractNotFound, TemplateNameTaken, TemplateNotFound
 from app.agreements.models import ContractTemplate
 from app.agreements.rules import ContractKind
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ProducerNeeded
 
-router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["contracts"])
 SentTemplate: TypeAlias = tuple[schemas.TemplateImport, template_files.TemplateFields]
 TOML, MARKDOWN = "application/toml", "text/markdown; charset=utf-8"
 
@@ -94,8 +94,8 @@ def list_contract_templates(
     "/studios/{studio_id}/contract-templates",
     status_code=201,
     responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def add_contract_template(
     studio_id: UUID, body: schemas.TemplateAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.TemplateRead:
@@ -129,13 +129,13 @@ async def _parsed(studio_id: UUID, body: schemas.TemplateImport, request: Reques
     "/studios/{studio_id}/contract-templates/import",
     status_code=201,
     responses=problems(StudioNotFound, StudioProducerNeeded, BadTemplate, TemplateNameTaken, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def import_contract_template(
     studio_id: UUID,
+    actor: Annotated[Actor, allows(Audience.PRODUCER)],
+    sent: Annotated[SentTemplate, Depends(_parsed)],
     session: DbSession,
-    actor: Actor = allows(Audience.PRODUCER),
-    sent: SentTemplate = Depends(_parsed),
 ) -> schemas.TemplateRead:
     """Keep a template that comes as TOML."""
     body, fields = sent
@@ -156,8 +156,8 @@ def read_contract_template(
 @router.put(
     "/studios/{studio_id}/contract-templates/{template_id}",
     responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound, BadTemplate, TemplateNameTaken),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def change_contract_template(
     studio_id: UUID,
     template_id: UUID,

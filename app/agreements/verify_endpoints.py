@@ -2,27 +2,27 @@
 
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
 
 from app.accounts import rate_limits
 from app.accounts.errors import TooManyAttempts
 from app.accounts.policies import allows
-from app.accounts.request_limits import RateLimitedRoute, ensure_within_limits, network_of
+from app.accounts.request_limits import ensure_within_limits, network_of
 from app.accounts.rules import Actor, Audience
 from app.agreements import seals
 from app.agreements.documents import PDF
 from app.agreements.errors import BadPdf
 from app.agreements.seal_files import PDF_BEGINS, sealing_key
 from app.agreements.verify_schemas import BoundRead, BoundSignatureRead, VerifiedRead
-from app.kit.bodies import LARGE_BODY_BYTES, content_length, read_whole
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
 from app.kit.db import bypass_row_policies
-from app.kit.http import CurrentRuntime, Router, database_of, problems, set_reach
+from app.kit.http import CurrentRuntime, database_of, problems, set_reach
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.kit.reach import NOBODY
 
-router = Router(prefix="/v1", tags=["contracts"], route_class=RateLimitedRoute)
+router = APIRouter(prefix="/v1", tags=["contracts"])
 PDF_BODY = {"requestBody": {"content": {PDF: {"schema": {"type": "string", "format": "binary"}}}, "required": True}}
 ANY = UUID(int=0)
 
@@ -35,8 +35,7 @@ async def _sent(request: Request) -> tuple[bytes, str]:
     """Return the file that was sent and the key that it was sealed by, read in a child where that is not known."""
     limit = (rate_limits.VERIFICATIONS_FROM_NETWORK, network_of(request))
     await run_in_threadpool(ensure_within_limits, request, limit)
-    length = content_length(request.scope)
-    body = await Request(request.scope, await read_whole(request.receive, length, LARGE_BODY_BYTES)).body()
+    body = await request.body()
     if not body.startswith(PDF_BEGINS) or await run_in_threadpool(_is_known, request, body):
         return body, ""
     set_reach(request, NOBODY)  # all who are not signed in share one caller's part of the queue
@@ -50,10 +49,10 @@ def _is_known(request: Request, body: bytes) -> bool:
 
 @router.post(
     "/verify",
-    max_body_size=LARGE_BODY_BYTES,
     openapi_extra=PDF_BODY,
     responses=problems(BadPdf, ParsingBusy, TooManyAttempts),
 )
+@accepts_body(LARGE_BODY_BYTES)
 def verify_pdf(
     runtime: CurrentRuntime,
     _actor: Actor = allows(Audience.ANYONE),

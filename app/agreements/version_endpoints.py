@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Path, Query, Response
+from fastapi import APIRouter, Path, Query, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -23,9 +23,9 @@ from app.agreements.text import Block, blocks_of
 from app.agreements.word_document import DOCX, Earlier, Heading, word_document
 from app.agreements.word_file import properties_of
 from app.kit.fair_share import FairShare, TooManyAtOnce
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 
-router = Router(prefix="/v1", tags=["contracts"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["contracts"])
 COMPARISONS = FairShare(1, "comparison")  # of the four requests that read at once
 VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 

@@ -3,7 +3,7 @@
 from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Depends, Path, Response
+from fastapi import APIRouter, Depends, Path, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -30,10 +30,10 @@ from app.amendments.errors import (
     OfferSettled,
     OwnChangeOrder,
 )
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 
-router = Router(prefix="/v1", tags=["amendments"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["amendments"])
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {PDF: {}}, "description": "The text as PDF"}}
 OrderNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 ORDER_REFUSALS = (ContractNotFound, NotYourContract, ChangeOrderNotFound, ChangeOrderClosed)
@@ -75,9 +75,9 @@ def withdraw_notice(
 )
 def agree_to_statement(
     contract_id: UUID,
+    actor: Annotated[Actor, allows(Audience.PROJECT)],
+    signature: Annotated[Signature, Depends(signature_sent)],
     session: DbSession,
-    actor: Actor = allows(Audience.PROJECT),
-    signature: Signature = Depends(signature_sent),
 ) -> schemas.EndingRead:
     """Say yes to the statement for the caller's party; with the second yes the contract is settled and ends."""
     ending.agree_to_statement(session, actor, contract_id, signature)
@@ -145,9 +145,9 @@ def dismiss_change_offer(
 def accept_change_order(
     contract_id: UUID,
     change_order_number: OrderNumber,
+    actor: Annotated[Actor, allows(Audience.PROJECT)],
+    signature: Annotated[Signature, Depends(signature_sent)],
     session: DbSession,
-    actor: Actor = allows(Audience.PROJECT),
-    signature: Signature = Depends(signature_sent),
 ) -> schemas.ChangeOrdersRead:
     """Say yes to a change order for the caller's party; with the second yes it is in force."""
     change_orders.accept(session, actor, contract_id, change_order_number, signature)

@@ -3,7 +3,7 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Path, Query
+from fastapi import APIRouter, Path, Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -37,11 +37,11 @@ from app.briefs.schemas import (
     SpecProposal,
     SpecProposalApply,
 )
-from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, Route, Router, cursor_of, number_cursor, problems
+from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, cursor_of, number_cursor, problems
 from app.projects.errors import BadSpec, DesignerNeeded, ProjectNotFound, SpecChanged, TeamNeeded
 from app.projects.service import project_access
 
-router = Router(prefix="/v1", tags=["briefs"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["briefs"])
 VERSIONS_AT_ONCE = 50
 VersionNumber = Annotated[int, Path(ge=1, le=LARGEST_NUMBER)]
 

@@ -3,7 +3,7 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import APIRouter, Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
@@ -29,12 +29,12 @@ from app.builds.errors import (
     NothingDrifted,
 )
 from app.builds.listening_schemas import GameTaskRead
-from app.kit.bodies import REPORT_BODY_BYTES
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, number_cursor, problems, uuid_cursor
+from app.kit.bodies import REPORT_BODY_BYTES, accepts_body
+from app.kit.http import BadCursor, DbSession, Page, cursor_of, number_cursor, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import CueNotFound
 
-router = Router(prefix="/v1", tags=["audits"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["audits"])
 TEAM: Actor = allows(Audience.TEAM)
 PAGE = 50
 SOUNDS_PAGE = 200
@@ -45,8 +45,8 @@ SOUNDS_PAGE = 200
     status_code=201,
     response_model=AuditSummary,
     responses=problems(ProjectNotFound, TeamNeeded),
-    max_body_size=REPORT_BODY_BYTES,
 )
+@accepts_body(REPORT_BODY_BYTES)
 def post_audit(
     project_id: UUID,
     body: AuditAdd,

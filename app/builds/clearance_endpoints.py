@@ -2,7 +2,7 @@
 
 from uuid import UUID
 
-from fastapi import Response
+from fastapi import APIRouter, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -11,12 +11,12 @@ from app.builds.clearance_sheet import clearance_pdf, clearance_xlsx
 from app.builds.endpoints import BINARY, PDFS, XLSX, Target
 from app.builds.errors import PackNotFound, PackNotSealed
 from app.kit.fair_share import TooManyAtOnce
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 
-router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["builds"])
 PDF_FAILS = (DocumentTooLarge, TypesettingBusy, TooManyAtOnce)
 
 

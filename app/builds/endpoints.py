@@ -5,7 +5,7 @@ from typing import Annotated
 from urllib.parse import quote
 from uuid import UUID
 
-from fastapi import Query, Response
+from fastapi import APIRouter, Query, Response
 from fastapi.responses import StreamingResponse
 
 from app.accounts.policies import allows
@@ -41,14 +41,14 @@ from app.builds.schemas import (
     TargetsRead,
 )
 from app.builds.zip_stream import Entry, zip_bytes, zip_length
-from app.kit.bodies import REPORT_BODY_BYTES
+from app.kit.bodies import REPORT_BODY_BYTES, accepts_body
 from app.kit.fair_share import FairShare, TooManyAtOnce
-from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 
-router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["builds"])
 PAGE = 50
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 Target = Annotated[str | None, Query(description="A target of the spec; its first when left out.")]
@@ -314,8 +314,8 @@ def download_sealed_pack(
     status_code=201,
     response_model=BuildSummary,
     responses=problems(ProjectNotFound, TeamNeeded, ReportInvalid),
-    max_body_size=REPORT_BODY_BYTES,
 )
+@accepts_body(REPORT_BODY_BYTES)
 def post_build(
     project_id: UUID,
     body: BuildAdd,

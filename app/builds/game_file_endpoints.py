@@ -3,7 +3,7 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
@@ -13,7 +13,7 @@ from app.builds.endpoints import BINARY, Target
 from app.builds.errors import GameFileNotApproved
 from app.builds.game_file_schemas import GameFileOrigin, GameFilesRead
 from app.kit.blob_response import blob_response
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.storage import BlobMissing
 from app.money.errors import DownloadUnpaid
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
@@ -21,7 +21,7 @@ from app.projects.service import project_access
 from app.renders.errors import NothingRendered, RenderNotFound, TargetUnknown
 from app.renders.rules import MEDIA_TYPES, media_type_of
 
-router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["builds"])
 ZIPAPP = "application/zip"
 
 

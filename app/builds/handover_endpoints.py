@@ -2,6 +2,7 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
 from fastapi.responses import StreamingResponse
 
 from app.accounts.policies import allows
@@ -11,10 +12,10 @@ from app.builds.endpoints import BINARY, stream_zip
 from app.builds.errors import BlobDamaged, ContractNotEnded
 from app.builds.handover import handover_pack, open_handovers
 from app.builds.schemas import OpenHandover
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.projects.errors import ProducerNeeded, ProjectNotFound
 
-router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["builds"])
 
 
 @router.get(

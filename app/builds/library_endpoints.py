@@ -1,9 +1,9 @@
 """The endpoints of sound libraries."""
 
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -11,11 +11,12 @@ from app.builds import libraries
 from app.builds.errors import BadLibrarySheet, LibraryFull, LibraryNotFound
 from app.builds.library_schemas import LIBRARY_BODY_BYTES, LibrarySheetAdd, SoundLibraryRead
 from app.builds.library_sheet import SheetSound, parse_library_sheet
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.bodies import accepts_body
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ProducerNeeded, ProjectNotFound
 
-router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["builds"])
 SentSheet: TypeAlias = tuple[LibrarySheetAdd, list[SheetSound]]
 
 
@@ -43,13 +44,13 @@ def list_sound_libraries(
     "/projects/{project_id}/sound-libraries",
     status_code=201,
     responses=problems(ProjectNotFound, ProducerNeeded, BadLibrarySheet, LibraryFull, ParsingBusy),
-    max_body_size=LIBRARY_BODY_BYTES,
 )
+@accepts_body(LIBRARY_BODY_BYTES)
 def add_sound_library(
     project_id: UUID,
+    actor: Annotated[Actor, allows(Audience.PROJECT)],
+    sent: Annotated[SentSheet, Depends(_parsed)],
     session: DbSession,
-    actor: Actor = allows(Audience.PROJECT),
-    sent: SentSheet = Depends(_parsed),
 ) -> SoundLibraryRead:
     """Register the files of a library by their fingerprints; takes of the studio are compared with them."""
     body, sounds = sent

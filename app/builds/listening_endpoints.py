@@ -2,6 +2,8 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.builds import game_tasks, listening
@@ -22,12 +24,12 @@ from app.builds.listening_schemas import (
     ListeningNoteRead,
     ListeningNow,
 )
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.references.errors import ReferenceNotFound
 from app.sound_lists.errors import CueNotFound
 
-router = Router(prefix="/v1", tags=["listening-passes"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["listening-passes"])
 PROJECT: Actor = allows(Audience.PROJECT)
 PAGE = 100
 

@@ -3,7 +3,7 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import APIRouter, Query
 from sqlalchemy.orm import Session
 
 from app.accounts.policies import allows
@@ -19,12 +19,12 @@ from app.builds.errors import (
 )
 from app.builds.manifests import Approved
 from app.builds.schemas import Manifest
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.runtime import Runtime
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 
-router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["builds"])
 
 
 @router.get(

@@ -2,14 +2,16 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.builds import same_sounds
 from app.builds.same_sound_schemas import SameSoundsRead
 from app.deliveries.errors import TakeNotFound
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 
-router = Router(prefix="/v1", tags=["builds"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["builds"])
 
 
 @router.get("/takes/{take_id}/same-sounds", response_model=SameSoundsRead, responses=problems(TakeNotFound))

@@ -3,7 +3,7 @@
 from typing import Any
 from uuid import UUID
 
-from fastapi import Response
+from fastapi import APIRouter, Response
 
 import audio_checks
 from app.accounts.policies import allows
@@ -22,11 +22,11 @@ from app.conformance.schemas import (
 from app.deliveries.errors import OwnDesignerNeeded, TakeNotFound, VariationUnknown, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import CueNotFound
 
-router = Router(prefix="/v1", tags=["conformance"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["conformance"])
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
     200: {"model": TakeRead, "description": "The fix was used before; this is its take."}
 }

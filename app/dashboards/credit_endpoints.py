@@ -3,13 +3,13 @@
 from typing import Any
 from uuid import UUID
 
-from fastapi import Response
+from fastapi import APIRouter, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.dashboards import credit_list, credit_rules
 from app.dashboards.credit_schemas import ProjectCreditsRead
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects import credit_names
 from app.projects.errors import (
     CreditLineNotFound,
@@ -20,7 +20,7 @@ from app.projects.errors import (
 )
 from app.projects.schemas import CreditLineAdd, CreditNameSave
 
-router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["dashboards"])
 CSV_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {"text/csv": {}}, "description": "Credits"}}
 TEXT_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {"text/plain": {}}, "description": "Credits"}}
 

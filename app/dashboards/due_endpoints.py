@@ -8,14 +8,12 @@ from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.dashboards import due_calendar
 from app.kit.http import DbSession, problems
-from app.kit.single_thread_route import SingleThreadRoute
 from app.money.errors import CalendarNotFound
 
 ICALENDAR = "text/calendar"
 ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {ICALENDAR: {}}, "description": "Dates"}}
 
-# An answer that a secret opens is kept for no Idempotency-Key.
-router = APIRouter(prefix="/v1", tags=["dashboards"], route_class=SingleThreadRoute)
+router = APIRouter(prefix="/v1", tags=["dashboards"])
 
 
 @router.get("/calendars/{secret}", response_class=Response, responses=ANSWER | problems(CalendarNotFound))

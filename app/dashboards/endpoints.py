@@ -3,7 +3,7 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query, Response
+from fastapi import APIRouter, Query, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -18,14 +18,14 @@ from app.dashboards.reaper import reaper_project_of
 from app.dashboards.step_schemas import NextSteps
 from app.dashboards.work_schemas import WorkFigures
 from app.hiring.errors import RosterEntryNotFound
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
+from app.kit.http import BadCursor, DbSession, Page, problems
 from app.money.errors import MilestoneNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
 
 REAPER = "application/x-reaper"
-router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["dashboards"])
 
 
 @router.get("/me")

@@ -13,13 +13,12 @@ from starlette.concurrency import run_in_threadpool
 from app.accounts.authentication import SESSION_COOKIE, sha256_of
 from app.accounts.errors import NotSignedIn
 from app.accounts.policies import allows, demo_part_of
-from app.accounts.rules import Audience
+from app.accounts.rules import Actor, Audience
 from app.dashboards.watching import PersonsSight, sights_of
 from app.kit.change_feed import ChangeFeed, TooManyStreams, Viewer
 from app.kit.db import new_id
 from app.kit.http import database_of, problems
 from app.kit.serving import IS_LEAVING
-from app.kit.single_thread_route import LazyAuthentication, SingleThreadRoute
 
 BEAT_S = 15.0  # proxies and browsers keep a connection on which something comes
 MAX_DURATION_S = 3_600
@@ -36,18 +35,18 @@ EVENT_STREAM: dict[int | str, dict[str, Any]] = {
     }
 }
 
-router = APIRouter(prefix="/v1", tags=["dashboards"], route_class=SingleThreadRoute)
+router = APIRouter(prefix="/v1", tags=["dashboards"])
 
 
 @router.get("/events", response_class=StreamingResponse, responses=EVENT_STREAM | problems(TooManyStreams))
 async def watch_changes(
     request: Request,
-    ask: Annotated[LazyAuthentication, allows(Audience.PERSON)],
+    actor: Annotated[Actor, allows(Audience.PERSON)],
     last_event_id: Annotated[str | None, Header(max_length=100)] = None,
     seconds: Annotated[int, Query(ge=0, le=MAX_DURATION_S, description="How long to go on.")] = MAX_DURATION_S,
 ) -> StreamingResponse:
     """Send at once which rooms of the caller's projects changed, and nothing of what changed in them."""
-    viewer, sight = await run_in_threadpool(_authenticate, request, ask)
+    viewer, sight = await run_in_threadpool(_viewer, request, actor)
     feed: ChangeFeed = request.app.state.change_feed
     is_leaving = getattr(request.state, IS_LEAVING, bool)
     feed.ensure_room(viewer.person_id)
@@ -57,10 +56,9 @@ async def watch_changes(
     )  # fmt: skip
 
 
-def _authenticate(request: Request, ask: LazyAuthentication) -> tuple[Viewer, PersonsSight]:
-    person_id = ask().person
+def _viewer(request: Request, actor: Actor) -> tuple[Viewer, PersonsSight]:
     is_demo = demo_part_of(request) is not None
-    viewer = Viewer(person_id, None if is_demo else sha256_of(request.cookies.get(SESSION_COOKIE, "")))
+    viewer = Viewer(actor.person, None if is_demo else sha256_of(request.cookies.get(SESSION_COOKIE, "")))
     sight = sights_of(database_of(request), {viewer}).get(viewer)
     if sight is None:
         raise NotSignedIn("you are not signed in; sign in to continue")

@@ -2,14 +2,16 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.dashboards.hours import project_hours
 from app.dashboards.hours_schemas import ProjectHours
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 
-router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["dashboards"])
 
 
 @router.get("/projects/{project_id}/hours", responses=problems(ProjectNotFound, TeamNeeded, ProducerNeeded))

@@ -3,7 +3,7 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts.errors import PictureNotFound
 from app.accounts.picture_drawing import MEDIA_TYPE
@@ -13,9 +13,9 @@ from app.accounts.rules import Actor, Audience
 from app.dashboards.picture_queries import sees_name
 from app.kit.blob_response import IMMUTABLE, WHILE_ASKED
 from app.kit.db import bypass_row_policies
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 
-router = Router(prefix="/v1", tags=["dashboards"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["dashboards"])
 LOCKED = {"Content-Security-Policy": "default-src 'none'; sandbox", "X-Content-Type-Options": "nosniff"}
 Hash = Annotated[
     str | None, Query(max_length=64, description="Of the picture, as its address has it: the answer never changes.")

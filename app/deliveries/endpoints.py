@@ -3,7 +3,7 @@
 from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Query, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 from sqlalchemy.orm import Session
 
 from app.accounts.policies import allows
@@ -48,8 +48,6 @@ from app.kit.http import (
     CurrentRuntime,
     DbSession,
     Page,
-    Route,
-    Router,
     UploadSession,
     cursor_of,
     problems,
@@ -64,7 +62,7 @@ from app.projects.service import project_access
 from app.sound_lists.errors import CueNotFound
 
 PAGE = 50
-router = Router(prefix="/v1", tags=["deliveries"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["deliveries"])
 router.include_router(uploads_router)
 router.include_router(tray_router)
 router.include_router(files_router)

@@ -25,12 +25,11 @@ from app.deliveries.schemas import DryStemRead, GivenName, TakeAdd, TakeAdded
 from app.deliveries.upload_headers import sha256_in_hex
 from app.deliveries.upload_quotas import ensure_upload_fits
 from app.kit import clock, metrics
-from app.kit.bodies import LARGE_BODY_BYTES, content_length, read_whole
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body, content_length
 from app.kit.concurrency import limiter
 from app.kit.db import new_id
 from app.kit.http import CurrentRuntime, UploadSlot, Whole, problems, transaction
 from app.kit.plural import counted
-from app.kit.single_thread_route import LazyAuthentication, SingleThreadRoute
 from app.kit.uploads import ChecksumMismatch, StoreFull, Upload, UploadIncomplete, finished_upload
 from app.projects.errors import DesignerNeeded
 from app.sound_lists.errors import CueNotFound
@@ -40,15 +39,14 @@ FILE_BODY = {
     "requestBody": {"content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}}
 }
 
-router = APIRouter(tags=["uploads"], route_class=SingleThreadRoute)
-FilesAsking = Annotated[LazyAuthentication, allows(Audience.DESIGNER, build=Scope.DELIVERIES_WRITE)]
+router = APIRouter(tags=["uploads"])
+FilesActor = Annotated[Actor, allows(Audience.DESIGNER, build=Scope.DELIVERIES_WRITE)]
 
 
 @router.post(
     "/deliveries/{delivery_id}/files",
     status_code=201,
     response_model=TakeAdded,
-    max_body_size=MAX_SMALL_FILE_BYTES,
     openapi_extra=FILE_BODY,
     responses={
         200: {"model": TakeAdded, "description": "The same file was here before; this is its take."},
@@ -59,12 +57,13 @@ FilesAsking = Annotated[LazyAuthentication, allows(Audience.DESIGNER, build=Scop
         ),
     },
 )  # fmt: skip
+@accepts_body(MAX_SMALL_FILE_BYTES)
 async def add_file(
     delivery_id: UUID,
     request: Request,
     seat: UploadSlot,
     runtime: CurrentRuntime,
-    asking: FilesAsking,
+    actor: FilesActor,
     file_name: Annotated[GivenName, Query()],
     cue_id: Annotated[UUID | None, Query(description="Without it the name says which cue it is for.")] = None,
     variation: Annotated[Whole | None, Query()] = None,
@@ -77,17 +76,14 @@ async def add_file(
         raise LengthRequired("say how long the file is: Content-Length is missing")
     expected_sha256 = sha256_in_hex(x_content_sha256)
 
-    def ensure_permitted() -> Actor:
-        actor: Actor = asking()
+    def ensure_permitted() -> None:
         with runtime.database.reading(actor.reach) as session:
             studio_id = service.ensure_may_upload(session, actor, delivery_id).studio_id
             ensure_upload_fits(session, studio_id, length)
-        return actor
 
-    actor = await asyncio.to_thread(ensure_permitted)
+    await asyncio.to_thread(ensure_permitted)
     seat.release()  # bytes come as slowly as they like
-    content = await Request(request.scope, await read_whole(request.receive, length, MAX_SMALL_FILE_BYTES)).body()
-
+    content = await request.body()
     if len(content) != length:
         raise UploadIncomplete(f"{len(content)} of the announced {counted(length, 'byte')} came; send the file again")
 

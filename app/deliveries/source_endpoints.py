@@ -9,10 +9,10 @@ from app.accounts.rules import Actor, Audience
 from app.deliveries import sources
 from app.deliveries.errors import DeliveryNotFound, NoSourceNamed, OwnDesignerNeeded, SourcesFixed, TakeNotFound
 from app.deliveries.schemas import DeliverySources, Sources, TakeSources
-from app.kit.http import DbSession, Route, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import DesignerNeeded
 
-router = APIRouter(route_class=Route)
+router = APIRouter()
 
 
 @router.get("/deliveries/{delivery_id}/sources", response_model=DeliverySources, responses=problems(DeliveryNotFound))

@@ -22,14 +22,14 @@ from app.deliveries.schemas import (
     UndecidedTake,
 )
 from app.deliveries.tray import Move
-from app.kit.http import DbSession, Route, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.models import Project
 from app.projects.service import project_access
 from app.sound_lists.errors import CueNotFound
 from app.sound_lists.rules import label
 
-router = APIRouter(route_class=Route)
+router = APIRouter()
 
 
 @router.post(

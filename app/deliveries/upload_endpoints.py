@@ -5,14 +5,17 @@ Idempotency-Key: an upload has an id of its own.
 """
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Coroutine
+from collections.abc import AsyncIterator
 from email.utils import format_datetime
 from functools import partial
 from typing import Annotated, Any
 from uuid import UUID
 
 from fastapi import APIRouter, Header, Query, Request, Response
+from starlette.datastructures import MutableHeaders
 from starlette.requests import ClientDisconnect
+from starlette.types import ASGIApp, Message, Receive, Send
+from starlette.types import Scope as AsgiScope
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
@@ -38,10 +41,9 @@ from app.deliveries.upload_headers import (
     sha256_in_hex,
     sha256_of_digest,
 )
-from app.kit.errors import Refused
+from app.kit.bodies import accepts_body
 from app.kit.http import CurrentRuntime, UploadSlot, problems
 from app.kit.runtime import Runtime
-from app.kit.single_thread_route import LazyAuthentication, SingleThreadRoute
 from app.kit.storage import StoreUnavailable
 from app.kit.uploads import (
     CHECKSUMS,
@@ -64,43 +66,41 @@ from app.kit.uploads import (
 from app.projects.errors import ApproverNeeded, DesignerNeeded, ProjectNotFound, TeamNeeded
 
 TUS_VERSION = "1.0.0"
+UPLOADS_PATH = "/v1/uploads"
 EXTENSIONS = "creation,creation-with-upload,checksum,termination,expiration"
 PARTS_EXTENSION = "soundlist-parts"  # ours: what was created may be sent to the store in parts
 BODY_TYPE = "application/offset+octet-stream"
 
 UPLOADS = allows(Audience.PERSON, build=Scope.DELIVERIES_WRITE)
 UploadsActor = Annotated[Actor, UPLOADS]
-UploadsAuthentication = Annotated[
-    LazyAuthentication, UPLOADS
-]  # of what streams: the caller is authenticated in the thread that is needed anyway
 Tus = Annotated[str | None, Header(alias="Tus-Resumable", description="1.0.0")]
 BINARY_BODY: dict[str, Any] = {
     "requestBody": {"content": {BODY_TYPE: {"schema": {"type": "string", "format": "binary"}}}}
 }
 
 
-class TusRoute(SingleThreadRoute):
-    """A route whose answers, refusals included, name their version of tus."""
+class TusHeaders:
+    """Names the version of tus in every answer of an upload's address, refusals included."""
 
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Add the headers to every answer."""
-        handle = super().get_route_handler()
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
 
-        async def handle_tus(request: Request) -> Response:
-            try:
-                response = await handle(request)
-            except Refused as refusal:
-                response = request.app.exception_handlers[Refused](request, refusal)
-            response.headers["Tus-Resumable"] = TUS_VERSION
-            if response.status_code == UnknownTusVersion.status:
-                response.headers["Tus-Version"] = TUS_VERSION
-            response.headers.setdefault("Cache-Control", "no-store")
-            return response
+    async def __call__(self, scope: AsgiScope, receive: Receive, send: Send) -> None:
+        """Answer, with the headers."""
 
-        return handle_tus
+        async def send_with_version(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                headers = MutableHeaders(scope=message)
+                headers["Tus-Resumable"] = TUS_VERSION
+                if message["status"] == UnknownTusVersion.status:
+                    headers["Tus-Version"] = TUS_VERSION
+            await send(message)
+
+        is_upload = scope["type"] == "http" and scope["path"].startswith(UPLOADS_PATH)
+        await self._app(scope, receive, send_with_version if is_upload else send)
 
 
-router = APIRouter(tags=["uploads"], route_class=TusRoute)
+router = APIRouter(tags=["uploads"])
 
 
 @router.options("/uploads", status_code=204)
@@ -122,7 +122,6 @@ def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Audience.ANY
     "/uploads",
     status_code=201,
     response_class=Response,
-    max_body_size=MAX_ARCHIVE_BYTES,
     openapi_extra=BINARY_BODY,
     responses=problems(
         AdoptionClosed, AdoptionNotFound, ApproverNeeded, BadUploadHeader, ChecksumMismatch, DeliveryClosed,
@@ -130,11 +129,12 @@ def describe_uploads(runtime: CurrentRuntime, actor: Actor = allows(Audience.ANY
         StoreFull, TeamNeeded, UnknownTusVersion, UploadStalled, UploadTooLong, WrongContentType,
     ),
 )  # fmt: skip
+@accepts_body(MAX_ARCHIVE_BYTES, streamed=True)
 async def begin_upload(
     request: Request,
     slot: UploadSlot,
     runtime: CurrentRuntime,
-    lazy_authentication: UploadsAuthentication,
+    actor: UploadsActor,
     tus_resumable: Tus = None,
     upload_length: Annotated[str | None, Header(description="How many bytes the whole file has.")] = None,
     upload_metadata: Annotated[
@@ -156,7 +156,7 @@ async def begin_upload(
     checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
     begin = partial(
-        _permitted, runtime, lazy_authentication, destination_in(metadata), metadata.get("file_name", ""), length,
+        _permitted, runtime, actor, destination_in(metadata), metadata.get("file_name", ""), length,
         sha256_in_hex(metadata.get("sha256")),
     )  # fmt: skip
     if not has_body:
@@ -184,19 +184,19 @@ def see_upload(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor, tu
     "/uploads/{upload_id}",
     status_code=204,
     response_class=Response,
-    max_body_size=MAX_ARCHIVE_BYTES,
     openapi_extra=BINARY_BODY,
     responses=problems(
         BadUploadHeader, ChecksumMismatch, OffsetMismatch, SentInParts, StoreFull, StoreUnavailable,
         UnknownTusVersion, UploadBusy, UploadNotFound, UploadStalled, UploadTooLong, WrongContentType,
     ),
 )  # fmt: skip
+@accepts_body(MAX_ARCHIVE_BYTES, streamed=True)
 async def continue_upload(
     upload_id: UUID,
     request: Request,
     slot: UploadSlot,
     runtime: CurrentRuntime,
-    lazy_authentication: UploadsAuthentication,
+    actor: UploadsActor,
     tus_resumable: Tus = None,
     upload_offset: Annotated[str | None, Header(description="How many bytes are here already.")] = None,
     upload_checksum: Annotated[
@@ -210,7 +210,7 @@ async def continue_upload(
     offset = number_of_bytes("Upload-Offset", upload_offset)
     checksum = checksum_of(upload_checksum)
     uploads = _uploads(runtime)
-    upload = await asyncio.to_thread(lambda: _own(runtime, lazy_authentication(), upload_id))
+    upload = await asyncio.to_thread(lambda: _own(runtime, actor, upload_id))
     slot.release()
     upload = await uploads.receive(upload, offset, _body(request), announced=_declared(request), checksum=checksum)
     return await _after(uploads, upload, 204)
@@ -257,7 +257,6 @@ def finish_parts(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor) 
     "/uploads",
     status_code=201,
     response_model=UploadRead,
-    max_body_size=MAX_ARCHIVE_BYTES,
     openapi_extra={
         "requestBody": {"content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}}
     },
@@ -266,11 +265,12 @@ def finish_parts(upload_id: UUID, runtime: CurrentRuntime, actor: UploadsActor) 
         LengthRequired, StoreFull, UploadIncomplete, UploadStalled, UploadTooLong,
     ),
 )  # fmt: skip
+@accepts_body(MAX_ARCHIVE_BYTES, streamed=True)
 async def put_upload(
     request: Request,
     slot: UploadSlot,
     runtime: CurrentRuntime,
-    lazy_authentication: UploadsAuthentication,
+    actor: UploadsActor,
     delivery_id: UUID,
     file_name: Annotated[str, Query(min_length=1, max_length=100_000)],
     take_id: Annotated[UUID | None, Query(description="Of the take that a dry stem is for.")] = None,
@@ -284,7 +284,7 @@ async def put_upload(
     expected = sha256_in_hex(x_content_sha256) or sha256_of_digest(repr_digest)
     uploads = _uploads(runtime)
     upload = await asyncio.to_thread(
-        _permitted, runtime, lazy_authentication, Destination(delivery_id, take_id), file_name, length, expected
+        _permitted, runtime, actor, Destination(delivery_id, take_id), file_name, length, expected
     )
     slot.release()
     try:
@@ -318,14 +318,13 @@ def _uploads(runtime: Runtime) -> Uploads:
 
 def _permitted(
     runtime: Runtime,
-    lazy_authentication: LazyAuthentication,
+    actor: Actor,
     destination: Destination,
     file_name: str,
     length: int,
     expected_sha256: str | None,
 ) -> Upload:
     """Make room for a file, once it is certain that the caller may send it there."""
-    actor: Actor = lazy_authentication()
     if not file_name:
         raise BadUploadHeader("the upload has no file_name")
     with runtime.database.reading(actor.reach) as session:

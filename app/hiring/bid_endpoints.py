@@ -2,6 +2,8 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.hiring import bids, comparison
@@ -28,10 +30,10 @@ from app.hiring.schemas import (
     ScoresWrite,
     ShortlistWrite,
 )
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import DesignerNeeded, TeamNeeded
 
-router = Router(prefix="/v1", tags=["postings"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["postings"])
 
 
 @router.put(

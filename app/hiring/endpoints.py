@@ -18,8 +18,6 @@ from app.accounts.models import Person
 from app.accounts.policies import allows
 from app.accounts.request_limits import (
     DeferredSession,
-    RateLimitedRoute,
-    UnsavedResponseRoute,
     ensure_invitation_allowed,
     ensure_mail_allowed,
     ensure_sign_in_allowed,
@@ -50,12 +48,13 @@ from app.hiring.schemas import (
     PostingRead,
     PostingSummary,
 )
-from app.kit.http import CurrentRuntime, DbSession, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
+from app.kit.idempotency import UNSAVED
 from app.projects.errors import NdaNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.rules import CueState
 
-router = Router(prefix="/v1", tags=["postings"], route_class=RateLimitedRoute)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["postings"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 
 
 def _fields(body: PostingAdd) -> postings.PostingFields:

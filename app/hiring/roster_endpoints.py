@@ -5,11 +5,11 @@ from datetime import date
 from typing import Annotated, Any, TypeAlias
 from uuid import UUID
 
-from fastapi import Depends, Query, Request, Response
+from fastapi import APIRouter, Depends, Query, Request, Response
 
 from app.accounts.errors import BadAddress, StudioNotFound, TooManyAttempts
 from app.accounts.policies import allows
-from app.accounts.request_limits import RateLimitedRoute, ensure_invitation_allowed
+from app.accounts.request_limits import ensure_invitation_allowed
 from app.accounts.rules import Actor, Audience
 from app.hiring import postings, reel, roster
 from app.hiring.errors import (
@@ -46,8 +46,8 @@ from app.hiring.roster_schemas import (
 from app.hiring.schemas import PostingRead
 from app.kit import clock
 from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished
@@ -55,7 +55,7 @@ from app.projects.errors import ProducerNeeded, TeamNeeded
 from app.sound_lists.errors import ColumnUnknown, SheetUnreadable
 from app.sound_lists.sheets import Sheet
 
-router = Router(prefix="/v1", tags=["roster"], route_class=RateLimitedRoute)
+router = APIRouter(prefix="/v1", tags=["roster"])
 TEAM: Actor = allows(Audience.TEAM)
 # What strangers sent runs nothing and loads nothing in a browser that opens it.
 LOCKED = {"Content-Security-Policy": "default-src 'none'; sandbox", "X-Content-Type-Options": "nosniff"}
@@ -114,10 +114,13 @@ async def _parsed(studio_id: UUID, body: RosterImportAsk, request: Request) -> S
 @router.post(
     "/studios/{studio_id}/roster/import",
     responses=problems(StudioNotFound, TeamNeeded, SheetUnreadable, ColumnUnknown, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def import_into_roster(
-    studio_id: UUID, session: DbSession, actor: Actor = TEAM, sent: SentSheet = Depends(_parsed)
+    studio_id: UUID,
+    actor: Annotated[Actor, TEAM],
+    sent: Annotated[SentSheet, Depends(_parsed)],
+    session: DbSession,
 ) -> RosterImportRead:
     """Read a sheet of designers into the roster, matched by address; with an error in any row nothing is imported."""
     body, sheet = sent
@@ -182,10 +185,13 @@ async def _parsed_calendar(roster_entry_id: UUID, body: CalendarFile, request: R
 @router.put(
     "/roster/{roster_entry_id}/calendar",
     responses=problems(RosterEntryNotFound, TeamNeeded, CalendarUnreadable, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def read_roster_calendar(
-    roster_entry_id: UUID, session: DbSession, actor: Actor = TEAM, sent: SentCalendar = Depends(_parsed_calendar)
+    roster_entry_id: UUID,
+    actor: Annotated[Actor, TEAM],
+    sent: Annotated[SentCalendar, Depends(_parsed_calendar)],
+    session: DbSession,
 ) -> RosterEntryRead:
     """Read the taken days of the coming year from a calendar file; no title of an event is kept."""
     body, found = sent

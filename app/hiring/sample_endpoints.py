@@ -2,7 +2,7 @@
 
 from uuid import UUID
 
-from fastapi import Request, Response
+from fastapi import APIRouter, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
@@ -19,23 +19,23 @@ from app.hiring.errors import (
 from app.hiring.posting_reads import posting_read
 from app.hiring.schemas import PostingRead, SampleAdd
 from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.storage import BlobMissing
 from app.projects.errors import DesignerNeeded, NdaNeeded, TeamNeeded
 
-router = Router(prefix="/v1", tags=["postings"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["postings"])
 LOCKED = {"Content-Security-Policy": "default-src 'none'; sandbox", "X-Content-Type-Options": "nosniff"}
 
 
 @router.post(
     "/postings/{posting_id}/bid/samples",
     status_code=201,
-    max_body_size=LARGE_BODY_BYTES,
     responses=problems(
         PostingNotFound, DesignerNeeded, NdaNeeded, PostingClosed, BidNotSent, SamplesFull, SampleInvalid, NoSound
     ),
 )
+@accepts_body(LARGE_BODY_BYTES)
 def add_bid_sample(
     posting_id: UUID,
     body: SampleAdd,

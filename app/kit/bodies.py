@@ -1,19 +1,18 @@
-"""Limits of request bodies: a size for each route, checked before and while the body is read, and bounded JSON."""
+"""Limits of request bodies: a size for each endpoint, the time that it may take, and bounded JSON."""
 
 import asyncio
 import math
 import re
-from json import JSONDecodeError
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
-from fastapi import Request
+from fastapi import HTTPException, Request
 from pydantic_core import from_json
 from starlette.concurrency import run_in_threadpool
-from starlette.types import Message, Receive, Scope
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.kit.errors import Invalid, Refused
 
-# A route declares its `max_body_size`; above SMALL the caller is authenticated before the first byte is read.
 SMALL_BODY_BYTES = 256 << 10  # a form; the default
 LARGE_BODY_BYTES = 8 << 20  # sheets, lists, specs and the text of contracts
 REPORT_BODY_BYTES = 16 << 20  # a build's report: 20,000 files
@@ -38,12 +37,92 @@ class BodyTooSlow(Refused):
     status = 408
 
 
+class InvalidRequest(Invalid):
+    """The body is no JSON."""
+
+
 class TooManyNames(Invalid):
     """The large objects of a JSON body have more names than any schema takes."""
 
 
 class Unstorable(Invalid):
     """A value cannot be stored: a character that databases reject, or a number outside the range of JSON."""
+
+
+class BodyRefused(HTTPException):
+    """Carries a refusal through FastAPI, which reads the body and passes on no other exception."""
+
+    def __init__(self, refusal: Refused) -> None:
+        super().__init__(refusal.status, refusal.message)
+        self.refusal = refusal
+
+
+Endpoint = TypeVar("Endpoint", bound=Callable[..., Any])
+
+
+def accepts_body(limit: int, *, streamed: bool = False) -> Callable[[Endpoint], Endpoint]:
+    """Declare the most bytes that an endpoint takes; above SMALL_BODY_BYTES its caller is authenticated first.
+
+    A streamed body is counted only: its endpoint bounds the time that it takes.
+    """
+
+    def declare(endpoint: Endpoint) -> Endpoint:
+        endpoint.body_limit = limit  # type: ignore[attr-defined]
+        endpoint.body_is_streamed = streamed  # type: ignore[attr-defined]
+        return endpoint
+
+    return declare
+
+
+class BodyLimits:
+    """Reads the body of a request within the limits of its endpoint, once that endpoint asks for it.
+
+    FastAPI has a `max_body_size` too. Its answer is no problem details and names neither number, and comes after the
+    work is done where the endpoint reads no body.
+    """
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer, with a `receive` that raises BodyRefused."""
+        length = content_length(scope) if scope["type"] == "http" else 0
+        if length == 0:
+            await self._app(scope, receive, send)
+            return
+        receive_again: Receive | None = None
+
+        async def receive_bounded() -> Message:
+            nonlocal receive_again
+            try:
+                if receive_again is None:
+                    receive_again = await _bounded(scope, receive, length)
+                return await receive_again()
+            except Refused as refusal:
+                raise BodyRefused(refusal) from None
+
+        await self._app(scope, receive_bounded, send)
+
+
+async def _bounded(scope: Scope, receive: Receive, length: int | None) -> Receive:
+    endpoint = scope.get("endpoint")
+    limit = getattr(endpoint, "body_limit", SMALL_BODY_BYTES)
+    ensure_fits(length, limit)
+    if getattr(endpoint, "body_is_streamed", False):
+        return counted(receive, limit)
+    request = Request(scope)
+    if limit > SMALL_BODY_BYTES and not hasattr(request.state, "actor"):
+        await run_in_threadpool(request.app.state.authenticate, request)
+    body = await read_whole(receive, length, limit)
+    if "json" in request.headers.get("content-type", ""):
+        # A large one takes up to two seconds, in which others are to be answered.
+        await run_in_threadpool(read_json, body) if len(body) > SMALL_BODY_BYTES else read_json(body)
+    whole: list[Message] = [{"type": "http.request", "body": body, "more_body": False}]
+
+    async def receive_again() -> Message:
+        return whole.pop() if whole else await receive()
+
+    return receive_again
 
 
 def content_length(scope: Scope) -> int | None:
@@ -77,8 +156,8 @@ def counted(receive: Receive, limit: int) -> Receive:
     return receive_counted
 
 
-async def read_whole(receive: Receive, length: int | None, limit: int) -> Receive:
-    """Read a body, and return a `receive` that gives it again; raise BodyTooLarge or BodyTooSlow."""
+async def read_whole(receive: Receive, length: int | None, limit: int) -> bytes:
+    """Read a body; raise BodyTooLarge or BodyTooSlow."""
     receive_counted = counted(receive, limit)
     longest_s = FIRST_S + (limit if length is None else length) / LEAST_BYTES_PER_S
     pieces: list[bytes] = []
@@ -88,21 +167,11 @@ async def read_whole(receive: Receive, length: int | None, limit: int) -> Receiv
                 message = await receive_counted()
                 pieces.append(message.get("body", b""))
                 if not message.get("more_body", False):
-                    break
+                    return b"".join(pieces)
     except TimeoutError:
         raise BodyTooSlow(
             f"{size_in_words(sum(map(len, pieces)))} came in {longest_s:.0f} s, and the request was not complete"
         ) from None
-    whole: Message | None = message if len(pieces) == 1 else {"type": "http.request", "body": b"".join(pieces)}
-
-    async def receive_again() -> Message:
-        nonlocal whole
-        if whole is None:
-            return await receive()
-        again, whole = whole, None
-        return again
-
-    return receive_again
 
 
 def size_in_words(size: int) -> str:
@@ -117,25 +186,14 @@ def _too_large(limit: int, found: str) -> BodyTooLarge:
     return BodyTooLarge(f"this request may have {size_in_words(limit)}; this one has {found}", fix="send less at once")
 
 
-class JsonRequest(Request):
-    """A request whose JSON is bounded in depth, in its integers and in the characters of its texts."""
-
-    async def json(self) -> Any:
-        """Read the body; invalid JSON, or JSON nested deeper than 200, is a JSONDecodeError."""
-        if not hasattr(self, "_json"):
-            body = await self.body()
-            is_small = len(body) <= SMALL_BODY_BYTES
-            # A large one takes up to two seconds, in which others are to be answered.
-            self._json = read_json(body) if is_small else await run_in_threadpool(read_json, body)
-        return self._json
-
-
 def read_json(body: bytes) -> Any:
-    """Read JSON; raise JSONDecodeError if it is invalid or nested too deep, Unstorable if a database rejects it."""
+    """Read JSON; raise InvalidRequest if it is invalid or nested deeper than 200, Unstorable if it cannot be kept."""
     try:
-        value = from_json(body, allow_inf_nan=False)
+        value = from_json(body, allow_inf_nan=False) if body else None
     except ValueError as error:
-        raise JSONDecodeError(str(error), "", 0) from None
+        is_deep = str(error).startswith("recursion")
+        message = "this is nested deeper than 200 levels" if is_deep else f"this is not valid JSON: {error}"
+        raise InvalidRequest(message, errors=[{"where": "", "message": message}]) from None
     if body.count(b":") > MAX_NAMES:
         _ensure_few_names(value)
     if SUSPECT.search(body):  # looking through every value takes longer than reading it

@@ -246,6 +246,12 @@ def ensure_open(connection: Any, _record: Any, _proxy: Any) -> None:
         raise sa.exc.InvalidatePoolError from error
 
 
+def bind_reach(session: Session, reach: Reach) -> None:
+    """Let a session that has not begun its transaction begin it within this reach."""
+    if REACH in session.info:
+        session.info[REACH] = reach
+
+
 def widen_reach(session: Session, reach: Reach) -> None:
     """Continue a request's transaction as another caller, once that caller is known."""
     if REACH not in session.info:

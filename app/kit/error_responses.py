@@ -3,11 +3,11 @@
 import itertools
 import re
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import structlog
-from fastapi import FastAPI, HTTPException, Request
+from fastapi import FastAPI, HTTPException, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from sqlalchemy.exc import DBAPIError, IntegrityError, SQLAlchemyError
@@ -18,11 +18,11 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app import logs
 from app.kit import metrics
-from app.kit.bodies import BodyTooLarge, BodyTooSlow
+from app.kit.bodies import BodyLimits, BodyRefused, BodyTooLarge, BodyTooSlow
 from app.kit.db import is_conflict, is_full, is_unavailable, new_id
 from app.kit.errors import FieldProblem, Refused
 from app.kit.http import PROBLEM_TYPE, Problem
-from app.kit.idempotency import SAFE_METHODS, RightsOf
+from app.kit.idempotency import SAFE_METHODS, IdempotentWrites, Replayed, RightsOf
 from app.kit.plural import verb
 
 METHODS = SAFE_METHODS | {"POST", "PUT", "PATCH", "DELETE"}
@@ -47,9 +47,16 @@ def _problem(request: Request, status: int, code: str, detail: str, **more: Any)
 
 
 def install(
-    app: FastAPI, *, credential_cookies: Sequence[str], rights_of: RightsOf = lambda _session, _caller: frozenset()
+    app: FastAPI,
+    *,
+    credential_cookies: Sequence[str],
+    rights_of: RightsOf = lambda _session, _caller: frozenset(),
+    caller_key: Callable[[Request], str] = lambda _request: "",
+    authenticate: Callable[[Request], object] = lambda _request: None,
 ) -> None:
     """Install error answers and request ids; name the cookies and rights that identify callers."""
+    app.state.caller_key = caller_key
+    app.state.authenticate = authenticate
     app.state.credential_cookies = credential_cookies
     app.state.rights_of = rights_of
 
@@ -63,13 +70,19 @@ def install(
             answer.headers["Connection"] = "close"  # the rest is not read
         return answer
 
+    @app.exception_handler(BodyRefused)
+    def _body_refused(request: Request, error: BodyRefused) -> JSONResponse:
+        return _refused(request, error.refusal)
+
+    @app.exception_handler(Replayed)
+    def _replayed(_request: Request, error: Replayed) -> Response:
+        return error.answer
+
     @app.exception_handler(RequestValidationError)
     def _invalid(request: Request, error: RequestValidationError) -> JSONResponse:
         errors: list[FieldProblem] = [
             {
-                "where": ""
-                if e["type"] == "json_invalid"
-                else ".".join(str(part) for part in e["loc"] if part != "body"),
+                "where": ".".join(str(part) for part in e["loc"] if part != "body"),
                 "message": _in_words(e),
             }
             for e in itertools.islice(error.errors(), MAX_ERRORS)
@@ -90,8 +103,9 @@ def install(
     @app.exception_handler(PoolTimeout)
     def _away(request: Request, error: SQLAlchemyError) -> JSONResponse:
         if is_conflict(error):
-            if isinstance(error, IntegrityError) and getattr(request.state, "saved_response", None) is not None:
-                raise error  # perhaps a duplicate request: the idempotency route looks for its saved answer
+            attempt = getattr(request.state, "attempt", None)
+            if isinstance(error, IntegrityError) and attempt is not None and attempt.saved_response is not None:
+                raise error  # perhaps a duplicate request: IdempotentWrites looks for its saved answer
             log.warning("two changes at the same time", error=str(error))
             detail = "someone changed the same thing at the same moment; your change was not saved"
             return _problem(request, 409, "crossed", detail, fix="reload, then make your change again")
@@ -120,6 +134,8 @@ def install(
         answer.headers.update(getattr(app.state, "security_headers", {}) | {"Cache-Control": "no-store"})
         return answer
 
+    app.add_middleware(BodyLimits)
+    app.add_middleware(IdempotentWrites)
     app.add_middleware(_Watched)
 
 
@@ -197,10 +213,6 @@ def _in_words(error: Any) -> str:
             return "this must not be empty" if not given else f"at least {limits['min_length']} characters are wanted"
         case "string_too_long":
             return f"this has {len(given)} characters; at most {limits['max_length']} are taken"
-        case "json_invalid" if limits["error"].startswith("recursion"):
-            return "this is nested deeper than 200 levels"
-        case "json_invalid":
-            return f"this is not valid JSON: {limits['error']}"
         case "uuid_parsing" | "uuid_type":
             return "this is not an id"
         case "enum" | "literal_error":

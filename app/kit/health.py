@@ -6,20 +6,20 @@ from collections.abc import Callable, Mapping
 from datetime import timedelta
 
 import structlog
-from fastapi import Request, Response
+from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
 from sqlalchemy import text
 from sqlalchemy.exc import SQLAlchemyError
 
 from app.kit import metrics
 from app.kit.errors import NotFound, Refused
-from app.kit.http import Router, problems, runtime_of
+from app.kit.http import problems, runtime_of
 from app.kit.runtime import Runtime
 from app.kit.storage import StoreUnready
 
 WORKER_SILENT_AFTER = timedelta(seconds=20)
 CACHE_FOR_S = 1.0  # the readiness test writes to the disk, and anyone may request it
-router = Router(tags=["health"])
+router = APIRouter(tags=["health"])
 log = structlog.get_logger(__name__)
 
 

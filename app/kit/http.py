@@ -1,27 +1,25 @@
 """Shared parts of endpoints: sessions, problem details, idempotency keys, pages."""
 
 from collections.abc import AsyncIterator, Iterator
-from contextlib import AbstractAsyncContextManager, contextmanager
+from contextlib import AbstractContextManager, asynccontextmanager, contextmanager
 from datetime import UTC, date, datetime
-from functools import partial
 from typing import Annotated, Any, Generic, TypeVar
 from uuid import UUID
 
+import anyio
 from fastapi import Depends, Request
 from pydantic import BaseModel, ConfigDict, Field
 from sqlalchemy.orm import Session
-from starlette.types import Receive, Scope, Send
+from starlette.concurrency import run_in_threadpool
 
 from app.kit import kill_points
 from app.kit.concurrency import Slot, limiter
-from app.kit.db import Database
+from app.kit.db import Database, bind_reach
 from app.kit.errors import FieldProblem, Invalid, Refused
-from app.kit.fastapi_internals import Router as Router
 from app.kit.idempotency import SAFE_METHODS as SAFE_METHODS
-from app.kit.idempotency import SavedResponse, once
+from app.kit.idempotency import claim
 from app.kit.reach import NOBODY, Reach
 from app.kit.runtime import Runtime
-from app.kit.single_thread_route import LazySession, SingleThreadRoute
 
 PROBLEM_TYPE = "application/problem+json"
 Item = TypeVar("Item")
@@ -77,6 +75,9 @@ CurrentRuntime = Annotated[Runtime, Depends(_runtime)]
 def set_reach(request: Request, reach: Reach) -> None:
     """Let the request's transaction reach what its caller may see, which is known before it begins."""
     request.state.reach = reach
+    session: Session | None = getattr(request.state, "session", None)
+    if session is not None:
+        bind_reach(session, reach)
 
 
 async def _upload_slot() -> AsyncIterator[Slot]:
@@ -88,29 +89,40 @@ async def _upload_slot() -> AsyncIterator[Slot]:
 UploadSlot = Annotated[Slot, Depends(_upload_slot, scope="function")]
 
 
-def set_caller(request: Request, caller: str) -> None:
-    """Name the caller by whose turn the request runs, before it is authenticated."""
-    request.state.caller = caller
+@asynccontextmanager
+async def person_slot(request: Request, *, reads: bool) -> AsyncIterator[None]:
+    """Hold the slot of a person's request, by the turn of its caller, who is not authenticated yet."""
+    async with limiter().for_person(request.app.state.caller_key(request), reads=reads):
+        yield
 
 
-def person_slot(request: Request, *, reads: bool) -> AbstractAsyncContextManager[None]:
-    """Return the slot of a person's request."""
-    return limiter().for_person(getattr(request.state, "caller", ""), reads=reads)
+async def _session(request: Request) -> AsyncIterator[Session]:
+    async with person_slot(request, reads=request.method in SAFE_METHODS), _ending_in_thread(request) as session:
+        yield session
 
 
-async def _session(request: Request) -> LazySession:
-    return LazySession(
-        partial(person_slot, request, reads=request.method in SAFE_METHODS), partial(transaction, request)
-    )
+async def _upload_session(request: Request) -> AsyncIterator[Session]:
+    async with limiter().for_upload(), _ending_in_thread(request) as session:
+        yield session
 
 
-async def _upload_session(request: Request) -> LazySession:
-    return LazySession(limiter().for_upload, partial(transaction, request))
+@asynccontextmanager
+async def _ending_in_thread(request: Request) -> AsyncIterator[Session]:
+    """Give the transaction of a request, which nothing is sent for before it is used, and end it in a thread."""
+    opened: AbstractContextManager[Session] = transaction(request)
+    session = request.state.session = opened.__enter__()
+    try:
+        yield session
+    except BaseException as error:
+        with anyio.CancelScope(shield=True):
+            await run_in_threadpool(opened.__exit__, type(error), error, error.__traceback__)
+        raise
+    await run_in_threadpool(opened.__exit__, None, None, None)
 
 
 @contextmanager
 def transaction(request: Request) -> Iterator[Session]:
-    """Give the transaction of a request, in the thread that it is used in."""
+    """Give the transaction of a request."""
     database = database_of(request)
     reach: Reach = getattr(request.state, "reach", NOBODY)
     if request.method in SAFE_METHODS:
@@ -118,25 +130,14 @@ def transaction(request: Request) -> Iterator[Session]:
             yield session
         return
     with database.writing(reach) as session:
-        pending: SavedResponse | None = getattr(request.state, "saved_response", None)
-        if pending is not None:
-            session.add(pending)
-            session.flush()
+        claim(request, session)
         yield session
     kill_points.point("http.after_commit")
 
 
-# The route opens it and commits before the answer leaves, so a failed commit cannot have answered 201.
-DbSession = Annotated[Session, Depends(_session)]
-UploadSession = Annotated[Session, Depends(_upload_session)]  # of what an upload becomes
-
-
-class Route(SingleThreadRoute):
-    """A route that replays the saved answer when a write comes again with the same Idempotency-Key."""
-
-    async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer; out here, around the whole route, its transaction has been committed when the answer passes."""
-        await once(super().answer, self.authentication)(scope, receive, send)
+# Committed before the answer leaves, so a failed commit cannot have answered 201.
+DbSession = Annotated[Session, Depends(_session, scope="function")]
+UploadSession = Annotated[Session, Depends(_upload_session, scope="function")]  # of what an upload becomes
 
 
 class Page(BaseModel, Generic[Item]):

@@ -2,20 +2,21 @@
 
 import hashlib
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from typing import Any
 
 import sqlalchemy as sa
-from fastapi import Request, Response
-from sqlalchemy.exc import IntegrityError
+from fastapi import Depends, Request, Response
+from sqlalchemy.exc import DBAPIError, IntegrityError
 from sqlalchemy.orm import Mapped, Session, mapped_column
 from starlette.concurrency import run_in_threadpool
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.kit import clock
+from app.kit.bodies import content_length
 from app.kit.db import Base, Database
 from app.kit.errors import Conflict, Forbidden, NotFound
-from app.kit.single_thread_route import Authentication
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 MAX_SAVED_BYTES = 256 << 10  # a longer answer is not saved
@@ -55,51 +56,122 @@ class SavedResponse(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now, index=True)
 
 
-def once(route: ASGIApp, authentication: Authentication | None) -> ASGIApp:
-    """Return the route, which does a write with an Idempotency-Key once however often it comes."""
+class Replayed(Exception):
+    """The request was answered before; carries that answer."""
 
-    async def answer_once(scope: Scope, receive: Receive, send: Send) -> None:
-        request = Request(scope, receive)
-        given = request.headers.get("idempotency-key")
-        is_json = request.headers.get("content-type", "application/json").startswith("application/json")
-        if given is None or request.method in SAFE_METHODS or not is_json:
-            await route(scope, receive, send)
+    def __init__(self, answer: Response) -> None:
+        super().__init__()
+        self.answer = answer
+
+
+@dataclass
+class Attempt:
+    """One request that carries an Idempotency-Key."""
+
+    key: str
+    body_sha256: Any = field(default_factory=hashlib.sha256)  # of what has been read so far
+    received: list[Message] = field(default_factory=list)
+    saved_response: SavedResponse | None = None  # written in the request's transaction
+
+
+class IdempotentWrites:
+    """Does a write with an Idempotency-Key once, however often it comes.
+
+    The policy of its endpoint looks for the saved answer (`ensure_first`), once it has admitted the caller. Out here
+    the transaction has been committed when the answer passes, and that answer is saved.
+    """
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer, and save the answer to a write with a key."""
+        attempt = _attempt(Request(scope)) if scope["type"] == "http" else None
+        if attempt is None:
+            await self._app(scope, receive, send)
             return
-        body = await request.body()
-        credentials = [request.cookies.get(name, "") for name in request.app.state.credential_cookies]
-        caller = "\0".join([request.headers.get("authorization", ""), *credentials])
-        key = _digest(caller, request.method, str(request.url), given)
-        request_sha256 = hashlib.sha256(body).hexdigest()
-        database: Database = request.app.state.runtime.database
-        if (saved := await run_in_threadpool(_saved, database, key)) is not None:
-            answer = await run_in_threadpool(_replay, request, authentication, saved, request_sha256)
-            await answer(scope, receive, send)
-            return
-        request.state.saved_response = SavedResponse(key=key, request_sha256=request_sha256)
+        request = Request(scope)
+        request.state.attempt = attempt
         heard: list[Message] = []
-        unread: list[Message] = [{"type": "http.request", "body": body, "more_body": False}]
 
-        async def receive_again() -> Message:
-            return unread.pop() if unread else await receive()
+        async def receive_hashed() -> Message:
+            message = await receive()
+            attempt.received.append(message)
+            attempt.body_sha256.update(message.get("body", b""))
+            return message
 
         async def hear(message: Message) -> None:
             heard.append(message)
 
         try:
-            await route(scope, receive_again, hear)
-        except IntegrityError:
-            if (saved := await run_in_threadpool(_saved, database, key)) is None:
-                request.state.saved_response = None
-                raise
-            # A duplicate of this request was faster.
-            answer = await run_in_threadpool(_replay, request, authentication, saved, request_sha256)
-            await answer(scope, receive, send)
+            await self._app(scope, receive_hashed, hear)
+        except IntegrityError as error:
+            await self._answer_after_duplicate(request, attempt, error, send)
             return
-        await run_in_threadpool(_keep, request, key, heard)
+        if attempt.saved_response is not None:
+            await run_in_threadpool(_keep, request, attempt.key, heard)
         for message in heard:
             await send(message)
 
-    return answer_once
+    async def _answer_after_duplicate(
+        self, request: Request, attempt: Attempt, error: IntegrityError, send: Send
+    ) -> None:
+        """Answer as the duplicate of a request that was faster, or as two changes at the same moment."""
+        attempt.saved_response = None
+        attempt.body_sha256, received = hashlib.sha256(), list(attempt.received)
+        database: Database = request.app.state.runtime.database
+        if await run_in_threadpool(_saved, database, attempt.key) is None:
+            conflict = request.app.exception_handlers[DBAPIError](request, error)
+            await conflict(request.scope, request.receive, send)
+            return
+
+        async def receive_again() -> Message:
+            message = received.pop(0)
+            attempt.body_sha256.update(message.get("body", b""))
+            return message
+
+        await self._app(request.scope, receive_again, send)
+
+
+def _attempt(request: Request) -> Attempt | None:
+    given = request.headers.get("idempotency-key")
+    if given is None or request.method in SAFE_METHODS:
+        return None
+    is_json = request.headers.get("content-type", "application/json").startswith("application/json")
+    if not is_json or ("content-type" not in request.headers and content_length(request.scope) != 0):
+        return None
+    credentials = [request.cookies.get(name, "") for name in request.app.state.credential_cookies]
+    caller = "\0".join([request.headers.get("authorization", ""), *credentials])
+    return Attempt(_digest(caller, request.method, str(request.url), given))
+
+
+def ensure_first(request: Request, caller: Any) -> None:
+    """Raise Replayed with the saved answer, or what its caller is refused by now; else have this answer saved."""
+    attempt: Attempt | None = getattr(request.state, "attempt", None)
+    if attempt is None:
+        return
+    request_sha256 = attempt.body_sha256.hexdigest()
+    saved = _saved(request.app.state.runtime.database, attempt.key)
+    if saved is not None:
+        raise Replayed(_replay(request, caller, saved, request_sha256))
+    attempt.saved_response = SavedResponse(key=attempt.key, request_sha256=request_sha256)
+    session: Session | None = getattr(request.state, "session", None)
+    if session is not None:
+        claim(request, session)
+
+
+def claim(request: Request, session: Session) -> None:
+    """Have a request's transaction write its key, so that a duplicate waits for it."""
+    attempt: Attempt | None = getattr(request.state, "attempt", None)
+    if attempt is not None and attempt.saved_response is not None:
+        session.add(attempt.saved_response)
+
+
+async def _save_nothing(request: Request) -> None:
+    request.state.attempt = None
+
+
+UNSAVED = (Depends(_save_nothing),)  # of a router whose answers carry a secret: none is kept to be replayed
 
 
 def delete_expired_responses(database: Database) -> None:
@@ -118,7 +190,7 @@ def _saved(database: Database, key: str) -> SavedResponse | None:
 
 
 def _keep(request: Request, key: str, heard: Sequence[Message]) -> None:
-    caller = getattr(getattr(request.state, "lazy_authentication", None), "caller", None)
+    caller = getattr(request.state, "actor", None)
     database: Database = request.app.state.runtime.database
     with database.writing() as session:
         saved = session.get(SavedResponse, key)
@@ -133,11 +205,8 @@ def _keep(request: Request, key: str, heard: Sequence[Message]) -> None:
             saved.body = body.decode()
 
 
-def _replay(
-    request: Request, authentication: Authentication | None, saved: SavedResponse, request_sha256: str
-) -> Response:
+def _replay(request: Request, caller: Any, saved: SavedResponse, request_sha256: str) -> Response:
     """Return the saved answer, or raise what its caller is refused by now."""
-    caller = None if authentication is None else authentication.authenticate(request)
     if saved.request_sha256 != request_sha256:
         raise IdempotencyKeyReused(
             "this Idempotency-Key was used before with another body; use a new key for a new request"

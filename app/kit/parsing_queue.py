@@ -49,8 +49,10 @@ async def parse_request(
 
     `permit` is given a session that reads, the caller, and the id of the project or studio that `whose` names. It
     raises if they may not send this there: nothing is parsed for callers who are not signed in, or may not see
-    the project or studio.
+    the project or studio. An endpoint names its policy first, then what calls this, and its session last.
     """
+    if hasattr(request.state, "session"):
+        raise AssertionError("a parse would hold the slot of the request's session: let the session come after it")
     await run_in_threadpool(_ensure_permitted, request, permit, whose)
     caller = repr(request.state.reach)
     try:
@@ -72,6 +74,5 @@ async def parse_request(
 
 
 def _ensure_permitted(request: Request, permit: Callable[[Session, Any, UUID], object], whose: UUID) -> None:
-    actor = request.state.lazy_authentication()
     with request.app.state.runtime.database.reading(request.state.reach) as session:
-        permit(session, actor, whose)
+        permit(session, request.state.actor, whose)

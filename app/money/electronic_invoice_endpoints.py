@@ -4,18 +4,18 @@ from datetime import date
 from typing import Any
 from uuid import UUID
 
-from fastapi import Response
+from fastapi import APIRouter, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.agreements import documents
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.money import electronic_invoices, journal
 from app.money.errors import InvoiceDetailsMissing, InvoiceNotFound, NoElectronicInvoice
 from app.projects.errors import ProjectNotFound, TeamNeeded
 
-router = Router(prefix="/v1", tags=["money"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["money"])
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "Factur-X"}}
 XML_ANSWER: dict[int | str, dict[str, Any]] = {
     200: {"content": {electronic_invoices.XML: {}}, "description": "EN 16931, Cross Industry Invoice"}

@@ -11,9 +11,9 @@ from app.accounts.rules import Actor, Audience
 from app.agreements import documents, plan
 from app.agreements.errors import BadPlan, ContractNotFound, PlanLocked
 from app.agreements.plan import PlannedCue, PlannedMilestone
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
-from app.kit.single_thread_route import SingleThreadRoute
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import CurrentRuntime, DbSession, problems
+from app.kit.idempotency import UNSAVED
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.money import (
     calendar,
@@ -46,8 +46,8 @@ from app.money.invoice_numbers import file_part
 from app.projects.errors import ProducerNeeded, ProjectNotFound
 from app.sound_lists.errors import CueNotFound
 
-router = Router(prefix="/v1", tags=["money"], route_class=Route)
-_unsaved_router = APIRouter(route_class=SingleThreadRoute)  # answers that hold a secret are kept for no Idempotency-Key
+router = APIRouter(prefix="/v1", tags=["money"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "The invoice"}}
 
 
@@ -75,8 +75,8 @@ def propose_plan(
 @router.put(
     "/contracts/{contract_id}/milestones",
     responses=problems(ContractNotFound, ProducerNeeded, PlanLocked, BadPlan),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def save_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.PlanRead:
@@ -101,8 +101,8 @@ def _planned(body: schemas.PlanSet) -> list[PlannedMilestone]:
 @router.post(
     "/contracts/{contract_id}/plan-check",
     responses=problems(ContractNotFound, ProducerNeeded),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def check_plan(
     contract_id: UUID, body: schemas.PlanSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.PlanChecked:

@@ -2,10 +2,12 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.agreements.errors import ContractNotFound
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.money import days
 from app.money.days import Work
 from app.money.errors import (
@@ -26,7 +28,7 @@ from app.money.work_schemas import WorkedDayAdd, WorkedDayRead, WorkRefusal
 from app.projects.errors import ProducerNeeded
 from app.sound_lists.errors import CueNotFound
 
-router = Router(prefix="/v1", tags=["money"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["money"])
 LOGGING = (
     *(OtherPartyNeeded, NotAgreed, NotDayRate, NotHourly, CapExceeded, DayAgreed),
     *(DayInFuture, WorkNotNamed, CueNotFound),

@@ -2,10 +2,12 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.errors import ProducerNeeded, StudioNotFound
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.notifications import links, service
 from app.notifications.errors import MailNotFailed, MailNotFound
 from app.notifications.models import Mail
@@ -13,7 +15,7 @@ from app.notifications.rules import mail_state, text_of
 from app.notifications.schemas import MailedLinkRead, MailedLinksRead, MailRead, OutboxRead
 from app.projects.errors import ProjectNotFound, TeamNeeded
 
-router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["notifications"])
 
 
 def _shown_link(mail: Mail, *, can_send: bool) -> str | None:

@@ -1,12 +1,14 @@
 """A person's notices."""
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.notifications import notices
 from app.notifications.schemas import InAppNoticeRead, NoticesMark, UnreadRead
 
-router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["notifications"])
 PAGE = 50
 
 

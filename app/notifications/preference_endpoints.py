@@ -1,11 +1,12 @@
 """What a person is mailed: their own page, and the link that every such mail ends with."""
 
+from fastapi import APIRouter
 from sqlalchemy.orm import Session
 
 from app.accounts.errors import TimeZoneUnknown
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.runtime import Runtime
 from app.notifications import preferences
 from app.notifications.errors import ContractMailNeeded, MailLinkNotFound, QuietHoursUnclear
@@ -13,7 +14,7 @@ from app.notifications.preference_rules import ALWAYS_MAILED, Cadence, News, Pre
 from app.notifications.preferences import MailChoice
 from app.notifications.schemas import MailChoiceRead, MailChoiceSave, MailPreferencesRead, MailPreferencesSave
 
-router = Router(prefix="/v1", tags=["notifications"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["notifications"])
 
 
 def _read(wishes: Preferences) -> MailPreferencesRead:

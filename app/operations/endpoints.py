@@ -3,13 +3,13 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import APIRouter, Query
 
 from app.accounts.errors import MemberNotFound, OperatorNeeded, ProducerNeeded, StudioNotFound
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Role
 from app.kit.health import WORKER_SILENT_AFTER
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, problems
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, problems
 from app.operations import departures, quotas, service
 from app.operations.errors import JobNotFound, JobNotParked
 from app.operations.schemas import (
@@ -24,7 +24,7 @@ from app.operations.schemas import (
     StudioQuotas,
 )
 
-router = Router(prefix="/v1", tags=["operations"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["operations"])
 
 
 @router.get("/studios/{studio_id}/operations", responses=problems(StudioNotFound, ProducerNeeded))

@@ -2,9 +2,11 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects import approval, overviews, schemas
 from app.projects.endpoints import project_read
 from app.projects.errors import (
@@ -17,7 +19,7 @@ from app.projects.errors import (
 )
 from app.projects.models import Deputy
 
-router = Router(prefix="/v1", tags=["projects"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["projects"])
 
 
 @router.put(

@@ -2,14 +2,16 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.budget_schemas import BudgetRead, BudgetSet
 from app.projects.budgets import set_budget
 from app.projects.errors import ProducerNeeded, ProjectNotFound
 
-router = Router(prefix="/v1", tags=["projects"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["projects"])
 
 
 @router.put("/projects/{project_id}/budget", responses=problems(ProjectNotFound, ProducerNeeded))

@@ -22,8 +22,6 @@ from app.accounts.models import Person, Token
 from app.accounts.policies import allows
 from app.accounts.request_limits import (
     DeferredSession,
-    RateLimitedRoute,
-    UnsavedResponseRoute,
     ensure_invitation_allowed,
     ensure_sign_in_allowed,
 )
@@ -33,11 +31,11 @@ from app.kit.http import (
     CurrentRuntime,
     DbSession,
     Page,
-    Router,
     cursor_of,
     problems,
     uuid_cursor,
 )
+from app.kit.idempotency import UNSAVED
 from app.projects import approvers, engagements, overviews, queries, schemas, service, tokens
 from app.projects.errors import (
     AlreadyEngaged,
@@ -56,8 +54,8 @@ from app.projects.rules import audio_leads_warning
 from app.projects.visibility import nda_is_pending
 
 PAGE_ROWS = 50
-router = Router(prefix="/v1", tags=["projects"], route_class=RateLimitedRoute)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["projects"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 
 
 def project_read(view: overviews.ProjectOverview) -> schemas.ProjectRead:

@@ -3,16 +3,16 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Depends, Header, Path, Request, Response
+from fastapi import APIRouter, Depends, Header, Path, Request, Response
 from fastapi.responses import PlainTextResponse
 from starlette.concurrency import run_in_threadpool
 
 import audio_checks
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
-from app.kit.bodies import LARGE_BODY_BYTES
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
 from app.kit.fair_share import FairShare, TooManyAtOnce
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, cursor_of, number_cursor, problems
+from app.kit.http import BadCursor, DbSession, Page, cursor_of, number_cursor, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
 from app.projects import schemas, service, specs
@@ -23,7 +23,7 @@ from app.projects.spec_pdf import spec_pdf
 
 PAGE_ROWS = 50
 PDFS = FairShare(1, "PDF")  # of the two that a process has in hand
-router = Router(prefix="/v1", tags=["projects"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["projects"])
 
 
 def _checked_draft(toml: str, spec: audio_checks.DeliverySpec) -> schemas.SpecDraftChecked:
@@ -133,13 +133,13 @@ async def _readable_draft(request: Request, project_id: UUID, body: schemas.Spec
 @router.post(
     "/projects/{project_id}/spec/check-toml",
     responses=problems(ProjectNotFound, BadSpec, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def check_spec_draft(
     project_id: UUID,
+    actor: Annotated[Actor, allows(Audience.PROJECT)],
+    toml: Annotated[str, Depends(_readable_draft)],
     session: DbSession,
-    actor: Actor = allows(Audience.PROJECT),
-    toml: str = Depends(_readable_draft),
 ) -> schemas.SpecDraftChecked:
     """Return the resolved spec of a text or a form's tables, and their errors; nothing is saved."""
     service.project_access(session, actor, project_id)

@@ -3,12 +3,12 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished
 from app.projects.errors import ProjectNotFound, TeamNeeded
@@ -28,7 +28,7 @@ from app.references.schemas import (
 )
 from app.sound_lists.errors import CueNotFound
 
-router = Router(prefix="/v1", tags=["references"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["references"])
 MAY_SEE: Actor = allows(Audience.PROJECT)
 TEAM: Actor = allows(Audience.TEAM)
 PAGE = 100

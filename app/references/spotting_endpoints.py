@@ -2,9 +2,11 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import TeamNeeded
 from app.references import spotting
 from app.references.errors import ReferenceInvalid, ReferenceNotFound
@@ -15,7 +17,7 @@ from app.sound_lists.queries import cues_by_id
 from app.sound_lists.schemas import CueRead
 from app.sound_lists.service import cue_read
 
-router = Router(prefix="/v1", tags=["references"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["references"])
 TEAM: Actor = allows(Audience.TEAM)
 
 

@@ -2,13 +2,13 @@
 
 from uuid import UUID
 
-from fastapi import Request, Response
+from fastapi import APIRouter, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.deliveries.errors import TakeNotFound
 from app.kit.blob_response import blob_response
-from app.kit.http import CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.kit.storage import BlobMissing
 from app.money.errors import DownloadUnpaid
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
@@ -46,7 +46,7 @@ from app.renders.schemas import (
 )
 from app.sound_lists.errors import CueNotFound
 
-router = Router(prefix="/v1", tags=["renders"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["renders"])
 MAY_SEE: Actor = allows(Audience.PROJECT)
 DESIGNER: Actor = allows(Audience.DESIGNER)
 TEAM: Actor = allows(Audience.TEAM)

@@ -2,10 +2,10 @@
 
 import base64
 import json
-from typing import Any
+from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
@@ -26,15 +26,15 @@ from app.deliveries.errors import (
     PathTwice,
 )
 from app.deliveries.game_projects import read_sent
-from app.kit.bodies import REPORT_BODY_BYTES
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.bodies import REPORT_BODY_BYTES, accepts_body
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
 from app.reviews import adopting
 from app.reviews.errors import AdoptionInUse, FilesMissing, NothingToAdopt, NothingToUndo
 from app.sound_lists.errors import AdditionInUse, RowsInvalid
 
-router = Router(prefix="/v1", tags=["adoptions"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["adoptions"])
 TEAM: Actor = allows(Audience.TEAM)
 TEAM_OR_BUILD: Actor = allows(Audience.TEAM, build=Scope.DELIVERIES_WRITE)
 SentFolder = tuple[FolderAsk, dict[str, Any] | None]
@@ -56,11 +56,14 @@ async def _sent(project_id: UUID, body: FolderAsk, request: Request) -> SentFold
 
 @router.post(
     "/projects/{project_id}/adoption-plan",
-    max_body_size=REPORT_BODY_BYTES,
     responses=problems(ApproverNeeded, GameProjectUnreadable, ParsingBusy, PathTwice, ProjectNotFound),
 )
+@accepts_body(REPORT_BODY_BYTES)
 def plan_adoption(
-    project_id: UUID, session: DbSession, actor: Actor = TEAM_OR_BUILD, sent: SentFolder = Depends(_sent)
+    project_id: UUID,
+    actor: Annotated[Actor, TEAM_OR_BUILD],
+    sent: Annotated[SentFolder, Depends(_sent)],
+    session: DbSession,
 ) -> AdoptionPlanRead:
     """Return what adopting a folder of shipped files would do; nothing is written."""
     body, game = sent
@@ -70,11 +73,14 @@ def plan_adoption(
 @router.post(
     "/projects/{project_id}/adoptions",
     status_code=201,
-    max_body_size=REPORT_BODY_BYTES,
     responses=problems(ApproverNeeded, GameProjectUnreadable, ParsingBusy, PathTwice, ProjectNotFound),
 )
+@accepts_body(REPORT_BODY_BYTES)
 def open_adoption(
-    project_id: UUID, session: DbSession, actor: Actor = TEAM_OR_BUILD, sent: SentFolder = Depends(_sent)
+    project_id: UUID,
+    actor: Annotated[Actor, TEAM_OR_BUILD],
+    sent: Annotated[SentFolder, Depends(_sent)],
+    session: DbSession,
 ) -> AdoptionOpened:
     """Open an adoption, for its files to be uploaded; nothing changes in the list until it is adopted."""
     body, game = sent

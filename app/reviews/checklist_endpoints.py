@@ -2,16 +2,18 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.deliveries.errors import TakeNotFound
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.reviews import checklists
 from app.reviews.checklist_schemas import ApprovalBlockersSet, ApprovalSettingsRead, ChecklistSet, ItemCheckSet
 from app.reviews.errors import ChecklistInvalid, ChecklistItemNotFound, TooManyChecklists
 
-router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["reviews"])
 
 
 @router.get("/projects/{project_id}/approval-settings", responses=problems(ProjectNotFound, TeamNeeded))

@@ -4,13 +4,13 @@ from datetime import date
 from typing import Annotated, Literal
 from uuid import UUID
 
-from fastapi import Depends, Query
+from fastapi import APIRouter, Depends, Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
 from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
+from app.kit.http import BadCursor, DbSession, Page, problems
 from app.projects.errors import ApproverNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.reviews import carried_notes, comments, feedback, fit, review_room, service, take_history
 from app.reviews.errors import (
@@ -89,7 +89,7 @@ def queue_filter(
 
 
 Filter = Annotated[QueueFilter, Depends(queue_filter)]
-router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["reviews"])
 
 
 @router.get("/review-queue", response_model=Page[QueueItem], responses=problems(ProjectNotFound, TeamNeeded, BadCursor))

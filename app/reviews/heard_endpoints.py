@@ -2,14 +2,16 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.reviews.heard_takes import record_heard_takes
 from app.reviews.schemas import HeardTakes
 
-router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["reviews"])
 
 
 @router.post("/projects/{project_id}/heard-takes", status_code=204, responses=problems(ProjectNotFound, TeamNeeded))

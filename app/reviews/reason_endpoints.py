@@ -3,12 +3,12 @@
 from typing import Annotated, Literal
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import APIRouter, Query
 
 from app.accounts.errors import ProducerNeeded, StudioNotFound
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import BadCursor, DbSession, Page, Route, Router, problems
+from app.kit.http import BadCursor, DbSession, Page, problems
 from app.projects.errors import ProjectNotFound
 from app.reviews import found_reasons, reasons
 from app.reviews.errors import ReasonsInvalid
@@ -17,7 +17,7 @@ from app.reviews.reason_schemas import Reason, ReasonPlaceRead, ReasonsRead, Rev
 
 Designer = Annotated[UUID | None, Query(description="Of whose versions; a designer sees their own alone.")]
 Category = Annotated[str | None, Query(max_length=60, description="Of which cues; empty for those without one.")]
-router = Router(prefix="/v1", tags=["reviews"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["reviews"])
 
 
 @router.get("/studios/{studio_id}/review-reasons", responses=problems(StudioNotFound))

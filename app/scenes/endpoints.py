@@ -3,13 +3,13 @@
 from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Query, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.deliveries.errors import TakeNotFound
 from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.storage import BlobMissing
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.references.errors import ReferenceUnopened
@@ -36,7 +36,7 @@ from app.scenes.schemas import (
     SoundComparisonRead,
 )
 
-router = Router(prefix="/v1", tags=["scenes"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["scenes"])
 TEAM: Actor = allows(Audience.TEAM)
 WAV: dict[int | str, dict[str, Any]] = {200: {"content": {"audio/wav": {}}}}
 LANE = "^[0-9a-z-]{1,36}:-?[0-9]{1,2}([.][0-9]{1,2})?$"

@@ -10,7 +10,6 @@ from app.accounts.policies import allows
 from app.accounts.rate_limits import GUEST_COMMENTS_FROM_NETWORK
 from app.accounts.request_limits import (
     DeferredSession,
-    UnsavedResponseRoute,
     ensure_guest_guess_allowed,
     ensure_guest_visit_allowed,
     ensure_within_limits,
@@ -19,7 +18,8 @@ from app.accounts.request_limits import (
 )
 from app.accounts.rules import Actor, Audience
 from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
+from app.kit.idempotency import UNSAVED
 from app.kit.storage import BlobMissing
 from app.reviews.errors import RangeInvalid
 from app.shares import guests
@@ -42,8 +42,8 @@ from app.shares.schemas import (
     GuestVisitMade,
 )
 
-router = Router(prefix="/v1", tags=["guest-visits"], route_class=Route)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["guest-visits"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 ANYONE: Actor = allows(Audience.ANYONE)
 Place = Annotated[int, Path(ge=1, le=MAX_SOUNDS, description="Of the sound in the link, from 1.")]
 

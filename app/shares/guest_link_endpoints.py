@@ -6,9 +6,9 @@ from fastapi import APIRouter
 
 from app.accounts.errors import PasswordTooWeak, RecentSignInNeeded
 from app.accounts.policies import allows
-from app.accounts.request_limits import UnsavedResponseRoute
 from app.accounts.rules import Actor, Audience
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
+from app.kit.idempotency import UNSAVED
 from app.kit.runtime import Runtime
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.shares import guest_links
@@ -22,8 +22,8 @@ from app.shares.schemas import (
     GuestVisitRead,
 )
 
-router = Router(prefix="/v1", tags=["guest-links"], route_class=Route)
-_unsaved_router = APIRouter(route_class=UnsavedResponseRoute)
+router = APIRouter(prefix="/v1", tags=["guest-links"])
+_unsaved_router = APIRouter(dependencies=UNSAVED)
 TEAM: Actor = allows(Audience.TEAM)
 PAGE = 50
 

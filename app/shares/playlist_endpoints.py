@@ -2,9 +2,11 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.shares import live_sessions, playlists
 from app.shares.errors import (
@@ -28,7 +30,7 @@ from app.shares.playlist_schemas import (
     PositionSet,
 )
 
-router = Router(prefix="/v1", tags=["playlists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["playlists"])
 TEAM: Actor = allows(Audience.TEAM)
 PROJECT: Actor = allows(Audience.PROJECT)
 

@@ -3,16 +3,18 @@
 from collections.abc import Sequence
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound
 from app.shares import views
 from app.shares.errors import SavedViewInvalid, SavedViewNotFound
 from app.shares.models import SavedView
 from app.shares.view_schemas import SavedViewAdd, SavedViewRead
 
-router = Router(prefix="/v1", tags=["saved-views"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["saved-views"])
 PROJECT: Actor = allows(Audience.PROJECT)
 
 

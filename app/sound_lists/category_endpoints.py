@@ -3,11 +3,11 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import APIRouter, Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound
 from app.projects.service import project_access
 from app.sound_lists import queries
@@ -15,7 +15,7 @@ from app.sound_lists.category_rules import category_of_name
 from app.sound_lists.category_schemas import CategoryGuess
 from app.sound_lists.rules import LINES
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 
 
 @router.get("/projects/{project_id}/category-guess", responses=problems(ProjectNotFound))

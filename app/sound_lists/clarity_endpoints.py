@@ -7,7 +7,7 @@ from fastapi import APIRouter
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import project_access
 from app.sound_lists import clarity
@@ -15,7 +15,7 @@ from app.sound_lists.clarity_rules import Fact, Question
 from app.sound_lists.errors import CueIsCut, CueNotFound, RowsInvalid
 from app.sound_lists.schemas import ClarityRead, FactAnswer, FactDismissal, FactQuestion, UnclearCue
 
-router = APIRouter(route_class=Route)
+router = APIRouter()
 
 
 @router.get("/projects/{project_id}/clarity", response_model=ClarityRead, responses=problems(ProjectNotFound))

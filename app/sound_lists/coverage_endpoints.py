@@ -2,15 +2,17 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound
 from app.projects.service import project_access
 from app.sound_lists.coverage import list_coverage
 from app.sound_lists.coverage_schemas import CoverageRead
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 
 
 @router.get("/projects/{project_id}/sound-list/coverage", responses=problems(ProjectNotFound))

@@ -4,13 +4,13 @@ import base64
 from typing import Annotated, Any, TypeAlias
 from uuid import UUID
 
-from fastapi import Depends, Query, Request, Response
+from fastapi import APIRouter, Depends, Query, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Audience, Scope
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, Route, Router, cursor_of, problems, uuid_cursor
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
@@ -58,7 +58,7 @@ from app.sound_lists.schemas import (
 from app.sound_lists.sheets import Sheet, SheetOptions, parse_bytes, parse_text
 from audio_checks import known_heads_in
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 router.include_router(clarity_router)
 REVISIONS_AT_ONCE = QUESTIONS_AT_ONCE = 50
 SentSheet: TypeAlias = tuple[ImportAsk, Sheet]
@@ -126,8 +126,8 @@ def export_workbook(
     status_code=201,
     response_model=list[CueRead],
     responses=problems(ProjectNotFound, TeamNeeded, RowsInvalid),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def add_cues(
     project_id: UUID, body: CuesAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> list[CueRead]:
@@ -192,8 +192,8 @@ def _changed(
     "/projects/{project_id}/cues/order",
     status_code=204,
     responses=problems(ProjectNotFound, TeamNeeded, OrderInvalid),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def order_cues(project_id: UUID, body: CueOrder, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> None:
     """Put cues in another order; those left out keep their places."""
     service.order_cues(session, actor, project_id, body.cue_ids)
@@ -222,13 +222,13 @@ async def _parsed(project_id: UUID, body: ImportAsk, request: Request) -> SentSh
     "/projects/{project_id}/sound-list/import",
     response_model=ImportRead,
     responses=problems(ProjectNotFound, TeamNeeded, SheetUnreadable, ColumnUnknown, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def import_sound_list(
     project_id: UUID,
+    actor: Annotated[Actor, allows(Audience.TEAM)],
+    sent: Annotated[SentSheet, Depends(_parsed)],
     session: DbSession,
-    actor: Actor = allows(Audience.TEAM),
-    sent: SentSheet = Depends(_parsed),
 ) -> ImportRead:
     """Read a spreadsheet into the list; rows with an error are left out, and every guess is named."""
     body, sheet = sent

@@ -3,9 +3,11 @@
 from collections import Counter
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
 from app.projects.service import project_access
@@ -17,7 +19,7 @@ from app.sound_lists.kits import Kit, all_kits, file_name_of, kit_of
 from app.sound_lists.rules import folded
 from app.sound_lists.undo import undo_addition
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 
 
 @router.get("/kits")

@@ -3,11 +3,11 @@
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import Query
+from fastapi import APIRouter, Query
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound
 from app.projects.queries import current_spec
 from app.projects.service import project_access
@@ -18,7 +18,7 @@ from app.sound_lists.matrix_rules import MAX_LINE_CHARS, matrix_cues, read_matri
 from app.sound_lists.matrix_schemas import MatrixRead, MatrixRow
 from app.sound_lists.rules import LINES, folded, label
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 
 
 @router.get("/projects/{project_id}/cue-matrix", responses=problems(ProjectNotFound, MatrixInvalid))

@@ -1,14 +1,15 @@
 """The endpoints of names that a list has and its delivery spec refuses."""
 
+from typing import Annotated
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 
 import audio_checks
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import BadSpec, ProjectNotFound, SpecChanged, TeamNeeded
 from app.projects.service import project_access
@@ -17,7 +18,7 @@ from app.sound_lists import naming
 from app.sound_lists.errors import NamesNotResolved
 from app.sound_lists.schemas import PatternAdmit, RefusedNames, RefusedRename, SpecDraft
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 
 
 async def _readable(request: Request, project_id: UUID, body: SpecDraft) -> SpecDraft:
@@ -40,13 +41,13 @@ def list_refused_names(project_id: UUID, session: DbSession, actor: Actor = allo
 @router.post(
     "/projects/{project_id}/sound-list/refused-names/draft",
     responses=problems(ProjectNotFound, BadSpec, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def check_names_by_draft(
     project_id: UUID,
+    actor: Annotated[Actor, allows(Audience.PROJECT)],
+    body: Annotated[SpecDraft, Depends(_readable)],
     session: DbSession,
-    actor: Actor = allows(Audience.PROJECT),
-    body: SpecDraft = Depends(_readable),
 ) -> RefusedNames:
     """Return the file names of the list that a draft of the spec would refuse; nothing is saved."""
     project = project_access(session, actor, project_id).project
@@ -56,8 +57,8 @@ def check_names_by_draft(
 @router.post(
     "/projects/{project_id}/sound-list/refused-names/rename",
     responses=problems(ProjectNotFound, TeamNeeded, NamesNotResolved),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def rename_refused_names(
     project_id: UUID, body: RefusedRename, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> RefusedNames:

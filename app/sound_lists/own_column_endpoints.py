@@ -3,9 +3,11 @@
 from collections.abc import Sequence
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import project_access
 from app.sound_lists import queries
@@ -14,7 +16,7 @@ from app.sound_lists.own_column_rules import Column
 from app.sound_lists.own_column_schemas import ColumnRead, ColumnsRead, ColumnsSet
 from app.sound_lists.own_columns import edition_of, set_columns
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 
 
 @router.get("/projects/{project_id}/sound-list/columns", responses=problems(ProjectNotFound))

@@ -1,16 +1,16 @@
 """The endpoints that save a delivery spec, and say which file names of the list it refuses."""
 
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 from uuid import UUID
 
-from fastapi import Depends, Request
+from fastapi import APIRouter, Depends, Request
 from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy
 from app.projects import service, specs
 from app.projects.errors import BadSpec, ProjectNotFound, SpecChanged, TeamNeeded
@@ -19,7 +19,7 @@ from app.projects.spec_endpoints import ensure_readable, spec_read
 from app.sound_lists import naming
 from app.sound_lists.schemas import SpecSaved
 
-router = Router(prefix="/v1", tags=["projects"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["projects"])
 SentForm: TypeAlias = tuple[SpecFormChange, str]  # with the text that it comes to
 
 
@@ -37,13 +37,13 @@ async def _readable_form(request: Request, project_id: UUID, body: SpecFormChang
 @router.put(
     "/projects/{project_id}/spec",
     responses=problems(ProjectNotFound, TeamNeeded, SpecChanged, BadSpec, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def save_spec(
     project_id: UUID,
+    actor: Annotated[Actor, allows(Audience.TEAM)],
+    body: Annotated[SpecChange, Depends(_readable_text)],
     session: DbSession,
-    actor: Actor = allows(Audience.TEAM),
-    body: SpecChange = Depends(_readable_text),
 ) -> SpecSaved:
     """Save the spec from its text, and return the file names of the list that it refuses; takes are checked again."""
     return _saved(session, actor, project_id, body.toml, body)
@@ -52,13 +52,13 @@ def save_spec(
 @router.post(
     "/projects/{project_id}/spec/form",
     responses=problems(ProjectNotFound, TeamNeeded, SpecChanged, BadSpec, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def save_spec_form(
     project_id: UUID,
+    actor: Annotated[Actor, allows(Audience.TEAM)],
+    sent: Annotated[SentForm, Depends(_readable_form)],
     session: DbSession,
-    actor: Actor = allows(Audience.TEAM),
-    sent: SentForm = Depends(_readable_form),
 ) -> SpecSaved:
     """Save the spec from a form's tables, and return the names that it refuses; takes are checked again."""
     body, toml = sent

@@ -2,16 +2,16 @@
 
 import base64
 import binascii
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 from uuid import UUID
 
-from fastapi import Depends, Request, Response
+from fastapi import APIRouter, Depends, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.kit.storage import BlobMissing
 from app.projects.errors import TeamNeeded
@@ -21,7 +21,7 @@ from app.sound_lists.models import SpokenPlaceholder
 from app.sound_lists.spoken_rules import read_said
 from app.sound_lists.spoken_schemas import RecordingAdd, SpokenPlaceholderRead
 
-router = Router(prefix="/v1", tags=["sound-lists"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
 MAY_SEE: Actor = allows(Audience.PROJECT)
 TEAM: Actor = allows(Audience.TEAM)
 Said: TypeAlias = tuple[bytes, float]
@@ -40,10 +40,14 @@ async def _heard(cue_id: UUID, body: RecordingAdd, request: Request) -> Said:
 @router.put(
     "/cues/{cue_id}/spoken-placeholder",
     responses=problems(CueNotFound, TeamNeeded, CueIsCut, RecordingInvalid, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def record_spoken_placeholder(
-    cue_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM, said: Said = Depends(_heard)
+    cue_id: UUID,
+    runtime: CurrentRuntime,
+    actor: Annotated[Actor, TEAM],
+    said: Annotated[Said, Depends(_heard)],
+    session: DbSession,
 ) -> SpokenPlaceholderRead:
     """Keep a recorded word for a cue, trimmed and at one level, and make its placeholder files of it."""
     content, duration_s = said

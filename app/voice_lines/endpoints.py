@@ -4,12 +4,12 @@ import base64
 from typing import Annotated, Any
 from uuid import UUID
 
-from fastapi import Depends, Query, Request, Response
+from fastapi import APIRouter, Depends, Query, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
-from app.kit.bodies import LARGE_BODY_BYTES
-from app.kit.http import DbSession, Route, Router, problems
+from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
+from app.kit.http import DbSession, problems
 from app.kit.parsing_queue import ParsingBusy, parse_request
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import ensure_speaks_in, project_access
@@ -46,7 +46,7 @@ from app.voice_lines.schemas import (
 )
 from app.voice_lines.script_text import read_script_bytes, read_script_text
 
-router = Router(prefix="/v1", tags=["voice lines"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["voice lines"])
 MAY_SEE: Actor = allows(Audience.PROJECT)
 TEAM: Actor = allows(Audience.TEAM)
 SentScript = tuple[ScriptAsk, Sheet]
@@ -137,10 +137,13 @@ async def _parsed(project_id: UUID, body: ScriptAsk, request: Request) -> SentSc
 @router.post(
     "/projects/{project_id}/voice-lines/import",
     responses=problems(ProjectNotFound, TeamNeeded, ScriptUnreadable, VoiceLineInvalid, ParsingBusy),
-    max_body_size=LARGE_BODY_BYTES,
 )
+@accepts_body(LARGE_BODY_BYTES)
 def import_voice_lines(
-    project_id: UUID, session: DbSession, actor: Actor = TEAM, sent: SentScript = Depends(_parsed)
+    project_id: UUID,
+    actor: Annotated[Actor, TEAM],
+    sent: Annotated[SentScript, Depends(_parsed)],
+    session: DbSession,
 ) -> ScriptRead:
     """Read a script into the project; rows with an error are left out and named."""
     body, sheet = sent

@@ -2,12 +2,12 @@
 
 from uuid import UUID
 
-from fastapi import Request, Response
+from fastapi import APIRouter, Request, Response
 
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.kit.storage import BlobMissing
 from app.kit.uploads import UploadNotFound, UploadUnfinished
 from app.projects.errors import ProjectNotFound, TeamNeeded
@@ -16,7 +16,7 @@ from app.voice_lines import releases
 from app.voice_lines.errors import ReleaseNotFound, VoiceLineInvalid
 from app.voice_lines.schemas import ReleaseAdd, ReleasesRead
 
-router = Router(prefix="/v1", tags=["voice lines"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["voice lines"])
 MAY_SEE: Actor = allows(Audience.PROJECT)
 TEAM: Actor = allows(Audience.TEAM)
 # What strangers sent runs nothing and loads nothing in a browser that opens it.

@@ -3,14 +3,14 @@
 from datetime import datetime
 from uuid import UUID
 
-from fastapi import Request
+from fastapi import APIRouter, Request
 
 from app.accounts.errors import ProducerNeeded, RecentSignInNeeded, StudioNotFound, TooManyAttempts
 from app.accounts.policies import allows, ensure_recent_sign_in
-from app.accounts.request_limits import RateLimitedRoute, ensure_webhook_message_allowed
+from app.accounts.request_limits import ensure_webhook_message_allowed
 from app.accounts.rules import Actor, Audience
 from app.kit import clock
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, Router, cursor_of, problems, uuid_cursor
+from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound
 from app.webhooks import service
 from app.webhooks.errors import (
@@ -32,7 +32,7 @@ from app.webhooks.schemas import (
     WebhooksRead,
 )
 
-router = Router(prefix="/v1", tags=["webhooks"], route_class=RateLimitedRoute)
+router = APIRouter(prefix="/v1", tags=["webhooks"])
 PRODUCER: Actor = allows(Audience.PRODUCER)
 RECENTLY_SIGNED_IN_PRODUCER: Actor = allows(Audience.PRODUCER, recent_sign_in=True)
 PAGE = 50

@@ -2,13 +2,14 @@
 
 import base64
 import hashlib
+import inspect
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 from uuid import UUID
 
-from fastapi import FastAPI
+from fastapi import FastAPI, params
 from fastapi.routing import APIRoute, iter_route_contexts
 from fastapi.testclient import TestClient
 from httpx import Response
@@ -17,7 +18,6 @@ from starlette.routing import BaseRoute
 from app import rooms
 from app.accounts.policies import Allowed
 from app.accounts.rules import Policy
-from app.kit.single_thread_route import SingleThreadRoute
 from tests.house.library_objects import SHEET_BASE64
 from tests.house.objects import FILE, PASSWORD, House
 from tests.house.reports import report
@@ -51,8 +51,11 @@ def api_routes(routes: Iterable[BaseRoute]) -> Iterator[APIRoute]:
 
 def policy_of(route: APIRoute) -> Policy | None:
     """Return the policy that a route's endpoint declares, None when it forgot."""
-    assert isinstance(route, SingleThreadRoute)
-    return next((call.policy for call in route.dependencies_called() if isinstance(call, Allowed)), None)
+    for parameter in inspect.signature(route.endpoint, eval_str=True).parameters.values():
+        for given in (parameter.default, *getattr(parameter.annotation, "__metadata__", ())):
+            if isinstance(given, params.Depends) and isinstance(given.dependency, Allowed):
+                return given.dependency.policy
+    return None
 
 
 @cache

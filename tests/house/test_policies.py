@@ -13,6 +13,7 @@ from typing import Any, cast
 from uuid import UUID, uuid4
 
 import pytest
+from fastapi import APIRouter
 from fastapi.testclient import TestClient
 from httpx import Response
 from sqlalchemy import delete, update
@@ -22,9 +23,7 @@ from app import rooms
 from app.accounts.models import Membership, SignIn
 from app.accounts.rules import Audience, Scope
 from app.kit import clock
-from app.kit.fastapi_internals import Router
 from app.kit.http import SAFE_METHODS
-from app.kit.single_thread_route import SingleThreadRoute
 from app.projects.models import Engagement
 from tests.house.objects import House
 from tests.house.routes import Operation, api_routes, ask, document, operations, policy_of
@@ -155,13 +154,8 @@ def test_every_endpoint_declares_its_policy() -> None:
     assert [route.name for route in routes if policy_of(route) is None] == []
 
 
-def test_every_route_authenticates_before_it_answers() -> None:
-    routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
-    assert [route.name for route in routes if not isinstance(route, SingleThreadRoute)] == []
-
-
 def test_an_endpoint_without_policy_would_be_named() -> None:
-    router = Router(route_class=SingleThreadRoute)
+    router = APIRouter()
 
     @router.get("/forgetful")
     def forgetful() -> None:

@@ -2,6 +2,14 @@
 
 from uuid import uuid4
 
+import sqlalchemy as sa
+from fastapi import APIRouter, FastAPI
+from fastapi.testclient import TestClient
+
+from app.accounts.models import Membership
+from app.accounts.rules import Role
+from app.kit import error_responses
+from app.kit.http import DbSession
 from tests.support.server import RunningServer, World
 
 
@@ -77,3 +85,28 @@ def test_a_page_cannot_be_framed_and_loads_nothing_from_elsewhere(server: Runnin
 def test_a_page_address_never_leaves_its_folder(server: RunningServer):
     answer = server.browser().get("/..%2f..%2fpyproject.toml")
     assert "build-system" not in answer.text
+
+
+def test_a_stranger_does_not_learn_what_is_wrong_with_what_they_sent(world: World):
+    assert world.producer.post("/v1/projects", json={"name": 3}).status_code == 422
+    answer = world.server.browser().post("/v1/projects", json={"name": 3})
+    assert (answer.status_code, answer.json()["code"]) == (401, "not-signed-in")
+
+
+def test_a_commit_that_fails_has_not_answered_201(server: RunningServer):
+    router = APIRouter()
+
+    @router.post("/orphans", status_code=201)
+    def add_orphan(session: DbSession) -> dict[str, bool]:
+        session.execute(sa.text("PRAGMA defer_foreign_keys=ON"))  # so that the commit fails, and nothing before
+        session.add(Membership(studio_id=uuid4(), person_id=uuid4(), roles=[Role.PRODUCER]))
+        session.flush()
+        return {"added": True}
+
+    app = FastAPI()
+    app.state.runtime = server.runtime
+    app.include_router(router)
+    error_responses.install(app, credential_cookies=())
+    with TestClient(app, raise_server_exceptions=False) as client:
+        answer = client.post("/orphans")
+    assert (answer.status_code, answer.json()["code"]) == (500, "our-fault")
