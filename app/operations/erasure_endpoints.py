@@ -2,16 +2,18 @@
 
 from uuid import UUID
 
+from fastapi import APIRouter
+
 from app.accounts.errors import NotInDemo, ProducerNeeded, RecentSignInNeeded, StudioNotFound
 from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import CurrentRuntime, DbSession, Route, Router, problems
+from app.kit.http import CurrentRuntime, DbSession, problems
 from app.operations import erasure_requests
 from app.operations.errors import ConfirmationMismatch, ErasureRefused
 from app.operations.schemas import ErasureRead, ErasureRequest
 from app.projects.errors import ProjectNotFound
 
-router = Router(prefix="/v1", tags=["erasure"], route_class=Route)
+router = APIRouter(prefix="/v1", tags=["erasure"])
 
 
 @router.get("/me/erasure")

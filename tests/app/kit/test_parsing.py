@@ -91,7 +91,7 @@ def _request_of(person: int, slow: _Slow) -> Request:
     scope = {"type": "http", "app": type("App", (), {"state": type("State", (), {})()})(), "headers": []}
     request = Request(scope)
     request.app.state.runtime = type("Runtime", (), {"parsers": slow, "database": _Database()})()
-    request.state.lazy_authentication = lambda: None
+    request.state.actor = None
     request.state.reach = Reach(person_id=person)  # type: ignore[arg-type]
     return request
 
