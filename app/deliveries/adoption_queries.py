@@ -7,7 +7,9 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session, defer, joinedload
 
 from app.deliveries.models import Adoption
+from app.kit import clock
 from app.kit.uploads import Upload
+from app.kit.uploads.model import FINISHED_KEPT_FOR
 from app.sound_lists.models import Cue, Stem
 
 
@@ -34,7 +36,10 @@ def owned_stems(session: Session, project_id: UUID) -> Sequence[tuple[str, int]]
 def finished_uploads(session: Session, studio_id: UUID, scope: str) -> dict[str, tuple[UUID, int]]:
     """Return the finished uploads of a scope by their SHA-256: the id and the size in bytes of the first of each."""
     query = select(Upload.sha256, Upload.id, Upload.length).where(
-        Upload.studio_id == studio_id, Upload.scope == scope, Upload.sha256.is_not(None)
+        Upload.studio_id == studio_id,
+        Upload.scope == scope,
+        Upload.sha256.is_not(None),
+        Upload.finished_at >= clock.now() - FINISHED_KEPT_FOR,
     )
     found: dict[str, tuple[UUID, int]] = {}
     for sha256, upload_id, length in session.execute(query.order_by(Upload.id)):

@@ -1,13 +1,15 @@
 """The blobs that rows name. Every column that names one is listed here; a test compares the list with all tables."""
 
+from datetime import timedelta
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, Select, String, func, literal, select, union_all
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
+from app.kit import clock
 from app.kit.db import Base
-from app.kit.uploads.model import Upload
+from app.kit.uploads.model import FINISHED_KEPT_FOR, Upload
 from app.operations.models import DamagedBlob, Scrub
 from app.operations.queries import KEPT, Source
 from app.operations.schemas import KeptKind
@@ -25,8 +27,7 @@ NAMING = (
     ),
     Source(KeptKind.UPLOADS, Upload.studio_id, Upload.sha256, None),
 )
-
-
+UPLOADS_NAME_FOR = FINISHED_KEPT_FOR + timedelta(days=1)  # a request that uses one at the last moment may still run
 REMOVED: dict[type[Base], ColumnElement[bool]] = {  # rows that stay as history, and whose files go
     ReferenceVersion: ReferenceVersion.reference_id.in_(select(Reference.id).where(Reference.removed_at.is_not(None))),
     Release: Release.removed_at.is_not(None),
@@ -74,4 +75,6 @@ def _named(source: Source, studio_id: UUID) -> Select[str, str]:
     named = select(source.sha256, literal(source.kind.value, String))
     if source.whose.class_ in REMOVED:
         named = named.where(~REMOVED[source.whose.class_])
+    if source.kind is KeptKind.UPLOADS:
+        named = named.where(Upload.finished_at >= clock.now() - UPLOADS_NAME_FOR)
     return named.where(source.whose == studio_id, source.sha256.is_not(None)).distinct()

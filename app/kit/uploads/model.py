@@ -1,7 +1,7 @@
 """The row of an upload: bound to its owner before a byte comes, and finished once its bytes are in the store."""
 
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import datetime, timedelta
 from uuid import UUID
 
 from sqlalchemy import BigInteger, CheckConstraint, bindparam, insert, select, update
@@ -10,6 +10,8 @@ from sqlalchemy.orm import Mapped, Session, mapped_column
 from app.kit import clock
 from app.kit.db import Base, new_id
 from app.kit.uploads.errors import UploadNotFound, UploadUnfinished
+
+FINISHED_KEPT_FOR = timedelta(days=30)  # by then something was made of it, or nothing will be
 
 
 class Upload(Base):
@@ -63,6 +65,8 @@ def finished_upload(session: Session, upload_id: UUID, *, owner_id: UUID, scope:
     upload = session.scalar(_OF_ID_LOCKED, {"upload_id": upload_id})
     if upload is None or upload.owner_id != owner_id or upload.scope != scope:
         raise UploadNotFound(f"no upload {upload_id}")
+    if upload.finished_at is not None and upload.finished_at < clock.now() - FINISHED_KEPT_FOR:
+        raise UploadNotFound(f"the upload {upload_id} has expired", fix="upload the file again")
     if upload.sha256 is None:
         raise UploadUnfinished("this file is not completely uploaded yet", fix="ask for its offset and send the rest")
     return FinishedUpload(upload.id, upload.file_name, upload.sha256, upload.length)

@@ -1,5 +1,6 @@
 """What an erasure deletes, what stays and why, and that a neighbour loses nothing."""
 
+from collections.abc import Callable
 from datetime import timedelta
 from typing import Any
 from uuid import UUID
@@ -14,12 +15,15 @@ from app.agreements.rules import ContractState
 from app.cli import cli, erasing
 from app.kit import clock
 from app.kit.runtime import Runtime
+from app.kit.uploads.errors import UploadNotFound
+from app.kit.uploads.model import FINISHED_KEPT_FOR, Upload, finished_upload
 from app.operations import blob_queries, erasure, jobs, scopes, scrubbing
 from app.operations.errors import ErasureRefused
-from app.references.models import Reference, ReferenceVersion
-from app.references.rules import PreviewState, ReferenceKind
 from app.tables import Base
+from tests.app.hiring.test_roster import WAV, send_sound
+from tests.app.hiring.test_roster import add as add_to_roster
 from tests.house.objects import House
+from tests.support.references import uploaded
 from tests.support.server import RunningServer, World
 
 pytestmark = pytest.mark.both_databases
@@ -151,36 +155,57 @@ def test_a_party_of_a_running_contract_and_an_operator_are_refused(house: House)
     assert any("delivered version" in kept and "contract" in kept for kept in erased.kept), erased.kept
 
 
-def test_the_file_of_a_removed_reference_leaves_the_disk(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+def reference_of(world: World) -> tuple[str, str]:
+    """Add a reference by an upload, and return its path and that of the upload's answer."""
+    upload_id = uploaded(world, "still.txt", b"a film still, in words")
+    made = world.producer.post(f"/v1/projects/{world.project_id}/references", json={"upload_id": upload_id})
+    assert made.status_code == 201, made.text
+    return f"/v1/references/{made.json()['id']}", upload_id
+
+
+def release_of(world: World) -> tuple[str, str]:
+    """Add a performer's release by an upload."""
+    upload_id = uploaded(world, "release.pdf", b"%PDF-1.7 signed")
+    release = {"performer": "Captain", "upload_id": upload_id, "valid_from": "2026-01-01", "synthetic_use": "no"}
+    made = world.producer.post(f"/v1/projects/{world.project_id}/voice-releases", json=release)
+    assert made.status_code == 201, made.text
+    (performer,) = world.producer.get(f"/v1/projects/{world.project_id}/voice-releases").json()["performers"]
+    return f"/v1/voice-releases/{performer['releases'][0]['id']}", upload_id
+
+
+def reel_sound_of(world: World) -> tuple[str, str]:
+    """Add a sound to a reel of the roster by an upload."""
+    entry_id = add_to_roster(world).json()["id"]
+    upload_id = send_sound(world, entry_id, WAV).headers["location"].rpartition("/")[2]
+    sent = {"upload_id": upload_id, "title": "Weapons"}
+    (sound,) = world.producer.post(f"/v1/roster/{entry_id}/reel", json=sent).json()["reel"]
+    return f"/v1/reel-sounds/{sound['id']}", upload_id
+
+
+@pytest.mark.parametrize("add", [reference_of, release_of, reel_sound_of])
+def test_the_file_of_what_was_removed_leaves_the_disk(
+    world: World, monkeypatch: pytest.MonkeyPatch, add: Callable[[World], tuple[str, str]]
+) -> None:
     runtime = world.server.runtime
-    blob = runtime.store.put(world.studio_id, [b"a film still"])
-    of = {"studio_id": world.studio_id, "project_id": world.project_id}
+    path, upload_id = add(world)
+    with runtime.database.reading() as session:
+        upload = session.get_one(Upload, UUID(upload_id))
+    assert upload.sha256 is not None
+    assert world.producer.delete(path).is_success
 
-    def add(session: Any) -> UUID:
-        reference = Reference(**of, caption="", terms="", newest_number=1, added_by=world.producer_id)
-        session.add(reference)
-        session.flush()
-        session.add(
-            ReferenceVersion(
-                **of, reference_id=reference.id, number=1, kind=ReferenceKind.PICTURE, media_type="image/png",
-                file_name="still.png", sha256=blob.sha256, file_bytes=blob.size_bytes, excerpt="",
-                preview=PreviewState.NONE, added_by=world.producer_id,
-            )
-        )  # fmt: skip
-        return reference.id
+    def deleted_after(age: timedelta) -> bool:
+        later = clock.now() + age
+        with monkeypatch.context() as patched:
+            patched.setattr(clock, "now", lambda: later)
+            deleted = {blob.sha256 for _, blob in scrubbing.delete_orphans(runtime, scrubbing.ORPHANS_KEPT)}
+            if age > FINISHED_KEPT_FOR:  # nothing can be made of the upload any more
+                with runtime.database.writing() as session, pytest.raises(UploadNotFound, match="has expired"):
+                    finished_upload(session, upload.id, owner_id=upload.owner_id, scope=upload.scope)
+        return upload.sha256 in deleted
 
-    reference_id = world.server.in_database(add)
-
-    def is_named() -> bool:
-        with runtime.database.reading() as session:
-            return blob_queries.is_named(session, world.studio_id, blob.sha256)
-
-    assert is_named()
-    assert world.producer.delete(f"/v1/references/{reference_id}").status_code == 204
-    assert not is_named()
-    later = clock.now() + scrubbing.ORPHANS_KEPT + timedelta(hours=1)
-    monkeypatch.setattr(clock, "now", lambda: later)
-    assert blob.sha256 in {gone.sha256 for _, gone in scrubbing.delete_orphans(runtime, scrubbing.ORPHANS_KEPT)}
+    assert not deleted_after(FINISHED_KEPT_FOR - timedelta(hours=1))
+    assert deleted_after(blob_queries.UPLOADS_NAME_FOR + timedelta(hours=1))
+    assert upload.sha256 not in {blob.sha256 for _, blob in runtime.store.blobs()}
 
 
 def test_every_table_without_a_studio_is_known_to_the_erasure_of_people() -> None:
