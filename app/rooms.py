@@ -6,6 +6,7 @@ from app.accounts.calendar_endpoints import router as calendars
 from app.accounts.endpoints import router as accounts
 from app.accounts.invoice_endpoints import router as invoice_details
 from app.accounts.me_endpoints import router as me
+from app.accounts.passkey_endpoints import router as passkeys
 from app.accounts.picture_endpoints import router as my_picture
 from app.accounts.second_factor_endpoints import router as second_factors
 from app.accounts.sign_up_endpoints import router as sign_up
@@ -95,6 +96,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     accounts,
     sign_up,
     me,
+    passkeys,
     second_factors,
     my_picture,
     studios,

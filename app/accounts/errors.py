@@ -121,6 +121,14 @@ class TooManyStudios(Conflict):
     """The account has opened as many studios as one may on this server."""
 
 
+class PasskeyNotFound(NotFound):
+    """No such passkey of the caller."""
+
+
+class TooManyPasskeys(Conflict):
+    """The caller has as many passkeys as a person may have."""
+
+
 class TooManyDeskTokens(Conflict):
     """The caller has as many desk tokens as a person may have."""
 
@@ -195,6 +203,10 @@ class BadAddress(Invalid):
 
 class NameNeeded(Invalid):
     """A new account needs a name."""
+
+
+class PasskeyRefused(Invalid):
+    """What the browser sent is not the right answer of a passkey."""
 
 
 class PasswordTooWeak(Invalid):

@@ -131,6 +131,22 @@ class RecoveryCode(Base):
     used_at: Mapped[datetime | None]
 
 
+class Passkey(Base):
+    """A key on a person's device that signs in alone (WebAuthn)."""
+
+    __tablename__ = "accounts_passkeys"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id", ondelete="CASCADE"), index=True)
+    credential_id: Mapped[bytes] = mapped_column(unique=True)
+    public_key: Mapped[bytes]
+    sign_count: Mapped[int] = mapped_column(BigInteger)  # of the device, which never falls; 0 where it does not count
+    challenge_made_at_us: Mapped[int] = mapped_column(BigInteger)  # of the last challenge answered; none counts twice
+    name: Mapped[str]
+    created_at: Mapped[datetime] = mapped_column(default=clock.now)
+    last_used_at: Mapped[datetime | None]
+
+
 class PasswordReset(MailedLink, Base):
     """A mailed link that sets a new password, once and within an hour."""
 

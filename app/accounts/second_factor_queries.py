@@ -5,14 +5,15 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, SQLColumnExpression, delete, exists, func, literal, select, update
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Membership, RecoveryCode, Studio, TotpFactor
+from app.accounts.models import Membership, Passkey, RecoveryCode, Studio, TotpFactor
 from app.accounts.rules import SecondFactorUse
 from app.kit import clock
 
 
 def second_factor_exists(person_id: SQLColumnExpression[UUID]) -> ColumnElement[bool]:
     """Return the condition that a person's sign-in asks for more than a password."""
-    return exists().where(TotpFactor.person_id == person_id, TotpFactor.confirmed_at.is_not(None))
+    has_totp = exists().where(TotpFactor.person_id == person_id, TotpFactor.confirmed_at.is_not(None))
+    return has_totp | exists().where(Passkey.person_id == person_id)
 
 
 def has_second_factor(session: Session, person_id: UUID) -> bool:

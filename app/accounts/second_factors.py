@@ -8,7 +8,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts import queries, second_factor_queries
+from app.accounts import passkey_queries, queries, second_factor_queries
 from app.accounts.authentication import sha256_of
 from app.accounts.errors import (
     NoSecondFactor,
@@ -102,7 +102,7 @@ def confirm_totp(
     session.flush()
     # They began with a password alone.
     queries.end_sign_ins(session, actor.person, except_sha256=sha256_of(kept_secret) if kept_secret else None)
-    _publish_change(session, actor.person, "An authenticator app was set up for your account.")
+    publish_change(session, actor.person, "An authenticator app was set up for your account.")
     return _renewed_recovery_codes(session, actor.person)
 
 
@@ -112,15 +112,15 @@ def end_totp(session: Session, actor: Actor) -> None:
     if factor is None or factor.confirmed_at is None:
         raise NoSecondFactor("no authenticator app is set up")
     second_factor_queries.drop_totp(session, actor.person)
-    _drop_unneeded_codes(session, actor.person)
-    _publish_change(session, actor.person, "The authenticator app of your account was removed.")
+    drop_unneeded_codes(session, actor.person)
+    publish_change(session, actor.person, "The authenticator app of your account was removed.")
 
 
 def renew_recovery_codes(session: Session, actor: Actor) -> list[str]:
     """Return new recovery codes; the earlier ones stop working."""
     if not second_factor_queries.has_second_factor(session, actor.person):
-        raise NoSecondFactor("recovery codes belong to a second factor", fix="set up an authenticator app first")
-    _publish_change(session, actor.person, "New recovery codes were made for your account.")
+        raise NoSecondFactor("recovery codes belong to a second factor", fix="set up an app or a passkey first")
+    publish_change(session, actor.person, "New recovery codes were made for your account.")
     return _renewed_recovery_codes(session, actor.person)
 
 
@@ -129,9 +129,10 @@ def remove_all(session: Session, person_id: UUID) -> None:
     if not second_factor_queries.has_second_factor(session, person_id):
         raise NoSecondFactor("this account has no second factor")
     second_factor_queries.drop_totp(session, person_id)
-    _drop_unneeded_codes(session, person_id)
+    passkey_queries.drop_passkeys(session, person_id)
+    drop_unneeded_codes(session, person_id)
     queries.end_sign_ins(session, person_id)
-    _publish_change(session, person_id, "The operator of the server removed the second factor of your account.")
+    publish_change(session, person_id, "The operator of the server removed the second factor of your account.")
 
 
 def ensure_code_given(code: str | None) -> str:
@@ -139,7 +140,7 @@ def ensure_code_given(code: str | None) -> str:
     if code is None or not plain_code(code):
         raise SecondFactorNeeded(
             "this account asks for a second factor",
-            fix="enter the code of your authenticator app, or a recovery code",
+            fix="enter the code of your authenticator app, or a recovery code; a passkey signs in without it",
         )
     return code
 
@@ -151,7 +152,7 @@ def ensure_right_code(session: Session, settings: Settings, person_id: UUID, cod
         if not second_factor_queries.use_recovery_code(session, person_id, sha256_of(plain)):
             raise _wrong("this recovery code is wrong or was used already", fix="enter another one")
         left = second_factor_queries.recovery_codes_left(session, person_id)
-        _publish_change(session, person_id, f"A recovery code signed in to your account. Codes left: {left}.")
+        publish_change(session, person_id, f"A recovery code signed in to your account. Codes left: {left}.")
         return
     factor = second_factor_queries.totp_factor(session, person_id)
     if factor is None or factor.confirmed_at is None:
@@ -173,6 +174,13 @@ def _wrong(message: str, fix: str) -> WrongSecondFactor:
     return WrongSecondFactor(message, fix=fix, errors=[{"where": "code", "message": f"{message}: {fix}"}])
 
 
+def codes_for_first_factor(session: Session, person_id: UUID) -> list[str]:
+    """Return recovery codes where a person sets up their first second factor; empty for a further one."""
+    if second_factor_queries.has_second_factor(session, person_id):
+        return []
+    return _renewed_recovery_codes(session, person_id)
+
+
 def _renewed_recovery_codes(session: Session, person_id: UUID) -> list[str]:
     second_factor_queries.drop_recovery_codes(session, person_id)
     codes = new_recovery_codes()
@@ -181,12 +189,14 @@ def _renewed_recovery_codes(session: Session, person_id: UUID) -> list[str]:
     return codes
 
 
-def _drop_unneeded_codes(session: Session, person_id: UUID) -> None:
+def drop_unneeded_codes(session: Session, person_id: UUID) -> None:
+    """Delete a person's recovery codes where no second factor is left that they stand in for."""
     if not second_factor_queries.has_second_factor(session, person_id):
         second_factor_queries.drop_recovery_codes(session, person_id)
 
 
-def _publish_change(session: Session, person_id: UUID, change: str) -> None:
+def publish_change(session: Session, person_id: UUID, change: str) -> None:
+    """Have a person told of a change to their second factors."""
     publish(session, "second_factor.changed", studio_id=None, person_id=person_id, change=change)
 
 

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_355172a2"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_fd33fdf2"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -159,6 +159,22 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_operators_person_id")),
         sa.PrimaryKeyConstraint("person_id", name=op.f("pk_accounts_operators")),
     )
+    op.create_table(
+        "accounts_passkeys",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("credential_id", sa.LargeBinary(), nullable=False),
+        sa.Column("public_key", sa.LargeBinary(), nullable=False),
+        sa.Column("sign_count", sa.BigInteger(), nullable=False),
+        sa.Column("challenge_made_at_us", sa.BigInteger(), nullable=False),
+        sa.Column("name", sa.String(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("last_used_at", sa.DateTime(timezone=True)),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_passkeys_person_id"), ondelete="CASCADE"),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_passkeys")),
+        sa.UniqueConstraint("credential_id", name=op.f("uq_accounts_passkeys_credential_id")),
+    )
+    op.create_index(op.f("ix_accounts_passkeys_person_id"), "accounts_passkeys", ["person_id"])
     op.create_table(
         "accounts_password_resets",
         sa.Column("id", sa.Uuid(), nullable=False),

@@ -10,6 +10,7 @@ from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.desk_tokens import create_desk_token
 from app.accounts.models import (
     EmailVerification,
+    Passkey,
     PasswordReset,
     SignIn,
     SignUp,
@@ -78,7 +79,18 @@ def add_links(session: Session, of: dict[str, UUID], house: "House", posting_sec
     session.add_all([invitation, studio_invitation, reset, verification, sign_up, signed_in])
     session.flush()
     desk_token, house.desk_secret = create_desk_token(session, Actor(person_id=house.designer_id), "Laptop")
+    passkey = Passkey(
+        person_id=house.designer_id,
+        credential_id=new_id().bytes,
+        public_key=b"key",
+        sign_count=0,
+        challenge_made_at_us=0,
+        name="Phone",
+    )
+    session.add(passkey)
+    session.flush()
     return {
+        "passkey_id": passkey.id,
         "invitation_id": invitation.id,
         "studio_invitation_id": studio_invitation.id,
         "sign_in_id": signed_in.id,

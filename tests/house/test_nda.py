@@ -21,7 +21,14 @@ pytestmark = pytest.mark.slow
 # sign-ins, and that a sound library of one's own is forgotten, say nothing of the project.
 BEFORE_NDA = {
     *("read_project", "read_next_steps", "list_contracts"),
-    *("see_upload", "cancel_upload", "end_my_sign_in", "revoke_my_desk_token", "remove_sound_library"),
+    *(
+        "see_upload",
+        "cancel_upload",
+        "end_my_sign_in",
+        "revoke_my_desk_token",
+        "remove_my_passkey",
+        "remove_sound_library",
+    ),
 }
 OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
     *(

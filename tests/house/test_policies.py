@@ -41,7 +41,7 @@ ONE_DESIGNERS = {
     "tray_action_id",
     "library_id",
     *("game_task_id", "listening_note_id"),
-    *("sign_in_id", "saved_view_id", "desk_token_id"),
+    *("sign_in_id", "saved_view_id", "desk_token_id", "passkey_id"),
     *CONTRACTS,
 }
 TEAMS = {Audience.PRODUCER, Audience.TEAM, Audience.APPROVER}

@@ -21,6 +21,7 @@ export const queryKeys = {
   signIns: family('sign-ins'),
   deskTokens: family('desk-tokens'),
   secondFactors: family('second-factors'),
+  passkeys: family('passkeys'),
   secondFactorRequirement: family<[studioId: string]>('second-factor-requirement'),
   mailPreferences: family('mail-preferences'),
   mailChoice: family<[secret: string]>('mail-choice'),

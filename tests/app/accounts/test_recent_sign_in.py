@@ -29,6 +29,9 @@ ACCESS_GIVEN = {
     "end_my_totp",
     "renew_my_recovery_codes",
     "set_second_factor_requirement",
+    "begin_my_passkey",
+    "add_my_passkey",
+    "remove_my_passkey",
     # Each erases for good.
     "erase_me",
     "request_project_erasure",

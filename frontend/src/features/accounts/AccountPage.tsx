@@ -15,6 +15,7 @@ import { Field, Form } from '@/app/Form'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
 import { ROLE_WORDS } from './parts'
+import { PasskeysCard } from './PasskeysCard'
 import { PictureCard } from './PictureCard'
 import { SecondFactorCard } from './SecondFactorCard'
 import { AddressCard, SignInsCard } from './SecurityCards'
@@ -55,6 +56,7 @@ export function AccountPage() {
         {session?.demo !== true && <AddressCard me={me} />}
         <PasswordCard demo={session?.demo === true} />
         {session?.demo !== true && <SecondFactorCard />}
+        {session?.demo !== true && <PasskeysCard />}
         {session?.demo !== true && <SignInsCard />}
         <Card aria-labelledby="belong">
           <CardHead id="belong" title="Your studios and projects" />

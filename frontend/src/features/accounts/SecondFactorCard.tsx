@@ -11,6 +11,7 @@ import { State } from '@/ui/State'
 
 import classes from './Account.module.css'
 import { CardProblem } from './CardProblem'
+import { passkeysQuery } from './passkeyApi'
 import {
   secondFactorsQuery,
   type TotpSetup,
@@ -23,12 +24,30 @@ import {
 /** The authenticator app and the recovery codes that a sign-in asks for besides the password. */
 export function SecondFactorCard() {
   const { data: factors, error } = useQuery(secondFactorsQuery)
+  const { data: passkeys } = useQuery(passkeysQuery)
   const begin = useBeginTotp()
   const end = useEndTotp()
   const renew = useRenewRecoveryCodes()
   const [setup, setSetup] = useState<TotpSetup | null>(null)
   const [codes, setCodes] = useState<readonly string[] | null>(null)
   const isOn = factors !== undefined && factors.totp_since !== null
+  const hasPasskey = (passkeys?.length ?? 0) > 0
+  const codesLeft = factors?.recovery_codes_left ?? 0
+  const recovery = (
+    <p className="small mid">
+      {codesLeft === 0
+        ? 'No recovery codes are left: create new ones before you lose your device.'
+        : `Recovery codes left: ${codesLeft}. Each signs in once, after your password.`}
+    </p>
+  )
+  const renewal = (
+    <Button
+      aria-busy={renew.isPending}
+      onClick={() => renew.mutate(undefined, { onSuccess: ({ recovery_codes }) => setCodes(recovery_codes) })}
+    >
+      Create new recovery codes
+    </Button>
+  )
   return (
     <Card aria-labelledby="second-factor">
       <CardHead id="second-factor" title="Second factor" note="asked for when you sign in, besides your password" />
@@ -51,18 +70,9 @@ export function SecondFactorCard() {
               <span>Authenticator app, since {day(factors.totp_since ?? '')}</span>
               <State kind="passed">On</State>
             </p>
-            <p className="small mid">
-              {factors.recovery_codes_left === 0
-                ? 'No recovery codes are left: create new ones before you lose the app.'
-                : `Recovery codes left: ${factors.recovery_codes_left}. Each signs in once without the app.`}
-            </p>
+            {recovery}
             <div className="row wrap">
-              <Button
-                aria-busy={renew.isPending}
-                onClick={() => renew.mutate(undefined, { onSuccess: ({ recovery_codes }) => setCodes(recovery_codes) })}
-              >
-                Create new recovery codes
-              </Button>
+              {renewal}
               <Button
                 variant="quiet"
                 aria-busy={end.isPending}
@@ -84,7 +94,9 @@ export function SecondFactorCard() {
               <p className="small mid">
                 With an app such as Aegis, 1Password or Google Authenticator, a stolen password alone does not sign in.
               </p>
-              <div>
+              {hasPasskey && recovery}
+              <div className="row wrap">
+                {hasPasskey && renewal}
                 <Button aria-busy={begin.isPending} onClick={() => begin.mutate(undefined, { onSuccess: setSetup })}>
                   Set up authenticator app
                 </Button>
@@ -144,7 +156,8 @@ function Setup({ setup: { secret, qr_svg }, onCancel, onConfirmed }: SetupProps)
   )
 }
 
-function RecoveryCodes({ codes, onDone }: { codes: readonly string[]; onDone: () => void }) {
+/** Recovery codes, shown once. */
+export function RecoveryCodes({ codes, onDone }: { codes: readonly string[]; onDone: () => void }) {
   return (
     <div className="stack" role="status">
       <p>

@@ -5,6 +5,7 @@ import type { OpenedProps } from '@/app/LazyDialog'
 
 import { Field, Form } from '@/app/Form'
 
+import { PasskeyButton } from './PasskeyButton'
 import { CodeField, useSecondFactorAsked } from './CodeField'
 
 interface SignInAgainDialogProps extends OpenedProps {
@@ -51,6 +52,7 @@ export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: S
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
         {isCodeAsked && <CodeField />}
       </Form>
+      <PasskeyButton action={isRecent ? 'Confirm with a passkey' : 'Sign in with a passkey'} onSignedIn={onSignedIn} />
     </Dialog>
   )
 }

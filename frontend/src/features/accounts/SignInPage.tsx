@@ -1,10 +1,11 @@
-import { useQuery } from '@tanstack/react-query'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link, useRouter, useSearch } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
 
 import { sessionQuery, signUpQuery, useSignIn } from './api'
 import { CodeField, useSecondFactorAsked } from './CodeField'
+import { PasskeyButton } from './PasskeyButton'
 import { Field, Form, Sheet } from '@/app/Form'
 
 /** An address of this site, whatever was written after `next=`. */
@@ -14,6 +15,7 @@ export const ownPath = (next: string | undefined): string =>
 export function SignInPage() {
   useTitle('Sign in')
   const { next } = useSearch({ from: '/guest/sign-in' })
+  const client = useQueryClient()
   const router = useRouter()
   const signIn = useSignIn()
   const isCodeAsked = useSecondFactorAsked(signIn.error)
@@ -51,6 +53,13 @@ export function SignInPage() {
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
         {isCodeAsked && <CodeField />}
       </Form>
+      <PasskeyButton
+        action="Sign in with a passkey"
+        onSignedIn={() => {
+          client.clear()
+          void router.navigate({ href: ownPath(next) })
+        }}
+      />
       <p className="small mid" style={{ marginTop: 'var(--sl-5)' }}>
         {way?.open === false ? (
           'You need an invitation to join. '

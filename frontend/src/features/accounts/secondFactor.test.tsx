@@ -78,6 +78,33 @@ describe('the second factor of an account', () => {
     expect(server.asked.find(({ method }) => method === 'PUT')?.body).toEqual({ required_for: ['signing'] })
   })
 
+  test('passkeys are listed with their last use, and removed', async () => {
+    let passkeys = [
+      { id: 'k1', name: 'Phone', created_at: '2026-11-20T09:00:00Z', last_used_at: null as string | null },
+      { id: 'k2', name: 'Laptop', created_at: '2026-11-20T09:00:00Z', last_used_at: '2026-11-22T09:00:00Z' },
+    ]
+    serve(
+      asPerson(PRODUCER, {
+        'GET /v1/me/passkeys': () => passkeys,
+        'GET /v1/me/second-factors': { totp_since: null, recovery_codes_left: 9 },
+        'DELETE /v1/me/passkeys/k1': () => {
+          passkeys = passkeys.filter(({ id }) => id !== 'k1')
+          return null
+        },
+      }),
+    )
+    const user = userEvent.setup()
+    openApp('/account')
+    const card = within(await screen.findByRole('region', { name: 'Passkeys' }))
+    expect(await card.findByText(/never used$/)).toBeVisible()
+    expect(card.getByText(/last used/)).toBeVisible()
+    expect(card.getByText(/they need HTTPS and a host name/)).toBeVisible() // this browser makes none
+    expect(await screen.findByText(/^Recovery codes left: 9/)).toBeVisible()
+    await user.click(card.getByRole('button', { name: 'Remove Phone' }))
+    await waitFor(() => expect(card.queryByText('Phone')).toBeNull())
+    expect(card.getByText('Laptop')).toBeVisible()
+  })
+
   test('signing in asks for the code as a second step, and says when it is wrong', async () => {
     const server = serve({
       'GET /v1/session': NOBODY,
