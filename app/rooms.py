@@ -3,6 +3,7 @@
 from fastapi import APIRouter
 
 from app.accounts.calendar_endpoints import router as calendars
+from app.accounts.email_change_endpoints import router as email_changes
 from app.accounts.endpoints import router as accounts
 from app.accounts.invoice_endpoints import router as invoice_details
 from app.accounts.me_endpoints import router as me
@@ -96,6 +97,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     accounts,
     sign_up,
     me,
+    email_changes,
     passkeys,
     second_factors,
     my_picture,
@@ -291,6 +293,9 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "member.changed": (),
     "password.reset_asked": ("notifications.mail_link",),
     "address.verification_asked": ("notifications.mail_link",),
+    "old_address.asked": ("notifications.mail_link",),
+    "new_address.asked": ("notifications.mail_link",),
+    "address.changed": ("notifications.notify_new_address",),
     "sign_up.asked": ("notifications.mail_link",),
     "signing_code.asked": ("notifications.mail_link",),
     "password.changed": ("notifications.notify_new_password",),

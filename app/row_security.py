@@ -39,7 +39,7 @@ PERSONAL = frozenset(
     {
         *("accounts_sign_ins", "accounts_password_resets", "accounts_email_verifications", "accounts_operators"),
         "accounts_desk_tokens",
-        *("accounts_totp_factors", "accounts_recovery_codes", "accounts_passkeys"),
+        *("accounts_totp_factors", "accounts_recovery_codes", "accounts_passkeys", "accounts_email_changes"),
         "accounts_pictures",  # whose name a caller sees, a query decides
         *("notifications_mail_preferences", "notifications_notices"),
         "reviews_heard_takes",

@@ -105,6 +105,10 @@ class VerificationNotFound(NotFound):
     """The link that verifies an address is unknown, used, too old or for another account."""
 
 
+class EmailChangeNotFound(NotFound):
+    """The link that confirms a change of address is unknown, stopped, too old or for another account."""
+
+
 class SignUpNotFound(NotFound):
     """The link that opens an account is unknown, used or too old."""
 
@@ -143,6 +147,10 @@ class DemoUnavailable(NotFound):
 
 class AddressTaken(Conflict):
     """The address has an account already."""
+
+
+class SameAddress(Conflict):
+    """The account has this address already."""
 
 
 class AlreadyVerified(Conflict):

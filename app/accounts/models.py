@@ -3,7 +3,7 @@
 from datetime import date, datetime
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.rules import AddressProof
@@ -167,6 +167,20 @@ class EmailVerification(MailedLink, Base):
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     expires_at: Mapped[datetime]
     used_at: Mapped[datetime | None]
+
+
+class EmailChange(MailedLink, Base):
+    """One end of a change of an account's address: the link that was mailed to the old address, or to the new one."""
+
+    __tablename__ = "accounts_email_changes"
+    __table_args__ = (UniqueConstraint("person_id", "is_new_end"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id", ondelete="CASCADE"), index=True)
+    new_email: Mapped[str]
+    is_new_end: Mapped[bool]
+    expires_at: Mapped[datetime]
+    confirmed_at: Mapped[datetime | None]
 
 
 class SignUp(MailedLink, Base):

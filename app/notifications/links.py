@@ -13,7 +13,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts import addresses
-from app.accounts.models import EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
+from app.accounts.models import EmailChange, EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
 from app.accounts.rules import Actor, Role
 from app.agreements import signing_codes
 from app.agreements.models import SigningCode
@@ -70,6 +70,21 @@ KINDS: Mapping[str, LinkMail] = {
         "If you have no account, ignore this email: the link does nothing for anyone else.",
         EmailVerification,
         "verify-address",
+    ),
+    "old_address.asked": LinkMail(
+        "Change the email of your account on Soundlist",
+        "Someone who is signed in to your account asked to change its email to {subject_name}. Nothing has changed. "
+        "The link shows the change, to confirm it or to stop it; the new address has to confirm it too. It works "
+        "within a day. If it was not you, stop it and set a new password.",
+        EmailChange,
+        "change-email",
+    ),
+    "new_address.asked": LinkMail(
+        "Confirm your new email for Soundlist",
+        "The holder of an account asked to use this email for it. The link confirms it; it works within a day. "
+        "If you have no account, stop the change there or ignore this email: nothing has changed.",
+        EmailChange,
+        "change-email",
     ),
     "sign_up.asked": LinkMail(
         "Your account on Soundlist",

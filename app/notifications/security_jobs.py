@@ -34,6 +34,28 @@ def notify_new_device(runtime: Runtime, payload: Payload) -> None:
         _tell_person(runtime, session, payload, "A new browser signed in to your account", line, page="account")
 
 
+@job("notifications.notify_new_address")
+def notify_new_address(runtime: Runtime, payload: Payload) -> None:
+    """Tell both addresses that the address of an account was changed."""
+    old_email, new_email = payload["old_email"], payload["new_email"]
+    line = (
+        f"The email of your account was changed from {old_email} to {new_email}, and its other sign-ins were ended. "
+        "If it was not you, write to the operator of this server."
+    )
+    with runtime.database.writing() as session:
+        for recipient in (old_email, new_email):
+            service.write_mail(
+                session,
+                event_id=payload["event_id"],
+                studio_id=None,
+                topic=f"{payload['event']}:{payload['event_id']}",
+                recipient=recipient,
+                subject="The email of your account was changed",
+                lines=[line],
+                link=f"{runtime.settings.base_url}/account",
+            )
+
+
 @job("notifications.notify_second_factor")
 def notify_second_factor(runtime: Runtime, payload: Payload) -> None:
     """Tell a person of a change to the second factor of their account."""

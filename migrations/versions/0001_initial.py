@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_fd33fdf2"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_bd9a1324"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -139,6 +139,22 @@ def upgrade() -> None:
         sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_desk_tokens_secret_sha256")),
     )
     op.create_index(op.f("ix_accounts_desk_tokens_person_id"), "accounts_desk_tokens", ["person_id"])
+    op.create_table(
+        "accounts_email_changes",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("new_email", sa.String(), nullable=False),
+        sa.Column("is_new_end", sa.Boolean(), nullable=False),
+        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("confirmed_at", sa.DateTime(timezone=True)),
+        sa.Column("secret_sha256", sa.String()),
+        sa.Column("is_sent_by_mail_only", sa.Boolean(), nullable=False),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_email_changes_person_id"), ondelete="CASCADE"),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_email_changes")),
+        sa.UniqueConstraint("person_id", "is_new_end", name=op.f("uq_accounts_email_changes_person_id_is_new_end")),
+        sa.UniqueConstraint("secret_sha256", name=op.f("uq_accounts_email_changes_secret_sha256")),
+    )
+    op.create_index(op.f("ix_accounts_email_changes_person_id"), "accounts_email_changes", ["person_id"])
     op.create_table(
         "accounts_email_verifications",
         sa.Column("id", sa.Uuid(), nullable=False),

@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.desk_tokens import create_desk_token
 from app.accounts.models import (
+    EmailChange,
     EmailVerification,
     Passkey,
     PasswordReset,
@@ -35,7 +36,7 @@ def add_links(session: Session, of: dict[str, UUID], house: "House", posting_sec
     """Add what mails and calendars link to; note the secrets in the house's links, and return ids by path names."""
     house.links |= {"invitations": new_secret(), "studio-invitations": new_secret(), "password-resets": new_secret()}
     house.links["posting-links"] = posting_secret
-    house.links |= {kind: new_secret() for kind in ("calendars", "sign-ups", "email-verifications")}
+    house.links |= {kind: new_secret() for kind in ("calendars", "sign-ups", "email-verifications", "email-changes")}
     secret_key = house.server.runtime.settings.secret_key.get_secret_value()
     house.links["mail-choices"] = link_token(secret_key, house.designer_id, News.TALK)
     expires_at = clock.now() + TOMORROW
@@ -72,11 +73,14 @@ def add_links(session: Session, of: dict[str, UUID], house: "House", posting_sec
         secret_sha256=sha256_of(house.links["email-verifications"]),
         expires_at=expires_at,
     )
+    of_change = {"person_id": house.designer_id, "new_email": f"{new_id()}@example.test", "expires_at": expires_at}
+    old_end = EmailChange(**of_change, is_new_end=False, secret_sha256=sha256_of(house.links["email-changes"]))
+    new_end = EmailChange(**of_change, is_new_end=True)
     sign_up = SignUp(
         email=f"{new_id()}@example.test", secret_sha256=sha256_of(house.links["sign-ups"]), expires_at=expires_at
     )
     signed_in = SignIn(person_id=house.designer_id, secret_sha256=sha256_of(new_secret()), expires_at=expires_at)
-    session.add_all([invitation, studio_invitation, reset, verification, sign_up, signed_in])
+    session.add_all([invitation, studio_invitation, reset, verification, old_end, new_end, sign_up, signed_in])
     session.flush()
     desk_token, house.desk_secret = create_desk_token(session, Actor(person_id=house.designer_id), "Laptop")
     passkey = Passkey(

@@ -22,6 +22,8 @@ export const queryKeys = {
   deskTokens: family('desk-tokens'),
   secondFactors: family('second-factors'),
   passkeys: family('passkeys'),
+  emailChange: family('email-change'),
+  emailChangeLink: family<[secret: string]>('email-change-link'),
   secondFactorRequirement: family<[studioId: string]>('second-factor-requirement'),
   mailPreferences: family('mail-preferences'),
   mailChoice: family<[secret: string]>('mail-choice'),

@@ -85,6 +85,7 @@ export const asPerson = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = 
   'GET /v1/me/desk-tokens': [],
   'GET /v1/studios/s1/second-factor': { required_for: [] },
   'GET /v1/me/passkeys': [],
+  'GET /v1/me/email-change': null,
   'GET /v1/me/second-factors': { totp_since: null, recovery_codes_left: 0 },
   ...more,
 })

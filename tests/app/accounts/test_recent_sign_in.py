@@ -29,6 +29,7 @@ ACCESS_GIVEN = {
     "end_my_totp",
     "renew_my_recovery_codes",
     "set_second_factor_requirement",
+    "request_my_email_change",
     "begin_my_passkey",
     "add_my_passkey",
     "remove_my_passkey",

@@ -11,6 +11,7 @@ import { State } from '@/ui/State'
 import classes from './Account.module.css'
 import { type SignIn, signInsQuery, signUpQuery, useAskVerification, useEndOtherSignIns, useEndSignIn } from './api'
 import { CardProblem } from './CardProblem'
+import { EmailChangeForm } from './EmailChangeForm'
 
 /** The address, and whether it is verified. */
 export function AddressCard({ me }: { me: Me }) {
@@ -64,6 +65,7 @@ export function AddressCard({ me }: { me: Me }) {
             </div>
           </div>
         )}
+        <EmailChangeForm email={me.email} />
       </div>
     </Card>
   )

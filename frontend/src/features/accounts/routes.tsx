@@ -37,6 +37,11 @@ export const accountGuestRoutes = [
   }),
   createRoute({
     getParentRoute: () => guestRoute,
+    path: '/change-email/$secret',
+    component: lazyRouteComponent(() => import('./EmailChangePage'), 'EmailChangePage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
     path: '/join/$secret',
     component: lazyRouteComponent(() => import('./JoinPage'), 'JoinPage'),
   }),
