@@ -157,6 +157,15 @@ def test_a_passkey_is_made_for_who_asked_and_belongs_to_one_account(account: Acc
     assert "belongs to an account" in other.post("/v1/me/passkeys", json=again).json()["detail"]
 
 
+def test_a_further_passkey_signs_other_browsers_out(account: Account) -> None:
+    other, tablet = account.server.browser(), SoftwareAuthenticator(ORIGIN)
+    assert sign_in(other, account.authenticator.answer(challenge(other))).status_code == 200
+    options = account.browser.post("/v1/me/passkeys/options").json()["public_key"]
+    added = account.browser.post("/v1/me/passkeys", json={"name": "Tablet", "credential": tablet.make(options)})
+    assert (added.status_code, added.json()["recovery_codes"]) == (201, [])
+    assert (other.get("/v1/me").status_code, account.browser.get("/v1/me").status_code) == (401, 200)
+
+
 def test_a_sign_in_by_passkey_is_recent(account: Account) -> None:
     ages_ago = sa.update(SignIn).values(created_at=clock.now() - RECENT_SIGN_IN - timedelta(minutes=1))
     account.server.in_database(lambda session: session.execute(ages_ago))
