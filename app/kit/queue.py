@@ -1,13 +1,14 @@
 """Durable jobs: written in the transaction of their row, run at least once by one of any number of workers.
 
-Nothing but this, `workers` and `dbos_internals` imports DBOS. Its tables live in the application's own database.
+Nothing but this and `workers` imports DBOS, by its public interface alone. Its tables live in the application's own
+database.
 
 Order: a job's position in the queue is a number, the lowest first. It is as far behind the head of
 the queue, or behind the last job of its own lane (one studio, one urgency), as its urgency costs. So lanes take
 turns, urgent ones more often, and a studio with few jobs never waits for all jobs of a studio with many.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from functools import cached_property
@@ -15,11 +16,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from uuid import UUID
 
 import sqlalchemy as sa
-from dbos import DBOS, DBOSClient, EnqueueOptions
+import structlog
+from dbos import DBOS, DBOSClient, DBOSPortableJSONSerializer, EnqueueOptions
+from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app import logs
-from app.kit import clock, dbos_internals
+from app.kit import clock
 from app.kit.db import Base, Database, bypass_row_policies
 
 if TYPE_CHECKING:
@@ -29,16 +32,22 @@ JOB_QUEUE = "jobs"
 QUEUE = "queue"  # key in a session's info: the queue of the database that it is on
 # Changes only when a job's steps change incompatibly: DBOS resumes only jobs of the version it runs.
 STEPS_VERSION = "1"
-CLIENT_CONNECTIONS = 1  # to park and to resume jobs; what is enqueued is written on the caller's connection
 APPLICATION = "soundlist"
 RUN_JOB = "soundlist.run_job"
+SERIALIZER = DBOSPortableJSONSerializer()  # the arguments of a job are stored as JSON
 RETRY_DELAYS_S = (1.0, 10.0, 60.0, 300.0, 900.0)  # between the attempts at a job that fails; then it is parked
 URGENT, NORMAL, BULK = 1, 10, 100  # what a job costs its lane: ten urgent ones get the turns of one normal one
 URGENCY_WORDS = {URGENT: "urgent", NORMAL: "normal", BULK: "bulk"}
 NOBODY = "nobody"  # in place of a studio
 LAST_PLACE = 2**31 - 1
+MAX_RECOVERIES = 5  # a job that loses its worker so often is parked
 OPEN_STATES = ["ENQUEUED", "PENDING", "DELAYED"]
-FAILED_STATES = list(dbos_internals.FAILED_STATES)
+FAILED_STATES = ["ERROR", "CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED"]
+INDEXED_CONDITIONS = {  # conditions of DBOS's partial indexes, and the states that each is for
+    "status in ('ENQUEUED', 'PENDING')": ("ENQUEUED", "PENDING"),
+    "status = 'DELAYED'": ("DELAYED",),
+    "status in ('ERROR', 'CANCELLED', 'MAX_RECOVERY_ATTEMPTS_EXCEEDED')": FAILED_STATES,
+}
 STATE_WORDS = {
     "ENQUEUED": "waiting",
     "DELAYED": "delayed",
@@ -54,7 +63,7 @@ DELETED_PER_BATCH = 500
 ATTEMPT_MARK = "~"
 Handler = Callable[["Runtime", Payload], None]
 _handlers: dict[str, Handler] = {}
-dbos_internals.refuse_pickled_classes()
+log = structlog.get_logger(__name__)
 
 
 class Heartbeat(Base):
@@ -140,12 +149,11 @@ class JobQueue:
     def __init__(self, database: Database) -> None:
         self._database = database
         database.session_info[QUEUE] = self
-        self._workflows = dbos_internals.workflows(is_sqlite=database.is_sqlite)
+        self._workflows = workflows(is_sqlite=database.is_sqlite)
         self._client = DBOSClient(
-            system_database_url=system_url(database),
+            system_database_engine=database.writer,
             application_name=APPLICATION,
-            serializer=dbos_internals.SERIALIZER,
-            system_database_pool_size=CLIENT_CONNECTIONS,
+            serializer=SERIALIZER,
             lazy=True,
             retry_connection_errors=False,
         )
@@ -307,7 +315,7 @@ class JobQueue:
         Done jobs are kept for a month: a read without an index would scan them all.
         """
         jobs, parts = self._workflows, []
-        for condition, some in dbos_internals.INDEXED_CONDITIONS.items():
+        for condition, some in INDEXED_CONDITIONS.items():
             if not set(some) & set(states):
                 continue
             part = sa.select(jobs).where(
@@ -326,14 +334,36 @@ class JobQueue:
             ).all()
 
     def retry(self, job_id: str) -> bool:
-        """Run a parked job again, at the head of the queue; return False if it is not parked."""
-        jobs, parked = self._workflows, [state for state, word in STATE_WORDS.items() if word == "parked"]
-        found = sa.update(jobs).where(jobs.c.workflow_uuid == job_id, jobs.c.status.in_(parked))
-        with self._database.writing() as session:
-            if not session.execute(found.values(priority=URGENT).returning(jobs.c.workflow_uuid)).all():
-                return False
+        """Run a parked job again, at its old position in the queue; return False if it is not parked."""
+        job = self.unfinished_job(job_id)
+        if job is None or job.state != "parked":
+            return False
+        self._client.update_workflow_attributes(job_id, {"recoveries": 0}, merge=True)
         self._client.resume_workflow(job_id, queue_name=JOB_QUEUE)
         return True
+
+    def requeue(self, job_ids: Collection[str]) -> None:
+        """Put jobs that lost their worker back into the queue, and park those that lost too many."""
+        for status in self._client.list_workflows(workflow_ids=list(job_ids), load_input=False, load_output=False):
+            recoveries = (status.attributes or {}).get("recoveries", 0) + 1
+            attributes: dict[str, Any] = {"recoveries": recoveries}
+            if recoveries < MAX_RECOVERIES:
+                self._client.update_workflow_attributes(status.workflow_id, attributes, merge=True)
+                self._client.resume_workflow(status.workflow_id, queue_name=JOB_QUEUE)
+            else:
+                attributes["reason"] = f"its worker ended before the job did, {recoveries} times"
+                self._client.update_workflow_attributes(status.workflow_id, attributes, merge=True)
+                self._client.cancel_workflow(status.workflow_id)
+                log.error("job is parked", job_id=status.workflow_id, error=attributes["reason"])
+
+    def register(self, *, jobs_at_once: int, poll_every_s: float) -> None:
+        """Record the queue for its workers: the number of slots of each, and the interval of their polls."""
+        self._client.register_queue(
+            JOB_QUEUE,
+            worker_concurrency=jobs_at_once,
+            polling_interval_sec=poll_every_s,
+            on_conflict="always_update",
+        )
 
     def delete_finished(self, before: datetime) -> int:
         """Clear away jobs that were done before an instant; return how many went."""
@@ -350,7 +380,7 @@ class JobQueue:
             gone += len(ids)
 
     def close(self) -> None:
-        """Close the client's own connections."""
+        """End the client; the connections are the database's."""
         self._client.destroy()
 
 
@@ -360,16 +390,35 @@ def queue_of(session: Session) -> JobQueue:
     return queue
 
 
+def workflows(*, is_sqlite: bool) -> sa.TableClause:
+    """Return the documented columns of DBOS's table of jobs that are read here."""
+    return sa.table(
+        "workflow_status",
+        sa.column("workflow_uuid", sa.Text),
+        sa.column("status", sa.Text),
+        sa.column("name", sa.Text),
+        sa.column("queue_name", sa.Text),  # null once a job is parked
+        sa.column("queue_partition_key", sa.Text),
+        sa.column("priority", sa.Integer),
+        sa.column("executor_id", sa.Text),
+        sa.column("attributes", sa.JSON().with_variant(JSONB(), "postgresql")),
+        sa.column("created_at", sa.BigInteger),
+        sa.column("completed_at", sa.BigInteger),
+        sa.column("recovery_attempts", sa.BigInteger),
+        schema=None if is_sqlite else "dbos",
+    )
+
+
 def _unfinished(row: sa.Row[Any]) -> UnfinishedJob:
-    said = row.attributes or {}
+    attributes = row.attributes or {}
     return UnfinishedJob(
         id=row.workflow_uuid,
-        name=said.get("job") or RUN_JOB,
-        studio_id=UUID(said["studio"]) if said.get("studio") else None,
+        name=attributes.get("job") or RUN_JOB,
+        studio_id=UUID(attributes["studio"]) if attributes.get("studio") else None,
         state=STATE_WORDS[row.status],
-        tries=_attempt(row.workflow_uuid) - 1 + (row.recovery_attempts or 0),
+        tries=_attempt(row.workflow_uuid) - 1 + attributes.get("recoveries", 0) + (row.recovery_attempts or 0),
         since=_instant(row.created_at),
-        reason=said.get("reason"),
+        reason=attributes.get("reason"),
         cursor=f"{row.created_at or 0}.{row.workflow_uuid}",
     )
 

@@ -5,8 +5,8 @@ import secrets
 import socket
 import threading
 import time
-from collections.abc import Callable
-from concurrent.futures import Future
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -15,20 +15,17 @@ import structlog
 from dbos import DBOS, DBOSConfig
 
 from app import logs
-from app.kit import clock, dbos_internals, metrics, queue
-from app.kit.db import Database, ensure_open, is_unavailable
+from app.kit import clock, metrics, queue
+from app.kit.db import Database, is_unavailable
 from app.kit.queue import Heartbeat, Payload, Work
 
 if TYPE_CHECKING:
     from app.kit.runtime import Runtime
 
-RECOVERY_ATTEMPTS = 5  # a job that kills its worker so often is parked
 UNAVAILABLE_PAUSE_S = 1.0
 BEATS_UNTIL_SILENT = 3
-HEARTBEAT, LOOKING = "heartbeat", "looking for work"  # names of threads
-POLL_EVERY_S, IDLE_LOOK_EVERY_S = 0.05, 0.2  # for work: after there was some, and once there has been none for long
-IDLE_POLL_FACTOR = 1.25  # from one to the other, by so much each time
-GATHER_S = 0.2  # after a job has ended, for one look to fill half of the seats: a look costs more than what it begins
+HEARTBEAT = "heartbeat"  # name of a thread
+POLL_EVERY_S = 0.1  # for work
 FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
 Result = TypeVar("Result")
 _stopping = threading.Event()  # the worker in this process ends
@@ -48,11 +45,13 @@ class Worker:
         self._silent_s = silent_s
         self._stopped = threading.Event()
         self._watched: dict[str, tuple[datetime | None, float]] = {}  # others' last beats, and since when we know them
-        self._unheld: set[str] = set()  # jobs that stood as run here at the last beat, and were not
+        self._running: set[str] = set()  # jobs
+        self._unheld: set[str] = set()  # jobs recorded as run by this worker that it did not run at the last beat
+        self._slots = threading.BoundedSemaphore(jobs_at_once)
+        self.progress = Database(self._database.url, connections=_pool_size(jobs_at_once))  # DBOS's own connections
+        if self.progress.is_sqlite:
+            sa.event.listen(self.progress.engine, "connect", _sync_later)
         self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
-        self._begun: set[Future[Any]] = set()
-        self._seat_free = threading.Event()
-        self._poller = threading.Thread(target=self._poll, name=LOOKING, daemon=True)
 
     def start(self) -> None:
         """Record a heartbeat, then run waiting jobs; a process has one worker at most, as it has one DBOS."""
@@ -62,25 +61,17 @@ class Worker:
         _stopping.clear()
         self._beat()
         _worker = self
-        self._dbos = DBOS(config=_config(self._database, self.id, self._jobs_at_once))
-        DBOS.workflow(name=queue.RUN_JOB, max_recovery_attempts=RECOVERY_ATTEMPTS)(_run_job)
-        DBOS.listen_queues([])  # it would ask five times where we ask once, and leave a seat empty until the next look
+        self.runtime.queue.register(jobs_at_once=self._jobs_at_once, poll_every_s=POLL_EVERY_S)
+        DBOS(config=_config(self.progress.writer, self.id))
+        DBOS.workflow(name=queue.RUN_JOB)(_run_job)
         DBOS.launch()
-        self._queue = DBOS.register_queue(
-            queue.JOB_QUEUE,
-            worker_concurrency=self._jobs_at_once,
-            polling_interval_sec=POLL_EVERY_S,
-            on_conflict="always_update",
-        )
         self._beating.start()
-        self._poller.start()
 
     def stop(self, *, wait_s: int = 10) -> None:
         """Let running jobs end, then stop; what is not done by then another worker takes over."""
         _stopping.set()
-        self._seat_free.set()
-        self._poller.join(timeout=wait_s)
         DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
+        self.progress.dispose()
         self._stopped.set()
         self._beating.join(timeout=2)
         try:
@@ -93,46 +84,18 @@ class Worker:
         """Whether it was started and has ended since."""
         return self._stopped.is_set()
 
-    def _poll(self) -> None:
-        """Fill free seats with jobs: as soon as one is free while work waits, else now and then."""
-        pause_s = POLL_EVERY_S
-        while not _stopping.is_set():
-            self._seat_free.clear()
-            free, claimed = self._jobs_at_once - len(self._begun), 0
-            try:
-                claimed = self._claim() if free > 0 else 0
-            except Exception as error:
-                if not is_unavailable(error):
-                    log.exception("a worker cannot look for work")
-            pause_s = POLL_EVERY_S if claimed or free <= 0 else min(pause_s * IDLE_POLL_FACTOR, IDLE_LOOK_EVERY_S)
-            # With all slots full more jobs may wait: finished jobs wake this loop; the pause covers a missed wake-up.
-            if self._seat_free.wait(UNAVAILABLE_PAUSE_S if claimed >= free else pause_s):
-                self._gather()
+    @contextmanager
+    def slot(self, job_id: str) -> Iterator[None]:
+        """Hold one of the slots for a job.
 
-    def _gather(self) -> None:
-        """Return once half of the seats are free, or after a while; the others are at work meanwhile."""
-        until = time.monotonic() + GATHER_S
-        while 2 * len(self._begun) > self._jobs_at_once and (left_s := until - time.monotonic()) > 0:
-            self._seat_free.clear()
-            if _stopping.is_set():
-                return
-            self._seat_free.wait(left_s)
-
-    def _claim(self) -> int:
-        """Begin the jobs at the head of the line that there are seats for; return how many."""
-        begun = 0
-        for job in dbos_internals.begin_jobs(
-            self._dbos, self._queue, self.id, version=queue.STEPS_VERSION, running=len(self._begun)
-        ):
-            begun += 1
-            if job is not None:
-                self._begun.add(job)
-                job.add_done_callback(self._end)
-        return begun
-
-    def _end(self, begun: "Future[Any]") -> None:
-        self._begun.discard(begun)
-        self._seat_free.set()
+        All workers share the number of slots that the queue has, and the last worker to start sets it.
+        """
+        self._running.add(job_id)
+        try:
+            with self._slots:
+                yield
+        finally:
+            self._running.discard(job_id)
 
     def _live(self) -> None:
         while not self._stopped.wait(self._silent_s / BEATS_UNTIL_SILENT):
@@ -151,26 +114,43 @@ class Worker:
             session.merge(Heartbeat(worker_id=self.id, beat_at=clock.now()))
 
     def _take_over(self) -> None:
-        """Put back into the line what workers hold that have been silent for too long; a job is put back once."""
-        for worker_id in self._silent():
+        """Put the jobs of workers that have been silent for too long back into the queue."""
+        for worker_id, beat_at in self._silent().items():
+            if not self._claim_silent(worker_id, beat_at):
+                continue
             log.warning("a worker is silent; its jobs are taken over", worker=worker_id)
-            dbos_internals.take_over(worker_id)
+            self.runtime.queue.requeue(self.runtime.queue.held_by(worker_id))
             self._forget(worker_id)
             del self._watched[worker_id]
+
+    def _claim_silent(self, worker_id: str, beat_at: datetime | None) -> bool:
+        """Return whether this worker is the one to take over from a silent one.
+
+        It renews the last heartbeat, so the others wait once more, and look again if this worker dies meanwhile.
+        """
+        try:
+            with self._database.writing() as session:
+                if beat_at is None:
+                    session.add(Heartbeat(worker_id=worker_id, beat_at=clock.now()))
+                    return True
+                renewed = sa.update(Heartbeat).where(Heartbeat.worker_id == worker_id, Heartbeat.beat_at == beat_at)
+                return bool(session.execute(renewed.values(beat_at=clock.now()).returning(Heartbeat.worker_id)).all())
+        except sa.exc.IntegrityError:  # another worker was first
+            return False
 
     def _take_back(self) -> None:
         """Put jobs back into the queue that are recorded as run by this worker but are not running.
 
         DBOS drops a job if the database becomes unavailable just as the job's end is written.
         """
-        unheld = self.runtime.queue.held_by(self.id) - dbos_internals.running_jobs(self._dbos)
-        for job_id in unheld & self._unheld:  # at two beats: between claim and start a job is in no list
-            log.warning("a job's end was not written; it runs again", job_id=job_id)
-            dbos_internals.requeue(self._dbos, job_id, worker_id=self.id, queue_name=queue.JOB_QUEUE)
-        self._unheld = unheld
+        unheld = self.runtime.queue.held_by(self.id) - self._running
+        if lost := unheld & self._unheld:  # at two beats: between claim and start a job is in no list
+            log.warning("ends of jobs were not written; they run again", job_ids=sorted(lost))
+            self.runtime.queue.requeue(lost)
+        self._unheld = unheld - lost
 
-    def _silent(self) -> list[str]:
-        """Return the others whose beat has stood still, by this process's own clock, for too long."""
+    def _silent(self) -> dict[str, datetime | None]:
+        """Return the others whose beat has stood still, by this process's own clock, for too long; and that beat."""
         with self._database.reading() as session:
             beats = dict(session.execute(sa.select(Heartbeat.worker_id, Heartbeat.beat_at)).all())
         heard: dict[str, datetime | None] = dict.fromkeys(self.runtime.queue.in_hand()) | beats
@@ -180,7 +160,7 @@ class Worker:
             worker_id: known if (known := self._watched.get(worker_id)) and known[0] == beat else (beat, now)
             for worker_id, beat in heard.items()
         }
-        return [worker_id for worker_id, (_, since) in self._watched.items() if now - since >= self._silent_s]
+        return {worker_id: beat for worker_id, (beat, since) in self._watched.items() if now - since >= self._silent_s}
 
     def _forget(self, worker_id: str) -> None:
         with self._database.writing() as session:
@@ -195,13 +175,8 @@ def _sync_later(connection: Any, _record: Any) -> None:
     connection.execute("PRAGMA synchronous=NORMAL")
 
 
-def _prepare_soon(connection: Any, _record: Any) -> None:
-    """Have PostgreSQL keep the plan of a statement that is sent a second time, as our own connections do."""
-    connection.prepare_threshold = 1
-
-
 def _pool_size(jobs_at_once: int) -> int:
-    return jobs_at_once + 2  # each job's progress, the search for work, and what takes over from dead workers
+    return jobs_at_once + 2  # each job's progress, the search for work, and what DBOS does in the background
 
 
 def engine_connections(jobs_at_once: int) -> int:
@@ -209,22 +184,14 @@ def engine_connections(jobs_at_once: int) -> int:
     return _pool_size(jobs_at_once) + 1
 
 
-def _config(database: Database, worker_id: str, jobs_at_once: int) -> DBOSConfig:
+def _config(engine: sa.Engine, worker_id: str) -> DBOSConfig:
     return {
         "name": queue.APPLICATION,
-        "system_database_url": queue.system_url(database),
+        "system_database_engine": engine,
+        "run_migrations": False,  # `soundlist migrate` does
         "application_version": queue.STEPS_VERSION,
         "executor_id": worker_id,
-        "serializer": dbos_internals.SERIALIZER,
-        "sys_db_pool_size": _pool_size(jobs_at_once),
-        "db_engine_kwargs": {
-            "pool_pre_ping": False,
-            "pool_use_lifo": True,  # the connection that was used last has its statements prepared
-            "pool_events": [(_sync_later, "connect")]
-            if database.is_sqlite
-            else [(ensure_open, "checkout"), (_prepare_soon, "connect")],
-        },
-        "max_executor_threads": max(8, jobs_at_once * 4),
+        "serializer": queue.SERIALIZER,
         "log_level": "WARNING",
         "notification_listener_polling_interval_sec": 1.0,
         "notification_coalesce_sec": 1.0,  # nothing of ours waits for a notification: it would look 100 times a second
@@ -238,17 +205,17 @@ def _run_job(
     lane: str = FIRST_LANE,
     attempt: int = 1,
 ) -> None:
-    work, job_id = Work(name, payload, cause or {}, lane, attempt), str(DBOS.workflow_id)
-    begun, outcome = time.perf_counter(), "failed"
-    with logs.bound(work.cause, job=name, job_id=job_id):
+    work, job_id, worker = Work(name, payload, cause or {}, lane, attempt), str(DBOS.workflow_id), _worker_here()
+    with worker.slot(job_id), logs.bound(work.cause, job=name, job_id=job_id):
+        begun, outcome = time.perf_counter(), "failed"
         try:
-            _when_available(lambda: queue.handler_of(name)(_runs_in(), payload))
+            _when_available(lambda: queue.handler_of(name)(worker.runtime, payload))
             outcome = "done"
         except Exception as error:
             metrics.JOB_FAILURES.labels(name).inc()
             log.warning("job failed", attempt=attempt, attempts=len(queue.RETRY_DELAYS_S) + 1, exc_info=True)
             failure = error
-            if not _when_available(lambda: _runs_in().queue.schedule_retry(job_id, work, failure)):
+            if not _when_available(lambda: worker.runtime.queue.schedule_retry(job_id, work, failure)):
                 outcome = "parked"
                 log.error("job is parked", error=str(error))
                 raise
@@ -259,10 +226,10 @@ def _run_job(
             log.info("job ended", outcome=outcome, seconds=round(taken_s, 3))
 
 
-def _runs_in() -> "Runtime":
+def _worker_here() -> Worker:
     if _worker is None:
         raise RuntimeError("no worker was started in this process")
-    return _worker.runtime
+    return _worker
 
 
 def _when_available(call: Callable[[], Result]) -> Result:

@@ -8,7 +8,7 @@ from sqlalchemy import func, select
 
 from app.conformance.models import CheckRun
 from app.deliveries.models import Take
-from app.kit import dbos_internals
+from app.kit import queue
 from app.kit.db import Base
 from app.notifications.models import Mail
 from app.projects.queries import current_spec
@@ -30,7 +30,7 @@ def nothing_failed(server: ProcessServer) -> bool:
 
 def jobs_written(server: ProcessServer, job: str) -> int:
     """Return how many jobs of a name were ever written."""
-    jobs = dbos_internals.workflows(is_sqlite=server.runtime.database.is_sqlite)
+    jobs = queue.workflows(is_sqlite=server.runtime.database.is_sqlite)
     written = select(func.count()).select_from(jobs).where(jobs.c.workflow_uuid.like(f"%:{job}"))
     with server.runtime.database.reading() as session:
         return session.scalar(written) or 0

@@ -11,8 +11,6 @@ import pytest
 import sqlalchemy as sa
 from pydantic import ValidationError
 
-from app.kit import dbos_internals
-from app.kit.queue import JobQueue
 from app.kit.runtime import Runtime
 from app.kit.workers import engine_connections
 from app.migrate import migrate
@@ -44,10 +42,6 @@ def exhaust(engine: sa.Engine, kept: ExitStack) -> None:
             return
 
 
-def exhaust_client(queue: JobQueue, kept: ExitStack) -> None:
-    exhaust(queue._client._sys_db.engine, kept)
-
-
 def opened(postgres: Postgres, settings: Settings) -> int:
     """Return how many connections PostgreSQL counts."""
     name = sa.make_url(settings.database_url).database
@@ -63,7 +57,6 @@ def test_a_web_process_opens_as_many_as_it_may(postgres: Postgres, settings: Set
     with ExitStack() as kept:
         assert opened(postgres, settings) == 0, "before anything is asked"
         exhaust(runtime.database.engine, kept)
-        exhaust_client(runtime.queue, kept)
         assert opened(postgres, settings) == settings.database_connections == 16
     runtime.close()
 
@@ -76,8 +69,7 @@ def run_worker_and_wait(settings: str) -> None:
     worker = start_worker(runtime)
     with ExitStack() as kept:
         exhaust(runtime.database.engine, kept)
-        exhaust(dbos_internals.engine(worker._dbos), kept)
-        exhaust_client(runtime.queue, kept)
+        exhaust(worker.progress.engine, kept)
         sys.stdout.write("all are taken\n")
         sys.stdout.flush()
         sys.stdin.readline()

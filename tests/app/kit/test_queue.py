@@ -1,6 +1,6 @@
 """Jobs are written with their row, run once in effect, take turns, outlive workers, and are parked and retried."""
 
-import json
+import threading
 import time
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -9,10 +9,10 @@ from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
-from dbos import DBOSClient
+from dbos import DBOSClient, DBOSPortableJSONSerializer
 
 from app import worker
-from app.kit import dbos_internals, queue, workers
+from app.kit import queue, workers
 from app.kit.db import Database, new_id
 from app.kit.runtime import Runtime
 from app.settings import Settings
@@ -35,6 +35,23 @@ def fail_while_broken(_runtime: Runtime, payload: queue.Payload) -> None:
     calls.append(payload["word"])
     if broken["is"]:
         raise OSError("the disk is full")
+
+
+running: set[str] = set()
+together: list[int] = []  # for each job: the jobs that ran while it did, at most
+
+
+@queue.job("tests.meet")
+def meet(_runtime: Runtime, _payload: queue.Payload) -> None:
+    me = threading.current_thread().name
+    running.add(me)
+    deadline = time.monotonic() + 0.3
+    most = 0
+    while time.monotonic() < deadline:
+        most = max(most, len(running))
+        time.sleep(0.01)
+    running.discard(me)
+    together.append(most)
 
 
 @pytest.fixture
@@ -170,7 +187,7 @@ def test_what_is_not_urgent_is_done_all_the_same(runtime: Runtime):
 
 @pytest.mark.slow
 def test_what_a_silent_worker_holds_is_taken_over(runtime: Runtime, server: RunningServer):
-    jobs = dbos_internals.workflows(is_sqlite=runtime.database.is_sqlite)
+    jobs = queue.workflows(is_sqlite=runtime.database.is_sqlite)
     with runtime.database.writing() as session:
         session.add(queue.Heartbeat(worker_id="dead", beat_at=queue.clock.now()))
         for holder in ("dead", "never-beat"):
@@ -184,10 +201,34 @@ def test_what_a_silent_worker_holds_is_taken_over(runtime: Runtime, server: Runn
     server.wait_for_jobs()
 
 
+def test_one_worker_takes_over_from_a_silent_one(runtime: Runtime, server: RunningServer):
+    assert server.worker is not None
+    beat_at = queue.clock.now()
+    with runtime.database.writing() as session:
+        session.add(queue.Heartbeat(worker_id="just died", beat_at=beat_at))
+    claims = [server.worker._claim_silent("just died", beat_at) for _ in range(2)]
+    assert claims == [True, False], "the second looks at a heartbeat that the first has renewed"
+    assert [server.worker._claim_silent("died before it beat", None) for _ in range(2)] == [True, False]
+    with runtime.database.writing() as session:
+        session.execute(sa.delete(queue.Heartbeat).where(queue.Heartbeat.worker_id.like("%died%")))
+
+
+def test_a_job_that_loses_five_workers_is_parked_and_can_be_retried(runtime: Runtime):
+    with runtime.database.writing() as session:
+        runtime.queue.enqueue(session, "tests.note", {"word": "poison"}, key="poison", studio_id=None, delay_s=3600)
+    runtime.queue._client.update_workflow_attributes("poison", {"recoveries": queue.MAX_RECOVERIES - 1}, merge=True)
+    runtime.queue.requeue(["poison"])
+    (poison,) = parked(runtime)
+    assert poison.reason == "its worker ended before the job did, 5 times"
+    assert runtime.queue.retry("poison")
+    assert not runtime.queue.retry("poison"), "it is not parked any more"
+    until(lambda: calls == ["poison"])
+
+
 def test_a_job_whose_end_its_worker_could_not_write_runs_again(runtime: Runtime, server: RunningServer):
     """It is held by a worker that lives and does not run it."""
     (worker,) = runtime.queue.heartbeats(within=queue.timedelta(days=1))
-    jobs = dbos_internals.workflows(is_sqlite=runtime.database.is_sqlite)
+    jobs = queue.workflows(is_sqlite=runtime.database.is_sqlite)
     with runtime.database.writing() as session:
         runtime.queue.enqueue(session, "tests.note", {"word": "again"}, key="held", studio_id=None, delay_s=3600)
         held = sa.update(jobs).where(jobs.c.workflow_uuid == "held")
@@ -208,7 +249,7 @@ def test_a_process_has_one_worker(runtime: Runtime):
 
 def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
     """What is stored only grows at its end; and every version claims jobs under the same constant."""
-    client = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
+    client = DBOSClient(system_database_engine=runtime.database.writer, application_name=queue.APPLICATION)
     options: Any = {
         "workflow_name": queue.RUN_JOB,
         "queue_name": queue.JOB_QUEUE,
@@ -225,43 +266,17 @@ def test_arguments_are_stored_as_json(runtime: Runtime, server: RunningServer):
     enqueue(runtime, "tests.note", "plain")
     until(lambda: calls == ["plain"])
     server.wait_for_jobs()
-    of_this = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
-    (stored,) = of_this._sys_db.get_workflow_statuses(["key of plain"])
-    of_this.destroy()
-    assert stored["serialization"] == "portable_json"
-    assert json.loads(stored["inputs"] or "")["positionalArgs"][:2] == ["tests.note", {"word": "plain"}]
-
-
-class WritesWhenRead:
-    """An object whose pickle runs a function of its writer's choice where it is read."""
-
-    def __init__(self, written: Path) -> None:
-        self._written = written
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Path.touch, (self._written,)
-
-
-def test_a_pickle_that_would_run_code_is_refused_and_others_go_on(runtime: Runtime, tmp_path: Path):
-    """As an attacker who can write to the database could store one: the row itself says how it is to be read."""
-    written = tmp_path / "written"
-    client = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
-    options: Any = {
-        "workflow_name": queue.RUN_JOB,
-        "workflow_id": "hostile",
-        "queue_name": queue.JOB_QUEUE,
-        "app_version": queue.STEPS_VERSION,
-        "priority": queue.URGENT,
-    }
-    client.enqueue(options, "tests.note", WritesWhenRead(written))
-    client.destroy()
-    enqueue(runtime, "tests.note", "beside a pickle")
-    until(lambda: calls == ["beside a pickle"])
-    until(lambda: [job.state for job in runtime.queue.unfinished() if job.id == "hostile"] == ["broken"])
-    assert not written.exists()
-    runtime.queue._client.list_workflows(workflow_ids=["hostile"])  # which reads arguments and error once more
-    runtime.queue._client.delete_workflows(["hostile"])
-    assert not written.exists()
+    client = DBOSClient(
+        system_database_engine=runtime.database.writer,
+        application_name=queue.APPLICATION,
+        serializer=DBOSPortableJSONSerializer(),
+    )
+    (stored,) = client.list_workflows(workflow_ids=["key of plain"])
+    assert stored.input["args"][:2] == ("tests.note", {"word": "plain"})
+    table = queue.workflows(is_sqlite=runtime.database.is_sqlite)
+    with runtime.database.reading() as session:
+        by_key = sa.select(sa.column("serialization")).select_from(table).where(table.c.workflow_uuid == "key of plain")
+        assert session.scalar(by_key) == "portable_json"
 
 
 def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, server: RunningServer, tmp_path: Path):
@@ -270,28 +285,33 @@ def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, serve
     assert server.worker is not None
     synced = []
     as_served = Database(f"sqlite:///{tmp_path / 'test.sqlite'}")  # the server of tests syncs nothing
-    for engine in (as_served.engine, dbos_internals.engine(server.worker._dbos)):
+    for engine in (as_served.engine, server.worker.progress.engine):
         with engine.connect() as connection:
             synced.append(connection.exec_driver_sql("PRAGMA synchronous").scalar_one())
     assert synced == [2, 1], "FULL and NORMAL"
 
 
-def test_a_free_slot_is_filled_at_once(runtime: Runtime, server: RunningServer, monkeypatch: pytest.MonkeyPatch):
-    """Where work waits nobody pauses for the next look."""
-    assert server.worker is not None
-    with monkeypatch.context() as rare:
-        rare.setattr(workers, "POLL_EVERY_S", 3600.0)
-        rare.setattr(workers, "IDLE_LOOK_EVERY_S", 3600.0)
-        enqueue_many(runtime, *((new_id(), queue.NORMAL, f"one of {number}") for number in range(20)))
-        until(lambda: len(calls) == 20)
-    server.worker._seat_free.set()  # it would look again in an hour
+def test_a_worker_runs_no_more_jobs_than_it_has_slots(runtime: Runtime):
+    """Also where another worker, which has more, has set the number of the queue that they share."""
+    settings = runtime.settings
+    runtime.queue.register(jobs_at_once=3 * settings.worker_jobs, poll_every_s=0.05)
+    try:
+        together.clear()
+        with runtime.database.writing() as session:
+            for number in range(3 * settings.worker_jobs):
+                key = f"beside {number}"
+                runtime.queue.enqueue(session, "tests.meet", {}, key=key, studio_id=None)
+        until(lambda: len(together) == 3 * settings.worker_jobs)
+        assert max(together) == settings.worker_jobs
+    finally:
+        runtime.queue.register(jobs_at_once=settings.worker_jobs, poll_every_s=0.05)
 
 
 def test_done_jobs_are_forgotten_after_a_while(runtime: Runtime):
     enqueue(runtime, "tests.note", "long ago")
     until(lambda: calls == ["long ago"])
     enqueue(runtime, "tests.note", "waits", delay_s=3600)
-    jobs = dbos_internals.workflows(is_sqlite=runtime.database.is_sqlite)
+    jobs = queue.workflows(is_sqlite=runtime.database.is_sqlite)
 
     def kept() -> set[str]:
         with runtime.database.reading() as session:
