@@ -16,7 +16,7 @@ from dbos import DBOS, DBOSConfig
 
 from app import logs
 from app.kit import clock, metrics, queue
-from app.kit.db import Database, is_unavailable
+from app.kit.db import BEGIN, Database, is_unavailable
 from app.kit.queue import Heartbeat, Payload, Work
 
 if TYPE_CHECKING:
@@ -48,9 +48,7 @@ class Worker:
         self._running: set[str] = set()  # jobs
         self._unheld: set[str] = set()  # jobs recorded as run by this worker that it did not run at the last beat
         self._slots = threading.BoundedSemaphore(jobs_at_once)
-        self.progress = Database(self._database.url, connections=_pool_size(jobs_at_once))  # DBOS's own connections
-        if self.progress.is_sqlite:
-            sa.event.listen(self.progress.engine, "connect", _sync_later)
+        self.engine = _engine(self._database.url, connections=_pool_size(jobs_at_once))
         self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
 
     def start(self) -> None:
@@ -62,7 +60,7 @@ class Worker:
         self._beat()
         _worker = self
         self.runtime.queue.register(jobs_at_once=self._jobs_at_once, poll_every_s=POLL_EVERY_S)
-        DBOS(config=_config(self.progress.writer, self.id))
+        DBOS(config=_config(self.engine, self.id))
         DBOS.workflow(name=queue.RUN_JOB)(_run_job)
         DBOS.launch()
         self._beating.start()
@@ -71,7 +69,7 @@ class Worker:
         """Let running jobs end, then stop; what is not done by then another worker takes over."""
         _stopping.set()
         DBOS.destroy(destroy_registry=True, workflow_completion_timeout_sec=wait_s)
-        self.progress.dispose()
+        self.engine.dispose()
         self._stopped.set()
         self._beating.join(timeout=2)
         try:
@@ -167,11 +165,21 @@ class Worker:
             session.execute(sa.delete(Heartbeat).where(Heartbeat.worker_id == worker_id))
 
 
-def _sync_later(connection: Any, _record: Any) -> None:
-    """Let SQLite sync a job's progress together with the next commit that must be durable.
+def _engine(url: str, *, connections: int) -> sa.Engine:
+    """Return DBOS's own connections, so that it never waits for one that a job holds."""
+    database = Database(url, connections=connections)
+    if not database.is_sqlite:
+        return database.writer
+    sa.event.listen(database.engine, "connect", _begin_late_and_sync_later)
+    return database.engine.execution_options(**{BEGIN: ""})
+
+
+def _begin_late_and_sync_later(connection: Any, _record: Any) -> None:
+    """Let polls read without a lock, and let SQLite sync progress together with the next commit that must be durable.
 
     After a power failure the job runs again. Jobs themselves are written in our transactions.
     """
+    connection.isolation_level = "IMMEDIATE"
     connection.execute("PRAGMA synchronous=NORMAL")
 
 

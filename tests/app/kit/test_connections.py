@@ -69,7 +69,7 @@ def run_worker_and_wait(settings: str) -> None:
     worker = start_worker(runtime)
     with ExitStack() as kept:
         exhaust(runtime.database.engine, kept)
-        exhaust(worker.progress.engine, kept)
+        exhaust(worker.engine, kept)
         sys.stdout.write("all are taken\n")
         sys.stdout.flush()
         sys.stdin.readline()

@@ -285,7 +285,7 @@ def test_only_what_is_promised_to_nobody_is_synced_later(runtime: Runtime, serve
     assert server.worker is not None
     synced = []
     as_served = Database(f"sqlite:///{tmp_path / 'test.sqlite'}")  # the server of tests syncs nothing
-    for engine in (as_served.engine, server.worker.progress.engine):
+    for engine in (as_served.engine, server.worker.engine):
         with engine.connect() as connection:
             synced.append(connection.exec_driver_sql("PRAGMA synchronous").scalar_one())
     assert synced == [2, 1], "FULL and NORMAL"
