@@ -1,5 +1,6 @@
 """Runs the jobs of the queue in a worker process, and takes over unfinished jobs of dead workers."""
 
+import logging
 import os
 import secrets
 import socket
@@ -26,10 +27,12 @@ UNAVAILABLE_PAUSE_S = 1.0
 BEATS_UNTIL_SILENT = 3
 HEARTBEAT = "heartbeat"  # name of a thread
 POLL_EVERY_S = 0.1  # for work
+REPEATED_EVERY_S = 10.0  # a warning of DBOS: without a database each poll would write two
 FIRST_LANE = f"{queue.NOBODY}:{queue.NORMAL}"  # of jobs written before there were lanes
 Result = TypeVar("Result")
 _stopping = threading.Event()  # the worker in this process ends
 _worker: "Worker | None" = None  # the one here; its runtime is not an argument of a job, since DBOS stores those
+_written: dict[tuple[str, int], float] = {}  # by line of DBOS: when it last warned
 log = structlog.get_logger(__name__)
 
 
@@ -60,6 +63,7 @@ class Worker:
         self._beat()
         _worker = self
         self.runtime.queue.register(jobs_at_once=self._jobs_at_once, poll_every_s=POLL_EVERY_S)
+        DBOS.logger.addFilter(_is_news)
         DBOS(config=_config(self.engine, self.id))
         DBOS.workflow(name=queue.RUN_JOB)(_run_job)
         DBOS.launch()
@@ -181,6 +185,15 @@ def _begin_late_and_sync_later(connection: Any, _record: Any) -> None:
     """
     connection.isolation_level = "IMMEDIATE"
     connection.execute("PRAGMA synchronous=NORMAL")
+
+
+def _is_news(record: logging.LogRecord) -> bool:
+    """Return False for a warning that the same line of DBOS has written a moment ago."""
+    now, line = time.monotonic(), (record.module, record.lineno)
+    if record.levelno == logging.WARNING and now - _written.get(line, -REPEATED_EVERY_S) < REPEATED_EVERY_S:
+        return False
+    _written[line] = now
+    return True
 
 
 def _pool_size(jobs_at_once: int) -> int:
