@@ -344,17 +344,21 @@ class JobQueue:
 
     def requeue(self, job_ids: Collection[str]) -> None:
         """Put jobs that lost their worker back into the queue, and park those that lost too many."""
-        for status in self._client.list_workflows(workflow_ids=list(job_ids), load_input=False, load_output=False):
-            recoveries = (status.attributes or {}).get("recoveries", 0) + 1
+        if not job_ids:
+            return
+        for lost in self._client.list_workflows(
+            workflow_ids=list(job_ids), status="PENDING", load_input=False, load_output=False
+        ):
+            recoveries = (lost.attributes or {}).get("recoveries", 0) + 1
             attributes: dict[str, Any] = {"recoveries": recoveries}
             if recoveries < MAX_RECOVERIES:
-                self._client.update_workflow_attributes(status.workflow_id, attributes, merge=True)
-                self._client.resume_workflow(status.workflow_id, queue_name=JOB_QUEUE)
+                self._client.update_workflow_attributes(lost.workflow_id, attributes, merge=True)
+                self._client.resume_workflow(lost.workflow_id, queue_name=JOB_QUEUE)
             else:
                 attributes["reason"] = f"its worker ended before the job did, {recoveries} times"
-                self._client.update_workflow_attributes(status.workflow_id, attributes, merge=True)
-                self._client.cancel_workflow(status.workflow_id)
-                log.error("job is parked", job_id=status.workflow_id, error=attributes["reason"])
+                self._client.update_workflow_attributes(lost.workflow_id, attributes, merge=True)
+                self._client.cancel_workflow(lost.workflow_id)
+                log.error("job is parked", job_id=lost.workflow_id, error=attributes["reason"])
 
     def register(self, *, jobs_at_once: int, poll_every_s: float) -> None:
         """Record the queue for its workers: the number of slots of each, and the interval of their polls."""

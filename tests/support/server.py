@@ -24,7 +24,7 @@ from app.accounts import passwords
 from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
 from app.accounts.models import Membership, Person, RateLimit, SignIn, Studio
 from app.accounts.rules import Role
-from app.kit import clock, typesetting
+from app.kit import clock, typesetting, workers
 from app.kit.db import new_id
 from app.kit.host_cookies import PREFIX
 from app.kit.runtime import Runtime
@@ -105,6 +105,7 @@ def run_server(folder: Path, **settings: Any) -> Iterator[RunningServer]:
     passwords._hasher = PasswordHash((Argon2Hasher(time_cost=1, memory_cost=8, parallelism=1),))  # 0.4 s dearer each
     # Requests and jobs make their PDFs in one process here: they wait for each other, however slow the machine is.
     typesetting._in_hand, typesetting.MAX_WAIT_S = threading.BoundedSemaphore(100), 300.0
+    workers.POLL_EVERY_S = 0.05
     settings = {"secret_key": "only for tests", "worker_silent_s": 1.5, "sign_up": "open", **settings}
     runtime = Runtime.of(Settings(data_dir=folder, **settings))
     if runtime.database.engine.dialect.name == "sqlite":  # tests/kill is there for what a commit survives

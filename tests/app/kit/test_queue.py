@@ -1,9 +1,11 @@
 """Jobs are written with their row, run once in effect, take turns, outlive workers, and are parked and retried."""
 
+import logging
 import threading
 import time
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 from uuid import UUID
 
@@ -217,6 +219,9 @@ def test_a_job_that_loses_five_workers_is_parked_and_can_be_retried(runtime: Run
     with runtime.database.writing() as session:
         runtime.queue.enqueue(session, "tests.note", {"word": "poison"}, key="poison", studio_id=None, delay_s=3600)
     runtime.queue._client.update_workflow_attributes("poison", {"recoveries": queue.MAX_RECOVERIES - 1}, merge=True)
+    table = queue.workflows(is_sqlite=runtime.database.is_sqlite)
+    with runtime.database.writing() as session:
+        session.execute(sa.update(table).where(table.c.workflow_uuid == "poison").values(status="PENDING"))
     runtime.queue.requeue(["poison"])
     (poison,) = parked(runtime)
     assert poison.reason == "its worker ended before the job did, 5 times"
@@ -337,6 +342,18 @@ def test_a_chore_is_one_job_however_many_workers_ask(runtime: Runtime, monkeypat
     enqueue(runtime, "tests.note", "after")
     until(lambda: "after" in calls)
     assert done == [1]
+
+
+def test_a_warning_of_the_engine_is_written_once_in_a_while(monkeypatch: pytest.MonkeyPatch):
+    """Each of its polls warns while the database is away."""
+    now_s = [100.0]
+    monkeypatch.setattr(workers, "time", SimpleNamespace(monotonic=lambda: now_s[0]))
+    warning, error = (logging.LogRecord("dbos", level, "queue.py", 1, "away", (), None) for level in (30, 40))
+    written = []
+    for now_s[0] in (100.0, 100.1, 109.0, 110.1):
+        written.append(workers._is_news(warning))
+    assert written == [True, False, False, True]
+    assert [workers._is_news(error) for _ in range(2)] == [True, True]
 
 
 def test_the_longest_silence_allowed_is_over_within_half_a_minute():
