@@ -173,9 +173,9 @@ class Database:
         event.listen(self.engine, "begin", _begin)
         self._read, self._write = ("BEGIN", "BEGIN IMMEDIATE") if self.is_sqlite else (READ_ONLY, "BEGIN")
         self._reader = self.engine.execution_options(**{BEGIN: self._read})
-        self.writer = self.engine.execution_options(**{BEGIN: self._write})  # for libraries that begin their own
+        self._writer = self.engine.execution_options(**{BEGIN: self._write})
         self._plain = self.engine if self.is_sqlite else self.engine.execution_options(**{BEGIN: ""})
-        self._alone = self.writer if self.is_sqlite else self._plain
+        self._alone = self._writer if self.is_sqlite else self._plain
 
     @contextmanager
     def reading(self, reach: Reach | None = None) -> Iterator[Session]:
@@ -206,7 +206,7 @@ class Database:
     @contextmanager
     def writing(self, reach: Reach | None = None) -> Iterator[Session]:
         """Give a session whose work is committed when the block ends, and undone when it raises."""
-        with self._session(self.writer, self._write, reach) as session, session.begin():
+        with self._session(self._writer, self._write, reach) as session, session.begin():
             yield session
 
     def write_autocommit(self, statement: sa.Insert | sa.Update, values: Mapping[str, Any]) -> int:

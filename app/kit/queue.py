@@ -32,6 +32,7 @@ JOB_QUEUE = "jobs"
 QUEUE = "queue"  # key in a session's info: the queue of the database that it is on
 # Changes only when a job's steps change incompatibly: DBOS resumes only jobs of the version it runs.
 STEPS_VERSION = "1"
+CLIENT_CONNECTIONS = 1  # to park and to resume jobs; what is enqueued is written on the caller's connection
 APPLICATION = "soundlist"
 RUN_JOB = "soundlist.run_job"
 SERIALIZER = DBOSPortableJSONSerializer()  # the arguments of a job are stored as JSON
@@ -151,9 +152,10 @@ class JobQueue:
         database.session_info[QUEUE] = self
         self._workflows = workflows(is_sqlite=database.is_sqlite)
         self._client = DBOSClient(
-            system_database_engine=database.writer,
+            system_database_url=system_url(database),
             application_name=APPLICATION,
             serializer=SERIALIZER,
+            system_database_pool_size=CLIENT_CONNECTIONS,
             lazy=True,
             retry_connection_errors=False,
         )
@@ -384,7 +386,7 @@ class JobQueue:
             gone += len(ids)
 
     def close(self) -> None:
-        """End the client; the connections are the database's."""
+        """Close the client's own connections."""
         self._client.destroy()
 
 

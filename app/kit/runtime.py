@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from app.kit.db import Database
 from app.kit.parsing import Parsers
-from app.kit.queue import JobQueue
+from app.kit.queue import CLIENT_CONNECTIONS, JobQueue
 from app.kit.storage import Store, open_store
 from app.settings import Settings
 
@@ -22,7 +22,7 @@ class Runtime:
     @classmethod
     def of(cls, settings: Settings, *, engine_connections: int = 0) -> "Runtime":
         """Open what the settings name; a worker leaves some of the process's connections to the engine of jobs."""
-        connections = settings.database_connections - engine_connections
+        connections = settings.database_connections - CLIENT_CONNECTIONS - engine_connections
         database = Database(settings.resolved_database_url, connections=connections)
         return cls(settings, database, open_store(settings), JobQueue(database))
 

@@ -17,7 +17,7 @@ from dbos import DBOS, DBOSConfig
 
 from app import logs
 from app.kit import clock, metrics, queue
-from app.kit.db import BEGIN, Database, is_unavailable
+from app.kit.db import BUSY_TIMEOUT_MS, Database, ensure_open, is_unavailable
 from app.kit.queue import Heartbeat, Payload, Work
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class Worker:
         self._running: set[str] = set()  # jobs
         self._unheld: set[str] = set()  # jobs recorded as run by this worker that it did not run at the last beat
         self._slots = threading.BoundedSemaphore(jobs_at_once)
-        self.engine = _engine(self._database.url, connections=_pool_size(jobs_at_once))
+        self.engine = _engine(self._database, connections=_pool_size(jobs_at_once))
         self._beating = threading.Thread(target=self._live, name=HEARTBEAT, daemon=True)
 
     def start(self) -> None:
@@ -169,22 +169,33 @@ class Worker:
             session.execute(sa.delete(Heartbeat).where(Heartbeat.worker_id == worker_id))
 
 
-def _engine(url: str, *, connections: int) -> sa.Engine:
+def _engine(database: Database, *, connections: int) -> sa.Engine:
     """Return DBOS's own connections, so that it never waits for one that a job holds."""
-    database = Database(url, connections=connections)
-    if not database.is_sqlite:
-        return database.writer
-    sa.event.listen(database.engine, "connect", _begin_late_and_sync_later)
-    return database.engine.execution_options(**{BEGIN: ""})
+    engine = sa.create_engine(database.engine.url, pool_size=connections, max_overflow=0, pool_use_lifo=True)
+    if database.is_sqlite:
+        sa.event.listen(engine, "connect", _prepare_sqlite)
+    else:
+        sa.event.listen(engine, "connect", _prepare_postgresql)
+        sa.event.listen(engine, "checkout", ensure_open)
+    return engine
 
 
-def _begin_late_and_sync_later(connection: Any, _record: Any) -> None:
-    """Let polls read without a lock, and let SQLite sync progress together with the next commit that must be durable.
+def _prepare_sqlite(connection: Any, _record: Any) -> None:
+    """Set what DBOS sets, and let SQLite sync progress together with the next commit that must be durable.
 
     After a power failure the job runs again. Jobs themselves are written in our transactions.
     """
     connection.isolation_level = "IMMEDIATE"
+    connection.execute(f"PRAGMA busy_timeout={BUSY_TIMEOUT_MS}")
+    connection.execute("PRAGMA foreign_keys=ON")
     connection.execute("PRAGMA synchronous=NORMAL")
+
+
+def _prepare_postgresql(connection: Any, _record: Any) -> None:
+    """Keep the plan of a statement that is sent a second time, and bound how long a suspended worker keeps locks."""
+    connection.prepare_threshold = 1
+    connection.execute("SET idle_in_transaction_session_timeout = '60s'")
+    connection.commit()
 
 
 def _is_news(record: logging.LogRecord) -> bool:

@@ -57,6 +57,7 @@ def test_a_web_process_opens_as_many_as_it_may(postgres: Postgres, settings: Set
     with ExitStack() as kept:
         assert opened(postgres, settings) == 0, "before anything is asked"
         exhaust(runtime.database.engine, kept)
+        runtime.queue._client.check_connection()
         assert opened(postgres, settings) == settings.database_connections == 16
     runtime.close()
 
@@ -70,6 +71,7 @@ def run_worker_and_wait(settings: str) -> None:
     with ExitStack() as kept:
         exhaust(runtime.database.engine, kept)
         exhaust(worker.engine, kept)
+        runtime.queue._client.check_connection()
         sys.stdout.write("all are taken\n")
         sys.stdout.flush()
         sys.stdin.readline()

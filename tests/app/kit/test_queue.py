@@ -254,7 +254,7 @@ def test_a_process_has_one_worker(runtime: Runtime):
 
 def test_a_job_that_an_older_version_wrote_is_done(runtime: Runtime):
     """What is stored only grows at its end; and every version claims jobs under the same constant."""
-    client = DBOSClient(system_database_engine=runtime.database.writer, application_name=queue.APPLICATION)
+    client = DBOSClient(system_database_url=queue.system_url(runtime.database), application_name=queue.APPLICATION)
     options: Any = {
         "workflow_name": queue.RUN_JOB,
         "queue_name": queue.JOB_QUEUE,
@@ -272,7 +272,7 @@ def test_arguments_are_stored_as_json(runtime: Runtime, server: RunningServer):
     until(lambda: calls == ["plain"])
     server.wait_for_jobs()
     client = DBOSClient(
-        system_database_engine=runtime.database.writer,
+        system_database_url=queue.system_url(runtime.database),
         application_name=queue.APPLICATION,
         serializer=DBOSPortableJSONSerializer(),
     )
