@@ -36,6 +36,8 @@ RUN printf '#!/bin/sh\ncd /srv/soundlist && exec python -m app "$@"\n' > /usr/lo
     && useradd --system --uid 10001 --create-home soundlist \
     && mkdir /data /backups && chown soundlist /data /backups
 USER 10001
+# mallopt(3): by default glibc keeps hundreds of MiB after a few large requests or files at once.
+ENV MALLOC_ARENA_MAX=2 MALLOC_MMAP_THRESHOLD_=131072 MALLOC_TRIM_THRESHOLD_=1048576
 # librosa's compiled loops must be written somewhere: without a place for them it cannot even be imported.
 ENV SOUNDLIST_DATA_DIR=/data PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 NUMBA_CACHE_DIR=/tmp/numba
 VOLUME /data

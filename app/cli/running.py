@@ -1,12 +1,17 @@
 """Commands that run the server: web processes, workers, the demo, and the tables they need."""
 
+import io
 import json
-import socket
+import os
+import signal
 import sys
 import tempfile
-from collections.abc import Callable
+import threading
+import time
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -16,7 +21,11 @@ from app.cli.opening import opened, read_settings_or_exit, ready_to_serve, refus
 from app.kit.runtime import Runtime
 from app.settings import Settings
 
+if TYPE_CHECKING:
+    from starlette.types import ASGIApp
+
 STOP_WITHIN_S = 15  # what is being answered then may finish
+KILL_AFTER_S = 20.0  # from the request to stop
 StopWithInput = Annotated[bool, typer.Option(help="Stop once standard input ends, for a parent that may be killed.")]
 
 
@@ -27,41 +36,49 @@ def serve(
     stop_with_input: StopWithInput = False,
 ) -> None:
     """Serve the web application; run `soundlist migrate` first and `soundlist worker` in parallel."""
-    from app.kit import memory, processes
-
     if stop_with_input:
-        processes.stop_with_input()
-    from app.main import create_app  # noqa: F401  before processes are forked, so that they share what it loads
+        stop_when_input_ends()
+    from app import main  # noqa: F401  before processes are forked, so that they share what it loads
+    from app.kit import serving
 
-    memory.return_free_memory()
     settings = read_settings_or_exit(serving=True)
     logs.configure(settings.log_level)
     logs.report_confinement()
     if settings.demo and host != "127.0.0.1":
         raise refusal(["the demo listens on 127.0.0.1 only, since it needs no sign-in"])
-    if settings.web_processes == 1:
-        runtime = ready_to_serve(settings)
-        _print_setup_code(runtime)
-        _serve(runtime, lambda: processes.listener(host, port))
-        return
-    # Problems are reported once, by a process whose threads and connections are not inherited.
-    if code := processes.run_in_subprocess(lambda: _apart(lambda: _try_to_serve(settings))):
+    with ProcessPoolExecutor(1) as apart:  # no thread and no connection of it is inherited by a web process
+        code, printed, reasons = apart.submit(_try_to_open).result()
+    typer.echo(printed, nl=False)
+    typer.echo(reasons, nl=False, err=True)
+    if code:
         raise typer.Exit(code)
     try:
-        kept = processes.listener(host, port, shared=True)
-    except processes.PortTaken as error:
+        serving.serve(
+            "app.cli.running:web_application", host, port,
+            processes=settings.web_processes, drain_s=settings.drain_s, finish_s=STOP_WITHIN_S,
+        )  # fmt: skip
+    except serving.PortTaken as error:
         raise refusal([str(error)]) from None
 
-    def serve_beside(place: int) -> None:
-        _apart(lambda: _serve(opened(settings), lambda: processes.shared_listener(kept), place=place))
 
-    raise typer.Exit(processes.PreforkSupervisor(serve_beside, settings.web_processes).run())
+def _try_to_open() -> tuple[int, str, str]:
+    """Open what a web process uses, and close it; return an exit code and what was printed."""
+    from app.kit import metrics
 
-
-def _try_to_serve(settings: Settings) -> None:
-    runtime = ready_to_serve(settings)
-    _print_setup_code(runtime)
-    runtime.close()
+    code, printed, reasons = 0, io.StringIO(), io.StringIO()
+    with redirect_stdout(printed), redirect_stderr(reasons):
+        try:
+            settings = read_settings_or_exit(serving=True)
+            runtime = ready_to_serve(settings)
+            _print_setup_code(runtime)
+            runtime.close()
+            with metrics.listening(settings, []):
+                pass
+        except metrics.CannotListen as error:
+            code = refusal([str(error)]).exit_code
+        except typer.Exit as end:
+            code = end.exit_code
+    return code, printed.getvalue(), reasons.getvalue()
 
 
 def _print_setup_code(runtime: Runtime) -> None:
@@ -75,39 +92,46 @@ def _print_setup_code(runtime: Runtime) -> None:
             )
 
 
-def _apart(work: Callable[[], None]) -> None:
-    """Run a part of a command in a forked process, and exit with its code if it fails."""
-    try:
-        work()
-    except typer.Exit as end:
-        raise SystemExit(end.exit_code) from None
-
-
-def _serve(runtime: Runtime, listening: Callable[[], socket.socket], *, place: int = 0) -> None:
-    from app.kit import metrics, processes, serving
+def web_application() -> "ASGIApp":
+    """Return the application of one web process, by the settings of its environment."""
+    from app.kit import metrics, serving
     from app.main import create_app
     from app.operations.figures import web_collectors
 
-    settings = runtime.settings
-    try:
-        with metrics.listening(settings, web_collectors(runtime), place=place):
-            serving.serve(create_app(runtime), listening(), drain_s=settings.drain_s, finish_s=STOP_WITHIN_S)
-    except (metrics.CannotListen, processes.PortTaken) as error:
-        raise refusal([str(error)]) from None
+    settings = read_settings_or_exit(serving=True)
+    logs.configure(settings.log_level)
+    runtime = opened(settings)
+    metrics.listen_beside_others(settings, web_collectors(runtime))
+    return serving.Draining(create_app(runtime))
+
+
+def stop_when_input_ends() -> None:
+    """Stop this process once its standard input ends, as SIGTERM would: its parent is gone, however that ended.
+
+    What does not stop in time is killed.
+    """
+
+    def stop() -> None:
+        while os.read(sys.stdin.fileno(), 1024):
+            pass
+        os.kill(os.getpid(), signal.SIGTERM)
+        time.sleep(KILL_AFTER_S)
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    threading.Thread(target=stop, name="end of input", daemon=True).start()
 
 
 @cli.command()
 def worker(stop_with_input: StopWithInput = False) -> None:
     """Run jobs until stopped."""
-    from app.kit import memory, metrics, processes
+    from app.kit import metrics
 
     if stop_with_input:
-        processes.stop_with_input()
+        stop_when_input_ends()
     from app.kit.workers import engine_connections
     from app.operations.figures import process_collectors
     from app.worker import run
 
-    memory.return_free_memory()
     settings = read_settings_or_exit(serving=True)
     logs.configure(settings.log_level)
     logs.report_confinement()

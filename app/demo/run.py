@@ -13,10 +13,11 @@ from app.demo.process_tree import ProcessTree
 from app.demo.progress import Progress
 from app.demo.project import DemoIncomplete, make_demo_project
 from app.demo.whole_files import write_whole
-from app.kit import clock, processes
+from app.kit import clock
 from app.kit.db import Database
 from app.kit.permissions import tighten
 from app.kit.runtime import Runtime
+from app.kit.serving import PortTaken, ensure_port_free
 from app.migrate import CannotUpgrade, MadeBeforeRelease, current_revision, ensure_upgradable, migrate
 from app.settings import Settings
 
@@ -32,13 +33,13 @@ def run_demo(port: int) -> int:
             typer.echo(line, err=True)
         with Progress(typer.echo) as progress:
             with DataLock(settings.data_dir, progress.begin):
-                processes.listener(HOST, port).close()
+                ensure_port_free(HOST, port)
                 _move_old_data_aside(settings)
             with DataLock(settings.data_dir, progress.begin) as lock:
                 return _run(settings.data_dir, port, lock, progress)
     except InUse as error:
         typer.echo(str(error), err=True)
-    except processes.PortTaken as error:
+    except PortTaken as error:
         typer.echo(f"{error}: make run PORT={port + 1}", err=True)
     except CannotUpgrade as error:
         typer.echo(f"{error}; or choose another folder: make run DATA=another-folder", err=True)

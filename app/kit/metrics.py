@@ -6,8 +6,9 @@ read from the database at each scrape, and are the same on every web process.
 
 import hmac
 import threading
+import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from datetime import timedelta
 from typing import TYPE_CHECKING, Any
 from wsgiref.simple_server import WSGIRequestHandler, WSGIServer, make_server
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 CONTENT_TYPE = CONTENT_TYPE_LATEST
 WORKERS_SHOWN = timedelta(hours=1)  # stopped workers disappear after this time
 REQUEST_BUCKETS_S = (0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0)
+PORT_LOOK_EVERY_S = 1.0
 JOB_BUCKETS_S = (0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 15.0, 60.0, 300.0)
 
 REQUESTS = Counter("soundlist_requests", "Requests answered.", ["method", "route", "status"])
@@ -159,19 +161,41 @@ class MetricsServer:
 
 
 @contextmanager
-def listening(settings: "Settings", collectors: Iterable[Collector], *, place: int = 0) -> Iterator[None]:
-    """Serve metrics on a separate port for the length of the block, if the settings name one.
-
-    Each of several web processes adds its index to the port in the settings.
-    """
+def listening(settings: "Settings", collectors: Iterable[Collector]) -> Iterator[None]:
+    """Serve metrics on a separate port for the length of the block, if the settings name one."""
     if settings.metrics_port is None:
         yield
         return
-    server = MetricsServer(
-        settings.metrics_host, settings.metrics_port + place, settings.metrics_token.get_secret_value(), collectors
-    )
+    server = _server(settings, collectors, place=0)
     server.start()
     try:
         yield
     finally:
         server.stop()
+
+
+def listen_beside_others(settings: "Settings", collectors: Iterable[Collector]) -> None:
+    """Serve metrics of one of several web processes, on the first port from the one in the settings that is free.
+
+    While a process replaces another there is none, and it waits for that port.
+    """
+
+    def listen() -> None:
+        while True:
+            for place in range(settings.web_processes):
+                with suppress(CannotListen):
+                    _server(settings, collectors, place=place).start()
+                    return
+            time.sleep(PORT_LOOK_EVERY_S)
+
+    if settings.metrics_port is not None:
+        threading.Thread(target=listen, name="metrics port", daemon=True).start()
+
+
+def _server(settings: "Settings", collectors: Iterable[Collector], *, place: int) -> MetricsServer:
+    return MetricsServer(
+        settings.metrics_host,
+        (settings.metrics_port or 0) + place,
+        settings.metrics_token.get_secret_value(),
+        collectors,
+    )

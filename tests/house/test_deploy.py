@@ -22,7 +22,7 @@ from typer.testing import CliRunner
 from app.cli import cli
 from app.cli.running import STOP_WITHIN_S
 from app.deliveries.rules import MAX_ARCHIVE_BYTES
-from app.kit import bodies, serving, uvicorn_internals
+from app.kit import bodies, serving
 from app.kit.storage import open_store
 from app.settings import Settings, bucket_address, read_settings
 from tests.support.s3 import KEY, free_port, run_program, s3_program
@@ -318,7 +318,7 @@ class TestProxy:
 
     def test_it_gives_an_unused_line_up_before_a_web_process_closes_it(self):
         [kept_s] = re.findall(r"keepalive ([0-9]+)s", (DEPLOY / "Caddyfile").read_text())
-        assert int(kept_s) < serving.IDLE_LINE_S
+        assert int(kept_s) < serving.HEAD_S
 
     def test_it_is_the_one_that_rolling_restarts_are_tried_with(self, compose: dict[str, Any]):
         [version] = re.findall(r"caddy v([0-9.]+)$", (ROOT / ".ci" / "caddy").read_text(), re.MULTILINE)
@@ -332,7 +332,7 @@ class TestProxy:
 
 
 def test_a_web_process_is_given_the_time_that_stopping_takes(ours: dict[str, dict[str, Any]]):
-    longest_s = uvicorn_internals.ACCEPT_S + uvicorn_internals.LINGER_S + STOP_WITHIN_S
+    longest_s = STOP_WITHIN_S
     web = ours["web"]
     assert float(web["environment"]["SOUNDLIST_DRAIN_S"]) + longest_s < float(web["stop_grace_period"].rstrip("s"))
     unit = (DEPLOY / "systemd" / "soundlist-web.service").read_text()

@@ -19,16 +19,15 @@ ROOT = Path(__file__).resolve().parents[2]
 CADDY = ROOT / ".make" / "caddy"  # says where it is
 CHECK_EVERY_S = 0.2
 TRY_FOR_S = 20.0
-UNUSED_FOR_S = 30.0
+UNUSED_FOR_S = 15.0
 METHODS = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE"]
 
 
 class Proxy:
-    """Takes turns among those that take a line; where `checks_health`, only while their /readyz says so."""
+    """Takes turns among those whose /readyz says that they are ready."""
 
-    def __init__(self, ports: Sequence[int], *, checks_health: bool) -> None:
+    def __init__(self, ports: Sequence[int]) -> None:
         self._ports = list(ports)
-        self._checks_health = checks_health
         self._healthy = set(ports)
         self._turn = 0
         lines = httpx.Limits(max_keepalive_connections=20, keepalive_expiry=UNUSED_FOR_S)
@@ -59,7 +58,7 @@ class Proxy:
 
     async def check(self) -> None:
         """Ask each process now and then whether it is ready."""
-        while self._checks_health:
+        while True:
             for port in self._ports:
                 try:
                     ready = (await self._client.get(f"http://127.0.0.1:{port}/readyz")).status_code == 200
@@ -70,9 +69,9 @@ class Proxy:
 
 
 @contextmanager
-def running_proxy(ports: Sequence[int], *, checks_health: bool) -> Iterator[int]:
+def running_proxy(ports: Sequence[int]) -> Iterator[int]:
     """Run a proxy before these ports, and give its own."""
-    proxy = Proxy(ports, checks_health=checks_health)
+    proxy = Proxy(ports)
 
     @asynccontextmanager
     async def checking(_app: Starlette) -> AsyncIterator[None]:

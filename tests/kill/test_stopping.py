@@ -28,26 +28,8 @@ def test_a_process_that_is_asked_to_stop_says_so_and_finishes(server: ProcessSer
     assert (after.status_code, after.headers["connection"]) == (200, "close")
     begun = time.monotonic()
     web.send(signal.SIGTERM)  # a second time: now
-    assert web.wait() == -signal.SIGTERM  # which uvicorn raises once more, having finished
+    assert web.wait() == 0
     assert time.monotonic() - begun < DRAIN_S / 2
-
-
-@pytest.mark.killed_on("sqlite")
-def test_an_open_connection_is_answered_after_the_server_stops_listening(server: ProcessServer) -> None:
-    """A proxy may have sent on it before it could know."""
-    web = server.serve(drain_s=0.1)
-    with (
-        httpx.Client(base_url=f"http://127.0.0.1:{server.port}") as used,
-        socket.create_connection(("127.0.0.1", server.port), timeout=30) as unused,
-    ):
-        assert used.get("/healthz").status_code == 200
-        web.send(signal.SIGTERM)
-        wait_until(lambda: is_shut(server.port))
-        again = used.get("/healthz")
-        assert (again.status_code, again.headers["connection"]) == (200, "close")
-        unused.sendall(b"GET /healthz HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
-        assert unused.recv(4096).startswith(b"HTTP/1.1 200")
-    assert web.wait() == -signal.SIGTERM  # which uvicorn raises once more, having finished
 
 
 @pytest.mark.killed_on("sqlite")
@@ -63,7 +45,7 @@ def test_several_processes_answer_for_one_server_and_stop_together(server: Proce
     wait_until(lambda: is_open(figures) and is_open(figures + 1))
     wait_until(both_answered)
     web.send(signal.SIGTERM)
-    assert web.wait() == -signal.SIGTERM
+    assert web.wait() == 0
     assert not any(map(is_open, (server.port, figures, figures + 1)))
 
 
@@ -80,15 +62,4 @@ def is_open(port: int) -> bool:
     """Whether a line can be opened."""
     with suppress(OSError), socket.create_connection(("127.0.0.1", port), timeout=5):
         return True
-    return False
-
-
-def is_shut(port: int) -> bool:
-    """Whether no new line can be opened."""
-    try:
-        socket.create_connection(("127.0.0.1", port), timeout=0.1).close()
-    except ConnectionRefusedError:
-        return True
-    except TimeoutError:
-        pass  # asked while the process waits for its queue to run empty
     return False

@@ -10,9 +10,7 @@ import signal
 import sys
 from typing import Any
 
-import uvicorn.lifespan.on
-import uvicorn.loops.auto
-import uvicorn.protocols.http.auto  # noqa: F401  what uvicorn imports when it starts
+import granian.server.mp  # noqa: F401  what serving imports when it starts
 
 from app import main, migrate, rooms, row_security, worker  # noqa: F401
 from app.cli import cli

@@ -1,4 +1,4 @@
-"""An application behind a real socket, as in production."""
+"""An application behind a real socket; tests/app/kit/test_serving.py is about the server itself."""
 
 import socket
 import threading
@@ -13,7 +13,7 @@ from tests.support.waiting import until
 
 @contextmanager
 def listening(application: Any, **options: Any) -> Iterator[int]:
-    """Serve an application for as long as the block lasts, and give its port; options are uvicorn's."""
+    """Serve an application in this process for as long as the block lasts, and give its port; options are uvicorn's."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
         server = uvicorn.Server(uvicorn.Config(application, log_config=None, timeout_graceful_shutdown=1, **options))
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)

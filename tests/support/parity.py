@@ -16,7 +16,6 @@ import httpx
 
 import audio_checks
 from app.accounts.authentication import CSRF_HEADER
-from app.kit.uvicorn_internals import BoundedHttpProtocol
 from tests.support.any_sound import any_sound
 from tests.support.deliver import deliver, open_delivery
 from tests.support.listening import listening
@@ -122,7 +121,7 @@ class WorldOverTcp(World):
 @contextmanager
 def world_over_tcp(server: RunningServer) -> Iterator[World]:
     """Listen on a port, and yield a studio whose people ask there."""
-    with listening(server.application, lifespan="off", http=BoundedHttpProtocol) as port:
+    with listening(server.application, lifespan="off") as port:
         yield WorldOverTcp(server, f"http://127.0.0.1:{port}")
 
 

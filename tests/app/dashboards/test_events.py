@@ -13,7 +13,6 @@ from app.dashboards.watching import BEFORE_NDA, GRANTING, PARTIES_ONLY, STUDIOS_
 from app.kit import change_feed
 from app.kit.changes import KEPT_FOR, instant_id
 from app.kit.db import Base
-from app.kit.uvicorn_internals import BoundedHttpProtocol
 from app.main import create_app
 from app.projects.models import Engagement, Project
 from tests.support.event_stream import Listener, listening_for_changes
@@ -26,7 +25,7 @@ pytestmark = pytest.mark.both_databases
 
 @pytest.fixture
 def web(server: RunningServer) -> Iterator[str]:
-    with listening(create_app(server.runtime), lifespan="off", http=BoundedHttpProtocol) as port:
+    with listening(create_app(server.runtime), lifespan="off") as port:
         yield f"http://127.0.0.1:{port}"
 
 
@@ -46,7 +45,7 @@ def test_changes_are_looked_for_several_times_a_second():
 @pytest.mark.slow
 def test_two_people_on_two_processes_hear_of_a_change(server: RunningServer, web: str, world: World):
     with (
-        listening(create_app(server.runtime), lifespan="off", http=BoundedHttpProtocol) as port,
+        listening(create_app(server.runtime), lifespan="off") as port,
         listening_for_changes(web, world.designer.cookies) as designer,
         listening_for_changes(f"http://127.0.0.1:{port}", world.reviewer.cookies) as reviewer,
     ):

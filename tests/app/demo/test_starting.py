@@ -29,12 +29,12 @@ pytestmark = pytest.mark.slow
 WITHIN_S = 240.0
 STOPS_WITH_INPUT = """
 import signal, sys, threading
-from app.kit import processes
+from app.cli import running
 
-processes.KILL_AFTER_S = 0.0
+running.KILL_AFTER_S = 0.0
 if "deaf" in sys.argv:
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
-processes.stop_with_input()
+running.stop_when_input_ends()
 print("ready", flush=True)
 threading.Event().wait()
 """

@@ -3,7 +3,6 @@
 import json
 import select
 import socket
-import time
 import tracemalloc
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,7 +13,7 @@ import pytest
 from app import rooms
 from app.accounts import rate_limits
 from app.accounts.rules import Audience
-from app.kit import bodies, uvicorn_internals
+from app.kit import bodies
 from app.kit.bodies import SMALL_BODY_BYTES
 from tests.house.routes import api_routes, policy_of
 from tests.support.deliver import open_delivery
@@ -26,7 +25,7 @@ KIB, MIB = 1 << 10, 1 << 20
 
 @pytest.fixture(scope="module")
 def port(server: RunningServer) -> Iterator[int]:
-    with listening(server.application, lifespan="off", http=uvicorn_internals.BoundedHttpProtocol, ws="none") as port:
+    with listening(server.application, lifespan="off", ws="none") as port:
         yield port
 
 
@@ -151,49 +150,6 @@ def test_a_body_that_trickles_is_cut(port: int, monkeypatch: pytest.MonkeyPatch)
     assert b"connection: close" in first
 
 
-@pytest.mark.parametrize("sent", [b"", b"GET / HT", b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: "])
-def test_a_head_that_trickles_is_cut(port: int, monkeypatch: pytest.MonkeyPatch, sent: bytes):
-    monkeypatch.setattr(uvicorn_internals, "HEAD_S", 0.3)
-    with connected(port) as line:
-        for byte in sent:
-            line.sendall(bytes([byte]))
-        status, problem, _ = answer_on(line)  # and where nothing is cut, the line's own limit ends it
-    assert status == (408 if sent else 0)
-    assert not sent or problem["code"] == "request-timeout"
-
-
-def test_the_second_head_on_a_line_may_not_trickle_either(port: int, monkeypatch: pytest.MonkeyPatch):
-    with connected(port) as line:
-        line.sendall(head("GET", "/healthz"))
-        assert b"200 OK" in line.recv(65_536)
-        monkeypatch.setattr(uvicorn_internals, "HEAD_S", 0.3)
-        line.sendall(b"GET /hea")
-        assert answer_on(line)[0] == 408
-
-
-@pytest.mark.parametrize(
-    ("request_head", "status", "code"),
-    [
-        (head("GET", "/" + "a" * 20_000), 414, "request-uri-too-long"),
-        (head("GET", "/", f"X-Much: {'a' * 70_000}"), 431, "request-header-fields-too-large"),
-        (head("GET", "/", *[f"X-{number}: a" for number in range(200)]), 431, "request-header-fields-too-large"),
-        (head("GET", "/", *[f"X-{number}: {'a' * 1_000}" for number in range(80)]), 431, None),
-        (b"GET / HTTP/1.1\r\nX-Endless: " + b"a" * 200_000, 431, None),
-        (b"this is not HTTP\r\n\r\n", 400, "bad-request"),
-        (head("POST", "/v1/sign-in", "Content-Length: 5", "Transfer-Encoding: chunked"), 400, "bad-request"),
-        (head("POST", "/v1/sign-in", "Content-Length: -5"), 400, "bad-request"),
-        (head("POST", "/v1/sign-in", f"Content-Length: {'9' * 30}"), 400, "bad-request"),
-    ],
-)
-def test_a_head_beyond_the_limits_is_refused_in_words(port: int, request_head: bytes, status: int, code: str | None):
-    with connected(port) as line:
-        line.sendall(request_head)
-        found, problem, first = answer_on(line)
-    assert found == status
-    assert code is None or problem["code"] == code
-    assert b"application/problem+json" in first
-
-
 def test_a_body_shorter_than_it_says_hurts_nobody(port: int):
     with connected(port) as line:
         line.sendall(head("POST", "/v1/sign-in", JSON, "Content-Length: 100") + b"{}")
@@ -210,17 +166,6 @@ def test_what_follows_a_body_is_no_second_request(port: int):
         line.sendall(head("POST", "/v1/sign-in", JSON, "Content-Length: 2") + body + b"garbage\r\n\r\n")
         status, _, _ = answer_on(line)
     assert status in (0, 400, 422)  # cut, at the latest once the first was answered
-
-
-def test_a_line_is_kept_where_a_small_body_was_not_wanted(port: int):
-    with connected(port) as line:
-        for _ in range(2):
-            line.sendall(head("GET", "/healthz", "Content-Length: 5"))
-            assert b"200 OK" in line.recv(65_536)
-            time.sleep(0.05)
-            line.sendall(b"12345")
-        line.sendall(head("GET", "/healthz", "Connection: close"))
-        assert answer_on(line)[0] == 200
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,29 @@
+"""An application that needs nothing, in the processes of the server as they are."""
+
+import asyncio
+import os
+
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse
+from starlette.routing import Route
+from starlette.types import ASGIApp
+
+from app.kit.serving import Draining
+
+SLOW_S = 1.0
+
+
+async def _process(_request: Request) -> PlainTextResponse:
+    return PlainTextResponse(str(os.getpid()))
+
+
+async def _slow(_request: Request) -> PlainTextResponse:
+    await asyncio.sleep(SLOW_S)
+    return PlainTextResponse("late")
+
+
+def application() -> ASGIApp:
+    """Return the application of one process."""
+    paths = {"/": _process, "/readyz": _process, "/slow": _slow}
+    return Draining(Starlette(routes=[Route(path, answer) for path, answer in paths.items()]))
