@@ -19,7 +19,7 @@ from app.kit import error_responses, events, health
 from app.kit.api_document import ApiDocument, Application
 from app.kit.change_feed import ChangeFeed
 from app.kit.changes import forget_old_changes
-from app.kit.compression import CompressedAnswers, PrecompressedFiles
+from app.kit.compression import PrecompressedFiles
 from app.kit.host_cookies import HostCookies
 from app.kit.http import PROBLEM_TYPE
 from app.kit.idempotency import delete_expired_responses
@@ -75,7 +75,6 @@ def create_app(runtime: Runtime) -> FastAPI:
     headers = security_headers(runtime.store.public_origin, is_https=runtime.settings.is_https)
     app.state.security_headers = headers
     app.add_middleware(TusHeaders)
-    app.add_middleware(CompressedAnswers)
     app.add_middleware(WithResponseHeaders, headers=headers)
     if runtime.settings.is_https:
         app.add_middleware(HostCookies)

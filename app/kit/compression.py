@@ -1,19 +1,15 @@
-"""Answers over slow networks: files compressed when the frontend was built, and text compressed as it is sent."""
+"""Files that were compressed when the frontend was built; the proxy compresses what is made for each request."""
 
 import mimetypes
 import os
 from pathlib import Path
 
-from starlette.datastructures import Headers, MutableHeaders
-from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
+from starlette.datastructures import Headers
 from starlette.responses import FileResponse, Response
 from starlette.staticfiles import StaticFiles
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import Scope
 
 ENCODINGS = {"br": ".br", "gzip": ".gz"}  # the smallest first; the names that the frontend's build gives
-SMALLEST_BYTES = 1_000  # below this an answer fills one packet anyway
-LEVEL = 4  # 3 % larger than level 6, in half the time
-COMPRESSED_ALREADY = (*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/octet-stream", "application/pdf")
 
 
 def accepted_encodings(accept_encoding: str) -> set[str]:
@@ -54,37 +50,3 @@ class PrecompressedFiles(StaticFiles):
         if self.is_not_modified(response.headers, headers):
             return Response(status_code=304, headers={**more, "ETag": response.headers["etag"]})
         return response
-
-
-class CompressedAnswers:
-    """Compresses answers to GET that are not compressed already.
-
-    BREACH reads a secret out of an answer's length, by having a signed-in browser ask many times with guesses. What
-    another site's page asks for is marked by browsers (Sec-Fetch-Site) and is not compressed here. Its requests also
-    lack the session cookie (SameSite=Lax), but for top-level navigations. New secrets are in answers to POST only.
-    """
-
-    def __init__(self, app: ASGIApp) -> None:
-        self._plain = app
-        self._compressed = GZipMiddleware(app, SMALLEST_BYTES, LEVEL, exclude_content_types=COMPRESSED_ALREADY)
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Send the answer, compressed where that is safe and useful."""
-        if scope["type"] != "http" or scope["method"] != "GET" or _is_caused_elsewhere(scope):
-            await self._plain(scope, receive, send)
-            return
-
-        async def send_with_weak_tag(message: Message) -> None:
-            if message["type"] == "http.response.start":
-                headers = MutableHeaders(scope=message)
-                tag = headers.get("etag", "")
-                # A strong tag promises the same bytes, which differ by encoding.
-                if headers.get("content-encoding") == "gzip" and tag.startswith('"'):
-                    headers["ETag"] = f"W/{tag}"
-            await send(message)
-
-        await self._compressed(scope, receive, send_with_weak_tag)
-
-
-def _is_caused_elsewhere(scope: Scope) -> bool:
-    return Headers(scope=scope).get("sec-fetch-site", "none") not in ("none", "same-origin")

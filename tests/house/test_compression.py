@@ -1,4 +1,4 @@
-"""What is sent compressed, and what is not: asked of the whole application."""
+"""The frontend's files are sent as its build compressed them: asked of the whole application."""
 
 import gzip
 from collections.abc import Iterator
@@ -67,31 +67,6 @@ def test_a_range_of_an_asset_is_of_its_plain_bytes(served: RunningServer):
     asked = {"Accept-Encoding": "br", "Range": "bytes=0-5"}
     answer = served.browser().get("/assets/index-1a2b.js", headers=asked)
     assert (answer.status_code, answer.content, answer.headers.get("content-encoding")) == (206, SCRIPT[:6], None)
-
-
-@pytest.mark.parametrize(
-    ("path", "headers", "encoding"),
-    [
-        ("/v1/openapi.json", {}, "gzip"),
-        ("/", {}, "gzip"),
-        ("/v1/openapi.json", {"Sec-Fetch-Site": "same-origin"}, "gzip"),
-        ("/v1/openapi.json", {"Sec-Fetch-Site": "cross-site"}, None),
-        ("/v1/openapi.json", {"Sec-Fetch-Site": "same-site"}, None),
-        ("/healthz", {}, None),  # fits one packet as it is
-    ],
-)
-def test_text_is_compressed_unless_another_site_asks(
-    served: RunningServer, path: str, headers: dict[str, str], encoding: str | None
-):
-    answer = served.browser().get(path, headers={"Accept-Encoding": "gzip", **headers})
-    assert (answer.status_code, answer.headers.get("content-encoding")) == (200, encoding)
-
-
-@pytest.mark.slow
-def test_the_tag_of_a_compressed_page_is_weak(served: RunningServer):
-    compressed = served.browser().get("/", headers={"Accept-Encoding": "gzip"})
-    plain = served.browser().get("/", headers={"Accept-Encoding": "identity"})
-    assert compressed.headers["etag"] == f"W/{plain.headers['etag']}"
 
 
 @pytest.mark.parametrize(
