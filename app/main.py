@@ -8,7 +8,6 @@ from pathlib import Path
 import structlog
 from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
-from granian.utils.proxies import wrap_asgi_with_proxy_headers
 
 from app import rooms
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
@@ -79,6 +78,8 @@ def create_app(runtime: Runtime) -> FastAPI:
     if runtime.settings.is_https:
         app.add_middleware(HostCookies)
     if runtime.settings.trusted_proxies:  # who visits, read from right to left up to the first who is not one of them
+        from granian.utils.proxies import wrap_asgi_with_proxy_headers
+
         app.add_middleware(wrap_asgi_with_proxy_headers, trusted_hosts=list(runtime.settings.trusted_proxies))
     _serve_frontend(app, runtime.settings.frontend_dir)
     return app

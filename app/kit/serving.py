@@ -9,10 +9,6 @@ import socket
 import threading
 from types import FrameType
 
-from granian import Granian
-from granian.constants import HTTPModes, Interfaces
-from granian.http import HTTP1Settings
-from granian.log import LogLevels
 from starlette.datastructures import MutableHeaders
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -48,6 +44,12 @@ def serve(factory: str, host: str, port: int, *, processes: int, drain_s: float,
 
     Then go on for `drain_s` as not ready, and give open answers `finish_s` more. A second signal ends the first wait.
     """
+    # Here, so that workers and other commands load no server.
+    from granian import Granian
+    from granian.constants import HTTPModes, Interfaces
+    from granian.http import HTTP1Settings
+    from granian.log import LogLevels
+
     ensure_port_free(host, port)
     server = Granian(
         factory,
