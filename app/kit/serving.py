@@ -18,7 +18,7 @@ IS_LEAVING = "is_leaving"
 HEAD_S = 20  # from the connection, or the answer before, to the last byte of a head: an unused line closes with it
 HEAD_BUFFER_BYTES = 64 << 10  # of a line, before a head of more is refused
 MAX_LINES = 4_096  # of one process; each open page keeps one
-MAX_PROCESS_MIB = 1_024  # a process that holds more is replaced once its requests are answered
+MAX_PROCESS_BYTES = 1 << 30  # a process that holds more is replaced once its requests are answered
 GARBAGE_AFTER = 20_000  # objects: a page of the review queue makes as many, and nearly all go without a collector
 
 
@@ -64,7 +64,7 @@ def serve(factory: str, host: str, port: int, *, processes: int, drain_s: float,
         backpressure=MAX_LINES,
         log_level=LogLevels.warning,
         respawn_failed_workers=True,
-        workers_max_rss=MAX_PROCESS_MIB,
+        workers_max_rss=MAX_PROCESS_BYTES >> 20,
         workers_kill_timeout=finish_s,
     )
     server.on_startup(lambda: _drain_before_stopping(drain_s))

@@ -451,7 +451,7 @@ class TestHost:
         [address] = re.findall(r"^\t\tto (\S+)$", text, re.MULTILINE)
         command = shlex.split((DEPLOY / "systemd" / "soundlist-web.service").read_text().split("ExecStart=")[1])
         assert address == f"{command[command.index('--host') + 1]}:{command[command.index('--port') + 1]}"
-        for line in ("max_size 6GB", "max_size 20MB", "lb_try_duration 20s", "flush_interval -1", "keepalive 120s"):
+        for line in ("max_size 6GB", "max_size 20MB", "lb_try_duration 20s", "flush_interval -1", "keepalive 15s"):
             assert line in text
             assert line in contained
 
