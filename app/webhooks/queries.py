@@ -37,10 +37,13 @@ def enabled_webhooks(session: Session, studio_id: UUID) -> Sequence[Webhook]:
     return session.scalars(enabled.order_by(Webhook.id)).all()
 
 
-def webhook_in(session: Session, studio_ids: Collection[UUID], webhook_id: UUID) -> Webhook | None:
-    """Return a webhook of one of these studios, with its project."""
-    found = select(Webhook).where(Webhook.id == webhook_id, Webhook.studio_id.in_(studio_ids))
-    return session.scalar(found.options(joinedload(Webhook.project)))
+def webhook_in(
+    session: Session, studio_ids: Collection[UUID], webhook_id: UUID, *, locked: bool = False
+) -> Webhook | None:
+    """Return a webhook of one of these studios, with its project; locked, it changes no more until the end."""
+    webhook = select(Webhook).where(Webhook.id == webhook_id, Webhook.studio_id.in_(studio_ids))
+    webhook = webhook.options(joinedload(Webhook.project))
+    return session.scalar(webhook.with_for_update(of=Webhook) if locked else webhook)
 
 
 def calls_of(session: Session, webhook_id: UUID, *, before: UUID | None, limit: int) -> Sequence[WebhookCall]:

@@ -134,8 +134,8 @@ def rotate_secret(session: Session, actor: Actor, webhook_id: UUID) -> Webhook:
 
 
 def remove(session: Session, actor: Actor, webhook_id: UUID) -> None:
-    """Delete a webhook with its calls."""
-    webhook = webhook_for(session, actor, webhook_id)
+    """Delete a webhook with its calls, once an attempt at one that is being recorded has ended."""
+    webhook = webhook_for(session, actor, webhook_id, locked=True)
     session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(WebhookCall.webhook_id == webhook.id)))
     session.execute(delete(WebhookCall).where(WebhookCall.webhook_id == webhook.id))
     session.delete(webhook)
@@ -155,7 +155,7 @@ def disable_webhooks_of_member(session: Session, payload: Mapping[str, Any]) -> 
 
 def send_test(session: Session, actor: Actor, webhook_id: UUID, base_url: str) -> WebhookCall:
     """Send a message that says that it is a test."""
-    webhook = webhook_for(session, actor, webhook_id)
+    webhook = webhook_for(session, actor, webhook_id, locked=True)
     _ensure_enabled(webhook)
     text = "Soundlist: this is a test. Messages about your projects will arrive here."
     write_call(session, webhook, str(new_id()), Message(WebhookEvent.TEST, text, base_url))
@@ -181,9 +181,9 @@ def replay(session: Session, actor: Actor, call_id: UUID) -> WebhookCall:
     return call
 
 
-def webhook_for(session: Session, actor: Actor, webhook_id: UUID) -> Webhook:
+def webhook_for(session: Session, actor: Actor, webhook_id: UUID, *, locked: bool = False) -> Webhook:
     """Return a webhook of a studio that the caller runs; raise WebhookNotFound."""
-    webhook = queries.webhook_in(session, _studios_run_by(actor), webhook_id)
+    webhook = queries.webhook_in(session, _studios_run_by(actor), webhook_id, locked=locked)
     if webhook is None:
         raise WebhookNotFound(f"no webhook {webhook_id}")
     return webhook

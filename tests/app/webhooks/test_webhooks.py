@@ -6,6 +6,7 @@ import hmac
 import json
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor, wait
 from datetime import UTC, datetime, timedelta
 from typing import Any
 from uuid import UUID
@@ -18,7 +19,7 @@ from app.accounts.rate_limits import WEBHOOK_MESSAGES_OF_STUDIO
 from app.kit import clock
 from app.webhooks import jobs, queries, sending
 from app.webhooks.bodies import Message, body_of
-from app.webhooks.models import WebhookAttempt, WebhookCall
+from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
 from app.webhooks.rules import PAUSES, WebhookEvent, WebhookForm, is_delivered, pause_after, signature
 from tests.app.reviews.making import Stage
 from tests.support.deliver import add_cues
@@ -375,3 +376,24 @@ def test_tests_and_repeated_messages_have_a_limit_for_each_studio(world: World, 
     answer = world.producer.post(f"/v1/webhook-calls/{call['id']}/replay")
     assert (answer.status_code, "Retry-After" in answer.headers) == (429, True)
     world.server.forget_tries()
+
+
+@pytest.mark.both_databases
+def test_a_webhook_is_deleted_once_the_attempt_at_its_message_is_in_the_log(world: World, target: Receiver) -> None:
+    webhook = add(world, target.url)
+    world.producer.post(f"/v1/webhooks/{webhook['id']}/test").raise_for_status()
+    world.server.wait_for_jobs()
+    (call,) = calls(world, webhook)
+    with ThreadPoolExecutor(1) as thread:
+        with world.server.runtime.database.writing() as session:
+            session.get_one(Webhook, UUID(webhook["id"]), with_for_update=True)  # as sending does
+            session.add(
+                WebhookAttempt(
+                    studio_id=world.studio_id, call_id=UUID(call["id"]), tried_at=AT, took_ms=1, status=200,
+                    answer="", problem="",
+                )
+            )  # fmt: skip
+            session.flush()
+            deletion = thread.submit(world.producer.delete, f"/v1/webhooks/{webhook['id']}")
+            wait([deletion], timeout=0.5)  # it waits for this transaction
+        assert deletion.result().status_code == 204, deletion.result().text
