@@ -4,6 +4,7 @@ import { serverReturns } from './connection'
 import { earlyAnswer } from './early'
 import { ApiProblem, lineLost, problemOf } from './problem'
 import type { paths } from './schema.gen'
+import { whileSending } from './sending'
 import { signedInAgain, type SignInReason, signInsSoFar } from './signIn'
 
 const CSRF_COOKIE = /(?:^|; )(?:__Host-)?soundlist_csrf=([^;]*)/ // the prefix is there over TLS
@@ -65,11 +66,15 @@ async function reasonToSignIn(response: Response): Promise<SignInReason | null> 
   return code === 'recent-sign-in-needed' ? 'recent' : null
 }
 
+/** Send a request; a write counts as in flight until its answer is here. */
+export const send = (request: Request): Promise<Response> =>
+  SAFE.has(request.method) ? deliver(request) : whileSending(() => deliver(request))
+
 /**
  * Send a request. What only reads waits while the server is away, so that pages keep what they show; a write is refused
  * at once, with what was typed still there. Either is sent again after signing in, where the server asks for that.
  */
-export async function send(request: Request): Promise<Response> {
+async function deliver(request: Request): Promise<Response> {
   for (;;) {
     const sentAfter = signInsSoFar()
     const response = await fetchOnce(request.clone())

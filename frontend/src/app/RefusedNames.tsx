@@ -2,14 +2,14 @@ import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { answered, api, ApiProblem, useMutation } from '@/api'
+import { answered, api, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './RefusedNames.module.css'
 
@@ -123,7 +123,7 @@ export function RefusedNamesNote({ projectId, edits }: Props): ReactNode {
           </Link>
         </div>
       )}
-      {problem instanceof ApiProblem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={problem} />
     </RefusedNamesList>
   )
 }

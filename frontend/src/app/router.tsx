@@ -29,6 +29,7 @@ import { todayRoutes } from '@/features/today/routes'
 import { voiceLineRoutes } from '@/features/voice-lines/routes'
 import { webhookRoutes } from '@/features/webhooks/routes'
 import { partsRoute } from '@/parts/routes'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { ErrorPage } from './ErrorPage'
 import { NotFoundPage } from './NotFoundPage'
@@ -82,6 +83,10 @@ export const router = createRouter({
   defaultPreload: 'intent',
   defaultPreloadStaleTime: 0,
   defaultErrorComponent: ErrorPage,
+  // What waits shows it after 300 ms: until then the page before it stays.
+  defaultPendingComponent: PageSkeleton,
+  defaultPendingMs: 300,
+  defaultPendingMinMs: 0,
   defaultNotFoundComponent: NotFoundPage,
   scrollRestoration: true,
 })

@@ -6,8 +6,8 @@ import { useHotkeys } from '@/app/keys'
 import type { TimeRange } from '@/audio'
 import { Button } from '@/ui/Button'
 import { FieldError } from '@/ui/FieldError'
+import { Refusal } from '@/ui/Refusal'
 import { place, range as rangeWords } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 
 import classes from './ChangeForm.module.css'
@@ -150,7 +150,7 @@ export function ChangeForm({
       </div>
       <Mentions takeId={takeId} field={field} text={text} onText={setText} />
       {empty && <FieldError id={errorId}>Choose a reason or write what to change.</FieldError>}
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={problem} />
       {reversal}
       <DraftNote draft={draft} />
       <p className="small dim">It stays a draft until you send all change requests together.</p>

@@ -1,11 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useDraft } from '@/app/drafts'
 import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
@@ -50,7 +50,6 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
         showToast(`${plural(sent.change_requests.length, 'change')} sent.`)
       },
     })
-  const problem = [dropping.error, sending.error].find((error) => error instanceof ApiProblem)
 
   return (
     <>
@@ -104,7 +103,7 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
           )}
         </div>
       )}
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={dropping.error ?? sending.error} />
       {sending.data && sending.data.held_back.length > 0 && (
         <ProblemNote detail={heldBackWords(sending.data)} fix="They stay here as drafts." />
       )}

@@ -1,8 +1,7 @@
 import { type ReactNode, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { Icon } from '@/ui/Icon'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { partOf, type Reference, useOpenVersion } from './api'
 import classes from './References.module.css'
@@ -25,7 +24,6 @@ export function ReferenceTile({ reference, onShow, children }: ReferenceTileProp
   const title = titleOf(reference)
   const excerpt = version.excerpt.slice(0, 400)
   const opened = (then: () => void) => open.mutate(version.id, { onSuccess: then })
-  const problem = open.error instanceof ApiProblem ? open.error : null
   const url = `${partOf(version.id, 'file')}${fragmentOf(reference)}`
   const played = {
     controls: true,
@@ -111,7 +109,7 @@ export function ReferenceTile({ reference, onShow, children }: ReferenceTileProp
             </span>
           </p>
         )}
-        {problem && <ProblemNote detail={problem.detail} fix={problem.fix ?? undefined} />}
+        <Refusal error={open.error} />
         {children}
       </div>
     </article>

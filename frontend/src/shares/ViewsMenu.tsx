@@ -2,14 +2,12 @@ import { Menu } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { defaultParseSearch, defaultStringifySearch } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
 import { useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import type { MenuProps } from '@/ui/LazyMenu'
 import { OpenedMenu } from '@/ui/OpenedMenu'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { useDeleteView, useSaveView, type ViewedPage, viewsQuery } from './api'
 import classes from './ViewsMenu.module.css'
@@ -28,7 +26,6 @@ export function ViewsMenu({ button, projectId, page = 'sound_list', search, onOp
   const [name, setName, draft] = useDraft(`view:${page}:${projectId}`, '')
   const save = useSaveView(projectId, page)
   const remove = useDeleteView(projectId)
-  const problem = save.error instanceof ApiProblem ? save.error : null
   const keep = () => {
     const typed = name.trim()
     if (typed === '' || save.isPending) return
@@ -74,7 +71,7 @@ export function ViewsMenu({ button, projectId, page = 'sound_list', search, onOp
           Save view
         </Button>
       </form>
-      {problem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix ?? undefined} />}
+      <Refusal error={save.error} />
       {views !== undefined && views.length > 0 && (
         <>
           <Menu.Divider />

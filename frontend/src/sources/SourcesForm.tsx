@@ -2,9 +2,8 @@ import { Checkbox, TextInput } from '@mantine/core'
 import { Link, useParams } from '@tanstack/react-router'
 import { useId, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import type { Sources } from './api'
 import classes from './Sources.module.css'
@@ -105,7 +104,7 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
         value={sources.note}
         onChange={({ currentTarget }) => change({ note: currentTarget.value })}
       />
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       <div className={classes.acts}>
         <Button variant="primary" type="submit" disabled={isPending}>
           Save sources

@@ -19,5 +19,9 @@ export function openApp(path: string) {
       <RouterProvider router={app} />
     </QueryClientProvider>,
   )
-  return { at: () => app.state.location.pathname, search: () => app.state.location.search as Record<string, string> }
+  return {
+    isLoaded: () => app.state.status === 'idle',
+    at: () => app.state.location.pathname,
+    search: () => app.state.location.search as Record<string, string>,
+  }
 }

@@ -4,10 +4,11 @@ import classes from './Button.module.css'
 import { Icon, type IconName } from './Icon'
 import { Key } from './Key'
 import { ariaKeys } from './keyNames'
+import { usePending } from './usePending'
 
 interface Look {
-  /** primary: ink-filled, one a region. quiet: no border. */
-  variant?: 'plain' | 'primary' | 'quiet'
+  /** primary: ink-filled, one a region. quiet: no border. danger: does what cannot be undone. */
+  variant?: 'plain' | 'primary' | 'quiet' | 'danger'
   icon?: IconName
   /** The tone of the icon alone: colour is a verdict, and a button is none. */
   iconTone?: 'ok' | 'bad' | 'warn' | 'change' | 'review'
@@ -52,7 +53,10 @@ function Inside({ icon, iconTone, keys, children }: Look & { children?: ReactNod
   )
 }
 
-/** A button: a verb, its sign before it, its key after it. */
+/**
+ * A button: a verb, its sign before it, its key after it. While what it began waits for an answer it is pressed once, and
+ * shows that it waits; `aria-busy` says the same of a wait that began elsewhere.
+ */
 export function Button({
   variant,
   icon,
@@ -63,12 +67,21 @@ export function Button({
   pressed,
   children,
   className,
+  onClick,
+  'aria-busy': busy,
   ...rest
 }: ButtonProps) {
+  const [isPending, run] = usePending()
+  const isBusy = isPending || busy === true || busy === 'true'
   return (
     <button
       type="button"
       {...rest}
+      aria-busy={isBusy || undefined}
+      onClick={(event) => {
+        if (isBusy) event.preventDefault()
+        else run(() => onClick?.(event))
+      }}
       className={classOf({ variant, square, tall }, className)}
       aria-pressed={pressed}
       aria-keyshortcuts={keys && ariaKeys(keys)}

@@ -9,6 +9,7 @@ interface ProblemNoteProps {
   /** What to do about it. */
   fix?: string
   action?: ReactNode
+  className?: string
 }
 
 const ACCOUNT = /(page Account)/
@@ -26,9 +27,9 @@ const linked = (fix: string) =>
   )
 
 /** A refusal, said where it happened and until it is put right. */
-export function ProblemNote({ detail, fix, action }: ProblemNoteProps) {
+export function ProblemNote({ detail, fix, action, className }: ProblemNoteProps) {
   return (
-    <div role="alert" className={`${classes.note} tone-bad`}>
+    <div role="alert" className={`${classes.note} tone-bad ${className ?? ''}`}>
       <Icon name="back" />
       <p>
         <span className="toned">{detail}</span> {fix !== undefined && linked(fix)}

@@ -4,7 +4,9 @@ import { type ReactNode, useState } from 'react'
 import { useHotkeys } from '../keys'
 import { LazyDialog } from '../LazyDialog'
 import { NOBODY } from '../session'
+import { StatusSlot } from '../toast'
 import { loadKeysSheet } from './overlays'
+import { Main } from './Main'
 import { Mark } from './Mark'
 import classes from './Shell.module.css'
 import { ShellLink } from './ShellLink'
@@ -21,13 +23,12 @@ export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) 
           <Mark />
           <span className="strong">Soundlist</span>
         </ShellLink>
+        <StatusSlot />
         <span className="end">
           <WhoMenu data={NOBODY} onKeys={() => setShowingKeys(true)} />
         </span>
       </header>
-      <main id="main" tabIndex={-1} className={classes.main}>
-        {children}
-      </main>
+      <Main>{children}</Main>
       <LazyDialog load={loadKeysSheet} opened={showingKeys} onClose={() => setShowingKeys(false)} given={{}} />
     </>
   )

@@ -2,7 +2,6 @@ import { Outlet, useRouter } from '@tanstack/react-router'
 import { useEffect } from 'react'
 
 import { LeaveGuard } from '../drafts'
-import { ToastRegion } from '../toast'
 import classes from './Shell.module.css'
 
 /** Move the focus to the head of the page, so that the keyboard and the voice start where the eye does. */
@@ -33,7 +32,6 @@ export function Root() {
         Skip to content
       </a>
       <Outlet />
-      <ToastRegion />
       <LeaveGuard />
     </>
   )

@@ -11,11 +11,11 @@ import type { Session } from '../session'
 import { loadAhead } from '../startEarly'
 import { ProjectName } from '../title'
 import { AwayNote } from './AwayNote'
+import { Main } from './Main'
 import { isClosed, NdaFirst } from './NdaFirst'
 import { loadKeysSheet, loadPalette } from './overlays'
 import { useScheme } from './scheme'
 import { placesOf, screensOf } from './screens'
-import classes from './Shell.module.css'
 import { TopBar } from './TopBar'
 import { useFinding } from './useFinding'
 
@@ -101,13 +101,13 @@ export function Shell({ session }: { session: Session }) {
         onKeys={() => setShowingKeys(true)}
       />
       <AwayNote />
-      <main id="main" tabIndex={-1} className={classes.main}>
+      <Main>
         {data.project && data.ndaOpen && isClosed(pathname, data.project.id) ? (
           <NdaFirst projectId={data.project.id} go={go} />
         ) : (
           <Outlet />
         )}
-      </main>
+      </Main>
       <LazyDialog load={loadPalette} opened={finding} onClose={() => setFinding(false)} given={{}} />
       {data.signInAgain}
       <LazyDialog load={loadKeysSheet} opened={showingKeys} onClose={() => setShowingKeys(false)} given={{}} />

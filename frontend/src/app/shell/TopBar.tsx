@@ -4,6 +4,7 @@ import { Count } from '@/ui/Count'
 import { Icon } from '@/ui/Icon'
 
 import type { ShellData } from '../session'
+import { StatusSlot } from '../toast'
 import { Mark } from './Mark'
 import { ProjectSwitcher } from './ProjectSwitcher'
 import { type Screen, screenOf } from './screens'
@@ -39,6 +40,7 @@ export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps)
           ))}
         </nav>
       )}
+      <StatusSlot />
       <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
         <Icon name="search" />
         <span className={classes.findWords}>Search or do</span>

@@ -1,2 +1,3 @@
+export { StatusSlot } from './StatusSlot'
 export { dismissToast, showToast } from './store'
-export { ToastRegion } from './ToastRegion'
+export { useIsLoading } from './useIsLoading'

@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 
 import { draw } from '@/test/draw'
 
-import { dismissToast, showToast, ToastRegion } from './index'
+import { dismissToast, showToast, StatusSlot } from './index'
 
 beforeEach(() => vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] }))
 afterEach(() => {
@@ -20,7 +20,7 @@ const pass = (ms: number) =>
 
 test('what was done can be taken back by its key for ten seconds', () => {
   const undo = vi.fn()
-  draw(<ToastRegion />)
+  draw(<StatusSlot />)
   act(() => {
     showToast('shield_hit A approved.', undo)
   })
@@ -35,7 +35,7 @@ test('what was done can be taken back by its key for ten seconds', () => {
 
 test('after ten seconds it leaves', () => {
   const undo = vi.fn()
-  draw(<ToastRegion />)
+  draw(<StatusSlot />)
   act(() => {
     showToast('shield_hit A approved.', undo)
   })
@@ -46,7 +46,7 @@ test('after ten seconds it leaves', () => {
 })
 
 test('its clock stops while one points at it', () => {
-  draw(<ToastRegion />)
+  draw(<StatusSlot />)
   act(() => {
     showToast('Cut.', vi.fn())
   })
@@ -62,7 +62,7 @@ test('its clock stops while one points at it', () => {
 })
 
 test('there is one at a time, and the newer one has its own ten seconds', () => {
-  draw(<ToastRegion />)
+  draw(<StatusSlot />)
   act(() => {
     showToast('First.')
   })

@@ -12,6 +12,7 @@ import classes from './Account.module.css'
 import { DeskTokensCard } from './DeskTokensCard'
 import { EraseCard } from './EraseCard'
 import { Field, Form } from '@/app/Form'
+import { PageSkeleton } from '@/ui/Skeleton'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
 import { ROLE_WORDS } from './parts'
@@ -36,7 +37,7 @@ export function AccountPage() {
   useTitle('Account')
   const { data: me } = useQuery(meQuery)
   const { data: session } = useQuery(sessionQuery)
-  if (me === undefined) return null
+  if (me === undefined) return <PageSkeleton />
   const requiredBy = me.second_factor_required_by ?? []
   return (
     <div className="page">

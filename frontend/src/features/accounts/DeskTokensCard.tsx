@@ -5,9 +5,9 @@ import { type FormEvent, useState } from 'react'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { CopyButton } from '@/ui/CopyButton'
 import { ago, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
+import { SecretOnce } from '@/ui/SecretOnce'
 import { TOKEN_LIFETIMES } from '@/ui/tokenLifetimes'
 
 import classes from './Account.module.css'
@@ -87,23 +87,9 @@ export function DeskTokensCard() {
 
 function Secret({ token: { name, secret }, onDone }: { token: DeskTokenMade; onDone: () => void }) {
   return (
-    <div className="stack" role="status">
-      <p>
-        <span className="strong">{`Copy the secret of “${name}” now. It is not shown again.`}</span>{' '}
-        <span className="mid">
-          Paste it when <code className="mono">{`python3 soundlist.pyz desk add ${window.location.origin}`}</code> asks
-          for it.
-        </span>
-      </p>
-      <code className={`mono ${classes.secret}`}>{secret}</code>
-      <div className="row wrap">
-        <CopyButton text={secret} what="Token">
-          Copy secret
-        </CopyButton>
-        <Button variant="quiet" onClick={onDone}>
-          I’ve saved it
-        </Button>
-      </div>
-    </div>
+    <SecretOnce secret={secret} what="Token" name={name} onDone={onDone}>
+      Paste it when <code className="mono">{`python3 soundlist.pyz desk add ${window.location.origin}`}</code> asks for
+      it.
+    </SecretOnce>
   )
 }

@@ -6,6 +6,7 @@ import { ProblemNote } from '@/ui/ProblemNote'
 
 import { signUpLinkQuery, signUpQuery, useAskSignUp, useFinishSignUp, useSignUp } from './api'
 import { Field, Form, refusalOf, sentence, Sheet } from '@/app/Form'
+import { Skeleton } from '@/ui/Skeleton'
 
 const toSignIn = (
   <Link className="link small mid" to="/sign-in">
@@ -39,6 +40,16 @@ function AccountFields({ email }: { email?: string }) {
   )
 }
 
+/** The page while it is asked how studios are created here. */
+function Opening() {
+  return (
+    <Sheet>
+      <h1>Create a studio</h1>
+      <Skeleton />
+    </Sheet>
+  )
+}
+
 /** Open an account and a studio, in the way that this server takes. */
 export function SignUpPage() {
   useTitle('Create a studio')
@@ -51,7 +62,7 @@ export function SignUpPage() {
       </Sheet>
     )
   }
-  if (way === undefined) return <Sheet>{null}</Sheet>
+  if (way === undefined) return <Opening />
   if (!way.open) {
     return (
       <Sheet>
@@ -172,7 +183,7 @@ export function FinishSignUpPage() {
       </Sheet>
     )
   }
-  if (begun === undefined) return <Sheet>{null}</Sheet>
+  if (begun === undefined) return <Opening />
   return (
     <Sheet>
       <h1>Create a studio</h1>

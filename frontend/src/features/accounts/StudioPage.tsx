@@ -5,6 +5,7 @@ import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 import { Segmented } from '@/ui/Segmented'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { CalendarCard } from './CalendarCard'
 import { EraseCard } from './EraseCard'
@@ -20,7 +21,7 @@ export function StudioPage() {
   useTitle('Studio')
   const { data: me } = useQuery(meQuery)
   const [chosen, setChosen] = useState<string | null>(null)
-  if (me === undefined) return null
+  if (me === undefined) return <PageSkeleton />
   const studio = me.studios.find(({ id }) => id === chosen) ?? me.studios[0]
   if (studio === undefined) {
     return (

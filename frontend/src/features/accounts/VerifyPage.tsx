@@ -7,6 +7,7 @@ import { Button } from '@/ui/Button'
 
 import { useVerifyEmail } from './api'
 import { Sheet } from '@/app/Form'
+import { PageSkeleton } from '@/ui/Skeleton'
 import { CardProblem } from './CardProblem'
 
 /** The page of the mailed link that verifies an address; a press, since mail filters open links by themselves. */
@@ -15,7 +16,7 @@ export function VerifyPage() {
   const { secret } = useParams({ from: '/shell/verify-address/$secret' })
   const { data: me } = useQuery(meQuery)
   const verify = useVerifyEmail(secret)
-  if (me === undefined) return null
+  if (me === undefined) return <PageSkeleton />
   if (verify.isSuccess) {
     return (
       <Sheet>

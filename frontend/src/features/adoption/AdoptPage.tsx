@@ -2,15 +2,14 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams, useSearch } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
-import { type Adoption, adoptionsQuery } from './api'
+import { adoptionsQuery, type Adoption } from './api'
 import classes from './Adopt.module.css'
 import { at } from './at'
 import { ChooseFolder } from './ChooseFolder'
@@ -24,7 +23,6 @@ export function AdoptPage(): ReactNode {
   const mayAdopt = (project?.is_producer || project?.is_approver) ?? false
   useTitle('Adopt a folder')
   const former = useQuery({ ...adoptionsQuery(projectId), enabled: project?.part === 'team' })
-  const problem = former.error instanceof ApiProblem ? former.error : null
   return (
     <div className={`page ${classes.page}`}>
       <header className={classes.top}>
@@ -38,7 +36,7 @@ export function AdoptPage(): ReactNode {
           Back to the list
         </ButtonLink>
       </header>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={former.error} />
       {project !== undefined && !mayAdopt ? (
         <EmptyState head="Only a producer or the project’s approver can adopt a folder">
           Adopting a folder approves every sound in it.

@@ -6,9 +6,9 @@ import { ApiProblem, useMutation } from '@/api'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import { adoptFolder, type Progress, progressQuery, refreshAdopted, sentPlanQuery, useUndoAdoption } from './api'
 import classes from './Adopt.module.css'
@@ -23,7 +23,7 @@ interface Of {
 /** A folder that was sent: to adopt, or adopted, with how far its checks are. */
 export function OneAdoption({ projectId, adoptionId }: Of): ReactNode {
   const { data, error } = useQuery(progressQuery(adoptionId))
-  if (error instanceof ApiProblem) return <ProblemNote detail={error.detail} fix={error.fix} />
+  if (error instanceof ApiProblem) return <Refusal error={error} />
   if (data === undefined) return null
   if (data.adopted_at === null) return <Sent projectId={projectId} adoptionId={adoptionId} />
   return <Adopted projectId={projectId} progress={data} />
@@ -39,12 +39,11 @@ function Sent({ projectId, adoptionId }: Of) {
       showToast(`${plural(made.cues, 'cue')} adopted with ${plural(made.takes, 'take')}.`)
     },
   })
-  const refused = adopt.error instanceof ApiProblem ? adopt.error : null
   if (data === undefined) return null
   const missing = data.missing.length
   return (
     <>
-      {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+      <Refusal error={adopt.error} />
       <PlanCard
         plan={data.plan}
         action={`Adopt ${plural(data.plan.files, 'file')} of ${data.folder}`}
@@ -59,7 +58,6 @@ function Sent({ projectId, adoptionId }: Of) {
 
 function Adopted({ projectId, progress }: { projectId: string; progress: Progress }) {
   const undo = useUndoAdoption(projectId)
-  const refused = undo.error instanceof ApiProblem ? undo.error : null
   const { takes, checked, conforming, rendered, odd } = progress
   const isUndone = progress.undone_at !== null
   const says = `${checked} of ${plural(takes, 'sound')} checked, ${rendered} with game files`
@@ -71,7 +69,7 @@ function Adopted({ projectId, progress }: { projectId: string; progress: Progres
         note={`adopted by ${progress.adopted_by?.name ?? ''}, ${at(progress.adopted_at ?? '')}`}
       />
       <div className={classes.plan}>
-        {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+        <Refusal error={undo.error} />
         {isUndone ? (
           <p>
             Undone {at(progress.undone_at ?? '')}. Its cues left the list; the uploaded files are kept among the

@@ -176,7 +176,7 @@ test('an adoption is undone where it stands, or says why not', async () => {
     '?adoption=a1',
   )
   await userEvent.click(await screen.findByRole('button', { name: 'Undo the adoption' }))
-  expect(await screen.findByRole('alert')).toHaveTextContent('a verdict was given since')
+  expect(await screen.findByRole('alert')).toHaveTextContent('A verdict was given since.')
 })
 
 test('who may not adopt reads who may', async () => {

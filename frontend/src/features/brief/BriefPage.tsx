@@ -10,14 +10,14 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Brief, briefQuery, listedCuesQuery, type Question, type Topic, useRecordRead } from './api'
 import classes from './Brief.module.css'
 import { QuestionCard } from './QuestionCard'
 import { ReadBy, SideCards } from './SideCards'
 import { type Saving, useAnswers } from './useAnswers'
-import { openWords, questionsOf, refused } from './words'
+import { openWords, questionsOf } from './words'
 
 const GROUP = 'Brief'
 const SAVING: Record<Saving, string> = {
@@ -38,7 +38,7 @@ export function BriefPage() {
     return (
       <div className="page stack" aria-busy={error === null}>
         <h1>Brief</h1>
-        {error && <ProblemNote detail={refused(error.message)} />}
+        <Refusal error={error} />
       </div>
     )
   }

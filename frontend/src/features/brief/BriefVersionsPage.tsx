@@ -2,16 +2,15 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { shortDay } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Select } from '@/ui/Select'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { comparisonQuery, useBriefVersions } from './api'
 import classes from './Brief.module.css'
-import { refused } from './words'
 
 const NOW = 'now'
 
@@ -21,7 +20,8 @@ export function BriefVersionsPage() {
   const { projectId } = useParams({ from: '/shell/projects/$projectId/brief/versions' })
   const { from, to } = useSearch({ from: '/shell/projects/$projectId/brief/versions' })
   const navigate = useNavigate()
-  const { data, error, hasNextPage, fetchNextPage } = useBriefVersions(projectId)
+  const list = useBriefVersions(projectId)
+  const { data, error } = list
   const versions = data?.pages.flatMap(({ items }) => items)
   const newest = versions?.[0]?.number
   const first = from ?? newest ?? 0
@@ -37,7 +37,7 @@ export function BriefVersionsPage() {
           Back to the brief
         </Link>
       </div>
-      {error && <ProblemNote detail={refused(error.message)} />}
+      <Refusal error={error} />
       {versions?.length === 0 && (
         <EmptyState head="No version is published yet">
           A version keeps the answers as they are, so that both sides can name what they agreed on. Publish one on the
@@ -69,7 +69,7 @@ export function BriefVersionsPage() {
                 ))}
               </Select>
             </div>
-            {compared.error && <ProblemNote detail={refused(compared.error.message)} />}
+            <Refusal error={compared.error} />
             {compared.data?.differences.length === 0 && <p className={classes.pick}>No answer differs.</p>}
             {compared.data?.differences.map(({ question, number, text, before, after }) => (
               <div key={question} className={classes.difference}>
@@ -101,7 +101,7 @@ export function BriefVersionsPage() {
                 </li>
               ))}
             </ul>
-            {hasNextPage && <Button onClick={() => void fetchNextPage()}>Older versions</Button>}
+            <ShowMore list={list}>Older versions</ShowMore>
           </Card>
         </>
       )}

@@ -5,6 +5,7 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
@@ -198,7 +199,7 @@ function FollowUpLine({
               Send answer
             </Button>
           </div>
-          {reply.error && <ProblemNote detail={refused(reply.error.message)} />}
+          <Refusal error={reply.error} />
         </>
       )}
     </div>
@@ -255,7 +256,7 @@ function AskForm({ projectId, question }: { projectId: string; question: Questio
           Cancel
         </Button>
       </div>
-      {ask.error && <ProblemNote detail={refused(ask.error.message)} />}
+      <Refusal error={ask.error} />
     </>
   )
 }

@@ -7,6 +7,7 @@ import { useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
@@ -88,7 +89,7 @@ function SpecCard({ projectId, mayApply, saving }: { projectId: string; mayApply
                 <p className="small mid">Comments in the TOML are lost. Earlier versions stay.</p>
               </>
             )}
-            {apply.error && <ProblemNote detail={refused(apply.error.message)} />}
+            <Refusal error={apply.error} />
           </div>
         </>
       )}
@@ -139,7 +140,7 @@ function PublishCard({ projectId, brief, saving }: SideCardsProps) {
               : 'The answers are those of this version.'}
           </p>
         )}
-        {publish.error && <ProblemNote detail={refused(publish.error.message)} />}
+        <Refusal error={publish.error} />
       </div>
     </section>
   )

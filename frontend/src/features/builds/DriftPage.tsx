@@ -2,14 +2,13 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useMemo, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { ago, countOf, plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 import { State } from '@/ui/State'
 
@@ -42,10 +41,9 @@ export function DriftPage(): ReactNode {
       run: () => void navigate({ to: '/projects/$projectId/listening', params: { projectId } }),
     },
   ])
-  const problem = error instanceof ApiProblem ? error : null
   return (
     <div className="page stack" aria-busy={isPending}>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={error} />
       {audit === undefined ? <h1>Levels in the game</h1> : <Head audit={audit} projectId={projectId} />}
       {audits?.length === 0 && <NoAudit projectId={projectId} />}
       {audit && audits && (

@@ -1,11 +1,10 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { countOf, figure, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type CueInGame, gameStatesQuery, useMarkCue } from './api'
 import classes from './Drift.module.css'
@@ -54,7 +53,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
           </ul>
         </details>
       )}
-      {mark.error instanceof ApiProblem && <ProblemNote detail={mark.error.detail} />}
+      <Refusal error={mark.error} />
       <div className={classes.inside}>
         <ButtonLink component={Link} to={`/projects/${projectId}/listening`} icon="headphones">
           Listening pass

@@ -3,15 +3,15 @@ import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 import { type FormEvent, useId, useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { base64Of } from '@/api/base64'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
 import { bytes, day, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import classes from './Libraries.module.css'
 import { librariesQuery, MAX_SHEET_BYTES, type SoundLibrary, useAddLibrary, useRemoveLibrary } from './libraries'
@@ -29,7 +29,7 @@ export function LibrariesPage() {
           Versions are compared with these libraries. The page of a version names the files that it equals.
         </p>
       </div>
-      <Refused error={error} />
+      <Refusal error={error} />
       {libraries?.length === 0 && (
         <EmptyState head="No sound library yet">
           Register one below: its fingerprints are made on your machine, and no sound leaves it.
@@ -41,17 +41,12 @@ export function LibrariesPage() {
   )
 }
 
-function Refused({ error }: { error: unknown }) {
-  return error instanceof ApiProblem ? <ProblemNote detail={error.detail} fix={error.fix} /> : null
-}
-
 function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
   const remove = useRemoveLibrary()
-  const [asked, setAsked] = useState<string | null>(null)
   return (
     <Card aria-labelledby="known">
       <CardHead id="known" title="Known libraries" count={libraries.length} />
-      <Refused error={remove.error} />
+      <Refusal error={remove.error} />
       <div className={classes.scroll}>
         <table>
           <thead>
@@ -72,21 +67,16 @@ function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
                 <td>{person.name}</td>
                 <td>{day(at)}</td>
                 <td>
-                  {mayRemove &&
-                    (asked === id ? (
-                      <span className="row">
-                        <Button aria-busy={remove.isPending} onClick={() => remove.mutate(id)}>
-                          {`Remove ${name} and what was found`}
-                        </Button>
-                        <Button variant="quiet" onClick={() => setAsked(null)}>
-                          Cancel
-                        </Button>
-                      </span>
-                    ) : (
-                      <Button variant="quiet" aria-label={`Remove ${name}`} onClick={() => setAsked(id)}>
-                        Remove
-                      </Button>
-                    ))}
+                  {mayRemove && (
+                    <ConfirmInline
+                      variant="quiet"
+                      aria-label={`Remove ${name}`}
+                      action={`Remove ${name} and what was found`}
+                      onConfirm={() => remove.mutate(id)}
+                    >
+                      Remove
+                    </ConfirmInline>
+                  )}
                 </td>
               </tr>
             ))}
@@ -155,7 +145,7 @@ function AddLibrary({ projectId }: { projectId: string }) {
             {`${file.name} has ${bytes(file.size)}; a sheet may have ${bytes(MAX_SHEET_BYTES)}. Write one for each of its folders.`}
           </p>
         )}
-        <Refused error={add.error} />
+        <Refusal error={add.error} />
         <Button type="submit" variant="primary" disabled={!isReady} aria-busy={add.isPending}>
           Register
         </Button>

@@ -2,13 +2,12 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { ago, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import { listeningQuery, useStartPass } from './api'
 import { ListeningRoom } from './ListeningRoom'
@@ -25,7 +24,7 @@ export function ListeningPage(): ReactNode {
   const refused = error ?? start.error
   return (
     <div className="page stack" aria-busy={isPending}>
-      {refused instanceof ApiProblem && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+      <Refusal error={refused} />
       {data?.newest_audit && (
         <EmptyState
           head="Listening pass"

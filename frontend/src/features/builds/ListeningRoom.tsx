@@ -1,10 +1,11 @@
 import { Link } from '@tanstack/react-router'
 import { useMemo, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { ConfirmInline } from '@/ui/ConfirmInline'
+import { Refusal } from '@/ui/Refusal'
 import { countOf, figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
@@ -238,7 +239,6 @@ function NoteRow({ note }: { note: ShownNote }) {
 
 function Foot({ listening, projectId }: { listening: ListeningPass; projectId: string }) {
   const close = useClosePass(projectId)
-  const [isAsked, setAsked] = useState(false)
   return (
     <div className={classes.foot}>
       <Link className="link small" to="/projects/$projectId/game-tasks" params={{ projectId }}>
@@ -249,11 +249,11 @@ function Foot({ listening, projectId }: { listening: ListeningPass; projectId: s
       </Link>
       {!listening.is_newest && <p className="small mid">A newer build was audited. The next pass begins with it.</p>}
       {listening.may_close && (
-        <Button aria-busy={close.isPending} onClick={() => (isAsked ? close.mutate(listening.id) : setAsked(true))}>
-          {isAsked ? 'Close it: notes and tasks stay' : 'Close the pass'}
-        </Button>
+        <ConfirmInline action="Close it: notes and tasks stay" onConfirm={() => close.mutate(listening.id)}>
+          Close the pass
+        </ConfirmInline>
       )}
-      {close.error instanceof ApiProblem && <ProblemNote detail={close.error.detail} />}
+      <Refusal error={close.error} />
     </div>
   )
 }

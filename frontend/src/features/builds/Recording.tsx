@@ -1,13 +1,13 @@
 import { useQueryClient } from '@tanstack/react-query'
 import { useEffect, useMemo, useRef, useState, useSyncExternalStore } from 'react'
 
-import { ApiProblem } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { partOf, type Reference, titleOf, useOpenVersion } from '@/references'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -110,7 +110,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
   return (
     <div className={classes.stage}>
       <section aria-label="The recording" className={classes.picture}>
-        {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+        <Refusal error={error} />
         {isUnplayable ? (
           <ProblemNote
             detail={`This browser can’t play ${version.file_name}.`}

@@ -2,12 +2,11 @@ import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useEffect } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { boardQuery, type Reference, titleOf } from '@/references'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
 import { listeningQuery } from './api'
@@ -58,7 +57,7 @@ export function RecordingPage(): ReactNode {
           Listening pass
         </Link>
       </header>
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       {now && !listening && (
         <EmptyState head="No listening pass is open" level={2}>
           Begin one on the page of the listening pass: its sounds are those that a moment can be about.

@@ -1,6 +1,5 @@
 import { useMemo, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
 import { useDraft } from '@/app/drafts'
 import { HotkeyButton, useHotkeys } from '@/app/keys'
@@ -9,6 +8,7 @@ import { type Peaks, Waveform } from '@/audio'
 import { useTakePlayer } from '@/heard/useTakePlayer'
 import { usePeaks } from '@/judging/peaks'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural, shortDay } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
@@ -250,7 +250,7 @@ function Decision({ group, audit, projectId }: SoundDetailProps) {
           An accepted drift needs a reason; your name and the date are saved with it.
         </p>
       )}
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
     </>
   )
 }
@@ -277,7 +277,7 @@ function Accepted({ first, ids, projectId, maySpeak }: AcceptedProps) {
           Accept no longer
         </Button>
       )}
-      {withdraw.error instanceof ApiProblem && <ProblemNote detail={withdraw.error.detail} />}
+      <Refusal error={withdraw.error} />
     </div>
   )
 }

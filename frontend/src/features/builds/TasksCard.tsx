@@ -1,12 +1,11 @@
 import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { ago, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 
 import { type GameTask, useChangeTask, useTasks } from './api'
@@ -50,7 +49,7 @@ export function TasksCard({ projectId, most }: TasksCardProps) {
           )
         }
       />
-      {refused instanceof ApiProblem && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+      <Refusal error={refused} />
       {tasks?.length === 0 && (
         <div className={classes.inside}>
           <EmptyState head={shown === 'open' ? 'Nothing to do' : 'Nothing is done yet'} level={3}>

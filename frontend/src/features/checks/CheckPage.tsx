@@ -4,6 +4,7 @@ import { useParams } from '@tanstack/react-router'
 import { queryKeys } from '@/api/queryKeys'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import classes from './Check.module.css'
 import { blocksOf, type Inline } from './markdown'
@@ -36,7 +37,7 @@ export function CheckPage() {
       </div>
     )
   }
-  if (text === undefined) return <div className="page" aria-busy="true" />
+  if (text === undefined) return <PageSkeleton />
   return (
     <article className={`page ${classes.check}`}>
       {blocksOf(text).map((block, index) => {

@@ -6,18 +6,18 @@ import { type FormEvent, useState } from 'react'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 
 import {
+  lastContractQuery,
   type ContractBrief,
   type ContractKind,
-  lastContractQuery,
   type Project,
   templatesQuery,
   useBeginContract,
 } from './api'
 import classes from './Contracts.module.css'
-import { Refusal } from './Refusal'
 import { isKind, KIND_MEANINGS, KIND_WORDS, KINDS } from './words'
 
 const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))

@@ -6,13 +6,13 @@ import { useTitle } from '@/app/title'
 import { ButtonLink } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
 import { comparisonQuery, versionsQuery } from './api'
 import classes from './Contracts.module.css'
 import { MarkedLine } from './MarkedLine'
-import { Refusal } from './Refusal'
 
 /** Two versions of a contract, word by word. */
 export function ComparePage() {

@@ -1,18 +1,18 @@
 import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
-import { useState } from 'react'
 
 import { contractsQuery, projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
-import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import {
   type ContractBrief,
@@ -25,7 +25,6 @@ import {
 } from './api'
 import { BeginContract } from './BeginContract'
 import classes from './Contracts.module.css'
-import { Refusal } from './Refusal'
 import { KIND_WORDS, progress } from './words'
 
 /** The contracts of a project: how each stands, and beginning another. */
@@ -143,7 +142,6 @@ function Templates({ project }: { project: Project }) {
             key={template.id}
             template={template}
             studioId={studio}
-            isDeleting={drop.isPending}
             onDelete={() =>
               drop.mutate(template.id, { onSuccess: () => showToast(`Template ${template.name} deleted.`) })
             }
@@ -171,12 +169,10 @@ function Templates({ project }: { project: Project }) {
 interface TemplateRowProps {
   template: Template
   studioId: string
-  isDeleting: boolean
   onDelete: () => void
 }
 
-function TemplateRow({ template: { id, name, kind }, studioId, isDeleting, onDelete }: TemplateRowProps) {
-  const [isSure, setSure] = useState(false)
+function TemplateRow({ template: { id, name, kind }, studioId, onDelete }: TemplateRowProps) {
   const path = `/v1/studios/${studioId}/contract-templates/${id}`
   return (
     <Row className={classes.row}>
@@ -190,33 +186,15 @@ function TemplateRow({ template: { id, name, kind }, studioId, isDeleting, onDel
       <ButtonLink variant="quiet" href={`${path}/template.md`} aria-label={`${name} as Markdown`}>
         Markdown
       </ButtonLink>
-      {isSure ? (
-        <ConfirmDelete name={name} isDeleting={isDeleting} onDelete={onDelete} onCancel={() => setSure(false)} />
-      ) : (
-        <Button variant="quiet" aria-label={`Delete ${name}`} onClick={() => setSure(true)}>
-          Delete
-        </Button>
-      )}
+      <ConfirmInline
+        variant="quiet"
+        aria-label={`Delete ${name}`}
+        action={`Delete “${name}”`}
+        consequence="It cannot be restored. Contracts made from it stay."
+        onConfirm={onDelete}
+      >
+        Delete
+      </ConfirmInline>
     </Row>
-  )
-}
-
-interface ConfirmDeleteProps {
-  name: string
-  isDeleting: boolean
-  onDelete: () => void
-  onCancel: () => void
-}
-
-function ConfirmDelete({ name, isDeleting, onDelete, onCancel }: ConfirmDeleteProps) {
-  const cancel = useFocusOnMount<HTMLButtonElement>() // the button that was pressed has gone
-  return (
-    <div className="row wrap">
-      <span className="small">It cannot be restored. Contracts made from it stay.</span>
-      <Button aria-busy={isDeleting} onClick={onDelete}>{`Delete “${name}”`}</Button>
-      <Button ref={cancel} variant="quiet" onClick={onCancel}>
-        Cancel
-      </Button>
-    </div>
   )
 }

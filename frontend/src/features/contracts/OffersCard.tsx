@@ -5,12 +5,12 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type ChangeOffer, type ChangeOrders, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
-import { Refusal } from './Refusal'
 
 interface OffersCardProps {
   all: ChangeOrders

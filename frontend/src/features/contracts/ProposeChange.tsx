@@ -6,11 +6,11 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Change, type ChangeOffer, type ChangeOrders, changePreviewQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
 import { DifferenceView } from './DifferenceView'
-import { Refusal } from './Refusal'
 import { Warning } from './Warning'
 import { sentence } from './words'
 

@@ -5,12 +5,12 @@ import { useTitle } from '@/app/title'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type Entry, recordQuery } from './api'
 import classes from './Contracts.module.css'
-import { Refusal } from './Refusal'
 import { authorOf, eventOf, factsOf, sentence } from './words'
 
 /** The record of a contract: every entry, chained to the one before. */
@@ -19,7 +19,7 @@ export function RecordPage() {
   const { data: record, error } = useQuery(recordQuery(contractId))
   useTitle('Audit trail')
   return (
-    <div className="page stack">
+    <div className="page stack" aria-busy={!record && error === null}>
       <div className={classes.head}>
         <div>
           <h1>Audit trail</h1>

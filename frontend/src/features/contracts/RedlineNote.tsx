@@ -3,6 +3,7 @@ import type { FormEvent } from 'react'
 
 import { DraftNote, useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { State, type StateKind } from '@/ui/State'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
@@ -11,7 +12,6 @@ import type { Contract } from './api'
 import classes from './Contracts.module.css'
 import type { Answer, Redline } from './redlines'
 import styles from './Redlines.module.css'
-import { Refusal } from './Refusal'
 import { WordingFields } from './WordingFields'
 
 /** The form that is open under a change. */

@@ -6,13 +6,13 @@ import { contractQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { ButtonLink } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
 import classes from './Contracts.module.css'
 import { ProposeRedlines } from './ProposeRedlines'
 import { RedlineRound } from './RedlineRound'
 import { redlinesQuery } from './redlines'
-import { Refusal } from './Refusal'
 
 /** What the designer wants otherwise in a text, clause by clause, and what the studio answered. */
 export function RedlinesPage() {

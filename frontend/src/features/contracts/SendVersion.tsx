@@ -4,10 +4,10 @@ import type { ReactNode } from 'react'
 import { useUnsent } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Contract, useDeed } from './api'
 import classes from './Contracts.module.css'
-import { Refusal } from './Refusal'
 import { Warning } from './Warning'
 
 interface SendVersionProps {

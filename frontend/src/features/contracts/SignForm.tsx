@@ -4,12 +4,12 @@ import { type FormEvent, type ReactNode, useId, useState } from 'react'
 import { ApiProblem } from '@/api'
 import { DraftNote, useDraft, useUnsent } from '@/app/drafts'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { clock } from '@/ui/format'
 
 import { useSigningCode } from './api'
 import classes from './Contracts.module.css'
 import { DrawName } from './DrawnName'
-import { Refusal } from './Refusal'
 import type { Strokes } from './strokes'
 import { Warning } from './Warning'
 

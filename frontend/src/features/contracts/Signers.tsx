@@ -1,14 +1,14 @@
 import { Select } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 
-import { projectQuery, studioPeopleQuery } from '@/api/project'
+import { studioPeopleQuery, projectQuery } from '@/api/project'
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Contract, useDeed } from './api'
 import classes from './Contracts.module.css'
-import { Refusal } from './Refusal'
 
 type Party = 'studio' | 'designer'
 const ORDERS: { value: string; label: string }[] = [

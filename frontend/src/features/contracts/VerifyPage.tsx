@@ -3,12 +3,12 @@ import { useId, useState } from 'react'
 
 import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
 import { State, type StateKind } from '@/ui/State'
 
 import { type Verified, verifyPdf } from './api'
 import classes from './Contracts.module.css'
-import { Refusal } from './Refusal'
 import { KIND_WORDS } from './words'
 
 const VERDICTS: Record<Verified['verdict'], { kind: StateKind; text: string; meaning: string }> = {

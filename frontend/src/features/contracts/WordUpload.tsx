@@ -2,6 +2,7 @@ import { useEffect, useEffectEvent, useId, useRef, useState } from 'react'
 
 import { base64Of } from '@/api/base64'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { bytes, plural } from '@/ui/format'
 
 import type { Contract } from './api'
@@ -9,7 +10,6 @@ import classes from './Contracts.module.css'
 import { type RedlineDraft, withRead } from './redlineDraft'
 import { useReadWord } from './redlines'
 import styles from './Redlines.module.css'
-import { Refusal } from './Refusal'
 import { Warning } from './Warning'
 
 const LARGEST_BYTES = 6_000_000

@@ -3,12 +3,12 @@ import { Link, useParams } from '@tanstack/react-router'
 
 import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
-import { Refusal } from '@/judging/Refusal'
-import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Person } from '@/ui/Person'
+import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { type Delivery, useDeliveries } from './api'
 import classes from './Deliveries.module.css'
@@ -19,7 +19,8 @@ export function DeliveriesPage() {
   useTitle('Deliveries')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/deliveries' })
   const { data: project } = useQuery(projectQuery(projectId))
-  const { data, error, hasNextPage, isFetchingNextPage, fetchNextPage } = useDeliveries(projectId)
+  const list = useDeliveries(projectId)
+  const { data, error } = list
   const deliveries = data?.pages.flatMap(({ items }) => items)
   const isTeam = project?.mine.is_team ?? false
   return (
@@ -45,11 +46,9 @@ export function DeliveriesPage() {
               <Line key={one.id} delivery={one} showsDesigner={isTeam} />
             ))}
           </Rows>
-          {hasNextPage && (
+          {list.hasNextPage && (
             <div className={classes.more}>
-              <Button disabled={isFetchingNextPage} onClick={() => void fetchNextPage()}>
-                Earlier deliveries
-              </Button>
+              <ShowMore list={list}>Earlier deliveries</ShowMore>
             </div>
           )}
         </Card>

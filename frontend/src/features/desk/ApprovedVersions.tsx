@@ -4,8 +4,8 @@ import { Link } from '@tanstack/react-router'
 import { answered, api } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import { variationName } from '@/judging/hearing'
-import { Refusal } from '@/judging/Refusal'
 import { reasonsText } from '@/judging/words'
+import { Refusal } from '@/ui/Refusal'
 
 import classes from './Side.module.css'
 

@@ -1,14 +1,13 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { useRoles } from '@/api/roles'
 import { MentionedText } from '@/judging/MentionedText'
 import { ReplyField } from '@/judging/ReplyField'
+import { Refusal } from '@/ui/Refusal'
 import { ago } from '@/ui/format'
 import { Person } from '@/ui/Person'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type CameBack, useAcknowledge, useReply } from './api'
 import classes from './CameBack.module.css'
@@ -73,8 +72,8 @@ export function Conversation({ projectId, takeId, noteId, kind, to, replies, com
           {comment && !isDue && <span className="small dim">Seen</span>}
         </p>
       )}
-      {seen.error instanceof ApiProblem && <ProblemNote detail={seen.error.detail} fix={seen.error.fix} />}
-      {reply.error instanceof ApiProblem && <ProblemNote detail={reply.error.detail} fix={reply.error.fix} />}
+      <Refusal error={seen.error} />
+      <Refusal error={reply.error} />
     </>
   )
 }

@@ -1,11 +1,10 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { ApiProblem } from '@/api'
 import { showToast } from '@/app/toast'
 import { fixesQuery, useUseFixes } from '@/fixing'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 /** One press for every returned version of which a fixed copy is made: "Fix 21". */
 export function FixAll({ projectId }: { projectId: string }) {
@@ -31,7 +30,7 @@ export function FixAll({ projectId }: { projectId: string }) {
       >
         {fixing.isPending ? `Fixing ${ready.length}` : `Fix ${ready.length}`}
       </Button>
-      {fixing.error instanceof ApiProblem && <ProblemNote detail={fixing.error.detail} fix={fixing.error.fix} />}
+      <Refusal error={fixing.error} />
     </>
   )
 }

@@ -1,6 +1,6 @@
 import { type Player, type PlayerState, WaveThumb } from '@/audio'
-import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { State } from '@/ui/State'
 
 import { type OtherSound, useOtherSounds } from './otherSounds'

@@ -1,8 +1,8 @@
 import { useState } from 'react'
 
 import { showToast } from '@/app/toast'
-import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { State } from '@/ui/State'
 

@@ -3,17 +3,19 @@ import { useState } from 'react'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { ago, day, figure } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { type Batch, type BatchSizes, useBatch, useBatches, useBeginBatch, useCancelBatch } from './api'
 import classes from './Files.module.css'
-import { Refused } from './Refused'
 import { progressOf, sentence, signed, sizeOf, totalsOf } from './words'
 
 /** A re-render of all game files: its progress, its effect on the sizes, and a button to cancel it. */
 export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpeak: boolean }) {
-  const { data, error, hasNextPage, fetchNextPage } = useBatches(projectId)
+  const list = useBatches(projectId)
+  const { data, error } = list
   const begin = useBeginBatch(projectId)
   const batches = data?.pages.flatMap(({ items }) => items)
   return (
@@ -30,7 +32,7 @@ export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpe
           )
         }
       />
-      <Refused error={error ?? begin.error} />
+      <Refusal inset error={error ?? begin.error} />
       {batches?.length === 0 && (
         <div className={classes.inside}>
           <EmptyState head="No re-renders yet" level={3}>
@@ -44,9 +46,9 @@ export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpe
           <BatchLine key={batch.id} batch={batch} projectId={projectId} maySpeak={maySpeak} opened={at === 0} />
         ))}
       </ul>
-      {hasNextPage && (
+      {list.hasNextPage && (
         <div className={classes.inside}>
-          <Button onClick={() => void fetchNextPage()}>Earlier batches</Button>
+          <ShowMore list={list}>Earlier batches</ShowMore>
         </div>
       )}
     </Card>
@@ -104,7 +106,7 @@ function BatchLine({ batch, projectId, maySpeak, opened }: BatchLineProps) {
           </span>
         )}
       </p>
-      <Refused error={cancel.error} />
+      <Refusal inset error={cancel.error} />
       <details open={isOpen} onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
         <summary className={`small ${classes.summary}`}>
           Sizes before and after<span className="visually-hidden"> of {title}</span>

@@ -5,12 +5,12 @@ import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Preset, type Target, targetsQuery } from './api'
 import { BatchesCard } from './BatchesCard'
 import classes from './Files.module.css'
 import { MemoryBars } from './MemoryBars'
-import { Refused } from './Refused'
 import { formatOf, keptAs } from './words'
 
 /** The game files: each target with its memory, and the action that renders everything again. */
@@ -41,7 +41,7 @@ export function GameFilesPage() {
           .
         </p>
       </div>
-      <Refused error={error} />
+      <Refusal inset error={error} />
       <div className="columns">
         <div className="stack">
           {data && <TargetsCard targets={data.targets} />}

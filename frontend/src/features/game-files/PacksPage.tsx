@@ -10,7 +10,9 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ClearanceLinks } from '@/ui/ClearanceLinks'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day, plural } from '@/ui/format'
+import { ShowMore } from '@/ui/ShowMore'
 import { State } from '@/ui/State'
 
 import {
@@ -25,14 +27,14 @@ import {
 } from './api'
 import classes from './Files.module.css'
 import { PullCard } from './PullCard'
-import { Refused } from './Refused'
 import { changesInWords, HANDOFFS, sentence } from './words'
 
 /** The packs that were handed out, and the next one. */
 export function PacksPage() {
   useTitle('Packs')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/packs' })
-  const { data, error, hasNextPage, fetchNextPage } = useSealedPacks(projectId)
+  const pages = useSealedPacks(projectId)
+  const { data, error } = pages
   const { data: known } = useQuery(targetsQuery(projectId))
   const isProducer = useMyProject(projectId)?.is_producer ?? false
   const packs = data?.pages.flatMap(({ items }) => items)
@@ -56,7 +58,7 @@ export function PacksPage() {
       <div className="columns">
         <Card aria-labelledby="packs">
           <CardHead id="packs" title="Sealed packs" note="newest first" />
-          <Refused error={error} />
+          <Refusal inset error={error} />
           {packs?.length === 0 && (
             <div className={classes.inside}>
               <EmptyState head="No packs yet" level={3}>
@@ -69,9 +71,9 @@ export function PacksPage() {
               <PackLine key={pack.id} pack={pack} isProducer={isProducer} />
             ))}
           </ul>
-          {hasNextPage && (
+          {pages.hasNextPage && (
             <div className={classes.inside}>
-              <Button onClick={() => void fetchNextPage()}>Earlier packs</Button>
+              <ShowMore list={pages}>Earlier packs</ShowMore>
             </div>
           )}
         </Card>
@@ -231,7 +233,7 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
           </Button>
         </div>
       </form>
-      <Refused error={seal.error} />
+      <Refusal inset error={seal.error} />
     </Card>
   )
 }

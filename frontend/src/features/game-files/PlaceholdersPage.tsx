@@ -4,6 +4,7 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { countOf, figure, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { Segmented } from '@/ui/Segmented'
@@ -11,7 +12,6 @@ import { State } from '@/ui/State'
 
 import { type Placeholder, useMakePlaceholders, useRegister } from './api'
 import classes from './Files.module.css'
-import { Refused } from './Refused'
 import { sentence } from './words'
 
 const WORDS: Record<Placeholder['state'], string> = {
@@ -41,7 +41,7 @@ export function PlaceholdersPage() {
           a tone pattern, and is marked so that it never ships unnoticed.
         </p>
       </div>
-      <Refused error={error ?? make.error} />
+      <Refusal inset error={error ?? make.error} />
       {register && (
         <Card aria-labelledby="register">
           <CardHead

@@ -1,12 +1,12 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { length, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
-import { type AskedCue, askedCuesQuery, type AskedLine } from './api'
+import { askedCuesQuery, type AskedCue, type AskedLine } from './api'
 import classes from './Hiring.module.css'
-import { Refusal } from './Refusal'
 import { countOfLine } from './words'
 
 interface AskedCardProps {

@@ -6,10 +6,10 @@ import { showToast } from '@/app/toast'
 import { mailedLinksQuery } from '@/mails'
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 
 import { type ComparedBid, type Comparison, useAward } from './api'
 import classes from './Hiring.module.css'
-import { Refusal } from './Refusal'
 
 interface AwardDialogProps {
   comparison: Comparison

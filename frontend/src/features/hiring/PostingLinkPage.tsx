@@ -6,11 +6,12 @@ import { Field, Form } from '@/app/Form'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { linkQuery, useAskForLink, useJoin, useOpenAccount } from './api'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
-import { Refusal } from './Refusal'
 
 /** What the link of a posting shows, before any account; bidding needs one. */
 export function PostingLinkPage() {
@@ -28,7 +29,7 @@ export function PostingLinkPage() {
       </div>
     )
   }
-  if (posting === undefined) return <div className="page" aria-busy="true" />
+  if (posting === undefined) return <PageSkeleton />
   const begin = () =>
     join.mutate(undefined, {
       onSuccess: ({ posting_id: postingId }) => void navigate({ to: '/postings/$postingId', params: { postingId } }),

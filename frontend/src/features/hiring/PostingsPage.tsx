@@ -8,12 +8,12 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type PostingAdd, type PostingSummary, postingsQuery, useCreatePosting } from './api'
 import classes from './Hiring.module.css'
-import { Refusal } from './Refusal'
 import { STATE_WORDS } from './words'
 
 /** The postings of a project, and the beginning of another. */

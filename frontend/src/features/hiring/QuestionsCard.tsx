@@ -4,10 +4,10 @@ import { useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Posting, useAnswer } from './api'
 import classes from './Hiring.module.css'
-import { Refusal } from './Refusal'
 
 /** What designers ask about a posting, each with its answer or the field for one. */
 export function QuestionsCard({ posting }: { posting: Posting }) {

@@ -3,11 +3,11 @@ import { Textarea } from '@mantine/core'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
 import { type ComparedBid, type Comparison, useScore } from './api'
 import classes from './Hiring.module.css'
-import { Refusal } from './Refusal'
 
 /** Marks of one person for a bid, and those of the others once given. */
 export function ScoreCard({ comparison, bid }: { comparison: Comparison; bid: ComparedBid }) {

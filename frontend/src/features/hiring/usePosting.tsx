@@ -2,10 +2,11 @@ import { useQuery } from '@tanstack/react-query'
 import type { ReactNode } from 'react'
 
 import { useTitle } from '@/app/title'
+import { Refusal } from '@/ui/Refusal'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { type Posting, postingQuery } from './api'
 import classes from './Hiring.module.css'
-import { Refusal } from './Refusal'
 
 type Found = { posting: Posting; missing?: undefined } | { posting?: undefined; missing: ReactNode }
 
@@ -14,7 +15,7 @@ export function usePosting(postingId: string): Found {
   const { data: posting, error } = useQuery(postingQuery(postingId))
   useTitle(posting?.title ?? 'Posting')
   if (posting) return { posting } // what is here stays while the server is away
-  if (error === null) return { missing: <div className="page" aria-busy="true" /> }
+  if (error === null) return { missing: <PageSkeleton /> }
   return {
     missing: (
       <div className={`page stack ${classes.sheet}`}>

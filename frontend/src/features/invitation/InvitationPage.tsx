@@ -13,6 +13,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { day, length, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { type Invitation, invitationQuery, type PreviewCue } from './api'
 import classes from './Invitation.module.css'
@@ -36,7 +37,7 @@ export function InvitationPage() {
       </div>
     )
   }
-  if (invitation === undefined) return <div className="page" aria-busy="true" />
+  if (invitation === undefined) return <PageSkeleton />
   return <Shown secret={secret} invitation={invitation} />
 }
 

@@ -2,13 +2,12 @@ import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { showToast } from '@/app/toast'
 import { type Bonus, type ContractMoney, ledgerQuery, useSayShipped } from '@/money/api'
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { State, type StateKind } from '@/ui/State'
 
 import classes from './Page.module.css'
@@ -81,11 +80,7 @@ function SayShipped({ contractId, title, amount }: { contractId: string; title: 
         onChange={({ currentTarget }) => setOn(currentTarget.value)}
         error={lacksDay ? 'Enter a date.' : undefined}
       />
-      {say.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={say.error.detail} fix={say.error.fix} />
-        </div>
-      )}
+      <Refusal error={say.error} className={classes.wide} />
       <div className={classes.foot}>
         <Button type="submit" aria-busy={say.isPending}>
           The game has shipped

@@ -2,14 +2,13 @@ import { NativeSelect, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useDraft } from '@/app/drafts'
-import { type ContractMoney, daysQuery, useLogDay } from '@/money/api'
+import { daysQuery, type ContractMoney, useLogDay } from '@/money/api'
 import { amount, money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { Rows } from '@/ui/Rows'
 
 import classes from './Page.module.css'
@@ -103,11 +102,7 @@ function LogForm({ contract }: { contract: ContractMoney }) {
         maxLength={2000}
         onChange={({ currentTarget }) => setNote(currentTarget.value)}
       />
-      {log.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={log.error.detail} fix={log.error.fix} />
-        </div>
-      )}
+      <Refusal error={log.error} className={classes.wide} />
       <div className={classes.foot}>
         <Button type="submit" variant="primary" aria-busy={log.isPending}>
           Log day

@@ -1,7 +1,7 @@
-import { ApiProblem, useMutation } from '@/api'
+import { useMutation } from '@/api'
 import { electronicInvoice, type Invoice } from '@/money/api'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { saveFile } from '@/ui/saveFile'
 
 import classes from './Page.module.css'
@@ -24,11 +24,7 @@ export function ElectronicInvoice({ invoice }: { invoice: Invoice }) {
       >
         E-invoice
       </Button>
-      {save.error instanceof ApiProblem && (
-        <div className={classes.problem}>
-          <ProblemNote detail={save.error.detail} fix={save.error.fix} />
-        </div>
-      )}
+      <Refusal error={save.error} className={classes.problem} />
     </>
   )
 }

@@ -2,13 +2,12 @@ import { NativeSelect, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useDraft } from '@/app/drafts'
 import { type ContractMoney, plannableQuery, useLogHours, type WorkedDay } from '@/money/api'
 import { hours, minutesOf } from '@/money/words'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './Page.module.css'
 import { today } from './today'
@@ -97,11 +96,7 @@ export function HoursForm({ contract, projectId, corrected, onDone }: HoursFormP
         onChange={({ currentTarget }) => change({ note: currentTarget.value })}
         error={wasSent && faults.note}
       />
-      {log.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={log.error.detail} fix={log.error.fix} />
-        </div>
-      )}
+      <Refusal error={log.error} className={classes.wide} />
       <div className={classes.foot}>
         {corrected && (
           <Button variant="quiet" onClick={onDone}>

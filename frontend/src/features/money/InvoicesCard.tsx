@@ -19,8 +19,8 @@ import {
 import { amount, money, percent } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 
 import { ElectronicInvoice } from './ElectronicInvoice'
@@ -271,11 +271,7 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
         onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, order: value }))}
       />
       <DraftNote draft={typed} />
-      {issue.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={issue.error.detail} fix={issue.error.fix} />
-        </div>
-      )}
+      <Refusal error={issue.error} className={classes.wide} />
       <div className={classes.foot}>
         <Button type="submit" variant="primary" disabled={draft.is_number_taken}>
           Issue invoice {number?.trim() || draft.full_number}

@@ -12,8 +12,8 @@ import { amount, hours, money, slipInWords } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { average, day, deviation, dueDay, figure, plural, shortDay } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 import { State, type StateKind } from '@/ui/State'
 
@@ -34,7 +34,7 @@ export function MilestonePage() {
     return (
       <div className="page stack" aria-busy={error === null}>
         <h1>Milestone</h1>
-        {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+        <Refusal error={error} />
       </div>
     )
   }
@@ -354,11 +354,7 @@ function LogWork({ contractId, cues }: { contractId: string; cues: readonly { id
         value={on}
         onChange={({ currentTarget }) => setOn(currentTarget.value)}
       />
-      {log.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={log.error.detail} fix={log.error.fix} />
-        </div>
-      )}
+      <Refusal error={log.error} className={classes.wide} />
       <div className={classes.foot}>
         <Button type="submit" aria-busy={log.isPending}>
           Log time

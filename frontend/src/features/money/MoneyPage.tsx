@@ -1,15 +1,14 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
 import { isParty, useMyProject } from '@/api/me'
 import { useTitle } from '@/app/title'
-import { type ContractMoney, moneyQuery } from '@/money/api'
+import { moneyQuery, type ContractMoney } from '@/money/api'
 import { MilestonesCard } from '@/money/MilestonesCard'
 import { MoneyLine } from '@/money/MoneyLine'
 import { ButtonLink } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { BonusCard } from './BonusCard'
 import { DaysCard } from './DaysCard'
@@ -45,7 +44,7 @@ export function MoneyPage() {
           </ButtonLink>
         )}
       </header>
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       {project && !mayLook && (
         <EmptyState head="You don’t have access to money in this project">
           Only producers, audio leads and the designers concerned can see contracts’ amounts.

@@ -2,12 +2,11 @@ import { TextInput } from '@mantine/core'
 import type { UseMutationResult } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useDraft } from '@/app/drafts'
 import type { Invoice, PaymentAdd } from '@/money/api'
 import { amount, minorOf, money } from '@/money/words'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import classes from './Page.module.css'
@@ -85,11 +84,7 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
         error={missing.on}
       />
       {note !== undefined && <p className={`small mid ${classes.wide}`}>{note}</p>}
-      {record.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={record.error.detail} fix={record.error.fix} />
-        </div>
-      )}
+      <Refusal error={record.error} className={classes.wide} />
       <div className={classes.foot}>
         <Button variant="quiet" onClick={onDone}>
           Cancel

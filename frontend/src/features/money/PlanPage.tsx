@@ -2,26 +2,26 @@ import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { useMemo } from 'react'
 
-import { ApiProblem } from '@/api'
 import { contractQuery } from '@/api/project'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import {
+  planQuery,
+  planCheckQuery,
   type Contract,
   type ListedCue,
   type Plan,
   type PlanChecked,
   plannableQuery,
-  planCheckQuery,
-  planQuery,
   useSavePlan,
 } from '@/money/api'
 import { conceptWords, money } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { useDebounced } from '@/ui/useDebounced'
@@ -55,7 +55,7 @@ export function PlanPage() {
     return (
       <div className="page stack" aria-busy={problem === null}>
         <h1>Plan</h1>
-        {problem instanceof ApiProblem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+        <Refusal error={problem} />
       </div>
     )
   }
@@ -106,7 +106,6 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
     placeholderData: keepPreviousData,
   })
   const faults: Fault[] = [...unread, ...(looked.data?.faults ?? [])]
-  const refused = save.error instanceof ApiProblem ? save.error : null
   const isChanged = JSON.stringify(typed) !== JSON.stringify(begun) && !save.isSuccess
 
   const add = () =>
@@ -165,7 +164,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
         </div>
       </header>
       <DraftNote draft={draft} />
-      {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+      <Refusal error={save.error} />
       <div className="columns">
         <div className="stack">
           <PlannedMilestones
@@ -296,7 +295,7 @@ function Advice({ faults, advice, isEmpty, error }: AdviceProps) {
         end="you can still send"
       />
       <div className={classes.pad} aria-live="polite">
-        {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+        <Refusal error={error} />
         {faults.map(({ message }) => (
           <ProblemNote key={message} detail={message} />
         ))}

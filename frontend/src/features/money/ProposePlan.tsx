@@ -1,12 +1,12 @@
 import { TextInput } from '@mantine/core'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem, useMutation } from '@/api'
+import { useMutation } from '@/api'
 import { type PlanProposal, proposedPlan } from '@/money/api'
 import { minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import classes from './Plan.module.css'
 
@@ -57,7 +57,7 @@ export function ProposePlan({ contractId, currency, isByDay, onProposed }: Propo
           Every cue of the list is cut, or is under an agreed contract.
         </p>
       )}
-      {propose.error instanceof ApiProblem && <ProblemNote detail={propose.error.detail} fix={propose.error.fix} />}
+      <Refusal error={propose.error} />
     </div>
   )
 }

@@ -1,13 +1,12 @@
 import { TextInput } from '@mantine/core'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useDraft } from '@/app/drafts'
 import { useRefuseDay, useSettleDay, type WorkedDay } from '@/money/api'
 import { amount } from '@/money/words'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Row } from '@/ui/Rows'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
@@ -87,11 +86,7 @@ export function WorkRow({ work, length, currency, side, isProducer, onCorrect }:
           </Button>
         </>
       )}
-      {settle.error instanceof ApiProblem && (
-        <div className={classes.problem}>
-          <ProblemNote detail={settle.error.detail} fix={settle.error.fix} />
-        </div>
-      )}
+      <Refusal error={settle.error} className={classes.problem} />
       {isRefusing && isWaiting && (
         <RefuseForm work={work} name={`Refuse ${length} on ${named}`} onDone={() => setIsRefusing(false)} />
       )}
@@ -130,11 +125,7 @@ function RefuseForm({ work, name, onDone }: { work: WorkedDay; name: string; onD
         onChange={({ currentTarget }) => setReason(currentTarget.value)}
         error={isEmpty ? 'Say why.' : undefined}
       />
-      {refuse.error instanceof ApiProblem && (
-        <div className={classes.wide}>
-          <ProblemNote detail={refuse.error.detail} fix={refuse.error.fix} />
-        </div>
-      )}
+      <Refusal error={refuse.error} className={classes.wide} />
       <div className={classes.foot}>
         <Button variant="quiet" onClick={onDone}>
           Cancel

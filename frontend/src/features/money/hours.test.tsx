@@ -162,7 +162,7 @@ describe('a designer', () => {
     expect(server.of('POST /v1/contracts/effects/worked-days')).toHaveLength(0)
     await userEvent.selectOptions(form.getByLabelText('Cue'), 'SW-005 radar_ping')
     await userEvent.click(form.getByRole('button', { name: 'Log hours' }))
-    expect(await form.findByText('2 h on 2026-11-12 is more than the contract pays for')).toBeVisible()
+    expect(await form.findByText('2 h on 2026-11-12 is more than the contract pays for.')).toBeVisible()
     expect(server.of('POST /v1/contracts/effects/worked-days')[0]?.body).toMatchObject({ minutes: 120, cue_id: 'ping' })
     expect(form.getByLabelText('Hours')).toHaveValue('2')
     expect(await faults()).toEqual([])

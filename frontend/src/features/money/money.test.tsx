@@ -144,7 +144,7 @@ describe('a producer', () => {
     expect(card.getByText(/400.00 of \$4,000.00; \$400.00 a day, 10 at most/)).toBeVisible()
     expect(await card.findByText(/half day, Servo recordings, waiting for the studio/)).toBeVisible()
     await userEvent.click(card.getByRole('button', { name: /Agree to half day on .*12 November.*, 200.00/ }))
-    expect(await card.findByRole('alert')).toHaveTextContent('the 10 days agreed to are used up')
+    expect(await card.findByRole('alert')).toHaveTextContent('The 10 days agreed to are used up')
     expect(card.queryByRole('form')).toBeNull()
   })
 

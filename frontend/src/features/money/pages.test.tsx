@@ -137,7 +137,7 @@ describe('the page of a milestone', () => {
     await userEvent.selectOptions(form.getByLabelText('Cue'), 'vo_oath')
     await userEvent.type(form.getByLabelText('Minutes'), '45')
     await userEvent.click(form.getByRole('button', { name: 'Log time' }))
-    expect(await form.findByRole('alert')).toHaveTextContent('time is logged once both have agreed')
+    expect(await form.findByRole('alert')).toHaveTextContent('Time is logged once both have agreed')
     expect(server.of('POST /v1/contracts/effects/work-logs')[0]?.body).toMatchObject({ cue_id: 'oath', minutes: 45 })
   })
 

@@ -1,7 +1,6 @@
 import { useInfiniteQuery } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
@@ -9,8 +8,9 @@ import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { ago } from '@/ui/format'
 import { NowDot } from '@/ui/NowDot'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { type Notice, noticesQuery, useMarkRead } from './api'
 import classes from './Notices.module.css'
@@ -18,7 +18,8 @@ import classes from './Notices.module.css'
 /** What happened for the current person, the newest first; each leads to its page. */
 export function NoticesPage() {
   useTitle('Notices')
-  const { data, error, fetchNextPage, hasNextPage, isFetchingNextPage } = useInfiniteQuery(noticesQuery)
+  const list = useInfiniteQuery(noticesQuery)
+  const { data, error } = list
   const mark = useMarkRead()
   const newest = data?.[0]
   const unread = data?.some(({ read_at }) => read_at === null) ?? false
@@ -45,9 +46,9 @@ export function NoticesPage() {
           </Button>
         )}
       </div>
-      {[error, mark.error].map(
-        (one) => one instanceof ApiProblem && <ProblemNote key={one.code} detail={one.detail} fix={one.fix} />,
-      )}
+      {[error, mark.error].map((error, at) => (
+        <Refusal key={at} error={error} />
+      ))}
       {data?.length === 0 && (
         <EmptyState head="No notices yet">
           Sounds to review, answers, mentions and contracts are announced here. Notices that you have read are kept for
@@ -63,11 +64,7 @@ export function NoticesPage() {
           </Rows>
         </Card>
       )}
-      {hasNextPage && (
-        <Button disabled={isFetchingNextPage} onClick={() => void fetchNextPage()}>
-          Show earlier notices
-        </Button>
-      )}
+      <ShowMore list={list}>Show earlier notices</ShowMore>
     </div>
   )
 }

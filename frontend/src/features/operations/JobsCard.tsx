@@ -2,13 +2,14 @@ import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { showToast } from '@/app/toast'
-import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { FilterChip } from '@/ui/FilterChip'
+import { Refusal } from '@/ui/Refusal'
 import { ago, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
+import { ShowMore } from '@/ui/ShowMore'
 import { State } from '@/ui/State'
 
 import { type Job, jobsQuery, type JobState, operationsQuery, type Scope, useRetry } from './api'
@@ -64,7 +65,7 @@ export function JobsCard({ scope }: { scope: Scope }) {
       </Rows>
       {jobs.hasNextPage && (
         <div className={classes.inside}>
-          <Button onClick={() => void jobs.fetchNextPage()}>Show more</Button>
+          <ShowMore list={jobs} />
         </div>
       )}
     </Card>

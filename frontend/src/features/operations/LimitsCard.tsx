@@ -1,11 +1,11 @@
 import { useInfiniteQuery } from '@tanstack/react-query'
 
-import { Refusal } from '@/judging/Refusal'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { bytes, countOf, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { Row, Rows } from '@/ui/Rows'
+import { ShowMore } from '@/ui/ShowMore'
 import { State } from '@/ui/State'
 
 import { limitsQuery, type Limits, type Quota, type Scope, share } from './api'
@@ -28,7 +28,8 @@ const isNear = ({ quotas: [first] }: Limits) => first !== undefined && share(fir
 
 /** What studios use of their limits: who is nearest to one comes first. */
 export function LimitsCard({ scope }: { scope: Scope }) {
-  const { data, error, hasNextPage, fetchNextPage } = useInfiniteQuery(limitsQuery(scope))
+  const list = useInfiniteQuery(limitsQuery(scope))
+  const { data, error } = list
   const studios = data?.pages.flatMap(({ items }) => items)
   const near = studios?.filter(isNear).length ?? 0
   return (
@@ -55,9 +56,9 @@ export function LimitsCard({ scope }: { scope: Scope }) {
           </Row>
         ))}
       </Rows>
-      {hasNextPage && (
+      {list.hasNextPage && (
         <div className={classes.inside}>
-          <Button onClick={() => void fetchNextPage()}>Show more studios</Button>
+          <ShowMore list={list}>Show more studios</ShowMore>
         </div>
       )}
       {scope === 'server' && (

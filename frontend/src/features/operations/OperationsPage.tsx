@@ -3,9 +3,10 @@ import { useNavigate, useSearch } from '@tanstack/react-router'
 
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
-import { Refusal } from '@/judging/Refusal'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { Segmented } from '@/ui/Segmented'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { operationsQuery, type Scope } from './api'
 import { JobsCard } from './JobsCard'
@@ -22,7 +23,7 @@ export function OperationsPage() {
   const { data: me } = useQuery(meQuery)
   const { of }: { of?: string } = useSearch({ strict: false })
   const navigate = useNavigate()
-  if (me === undefined) return null
+  if (me === undefined) return <PageSkeleton />
   const views = [
     ...(me.is_operator ? [{ value: SERVER, label: 'Whole server' }] : []),
     ...me.studios.filter(({ roles }) => roles.includes('producer')).map(({ id, name }) => ({ value: id, label: name })),

@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { Refusal } from '@/judging/Refusal'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 

@@ -8,9 +8,9 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { minorOf, money } from '@/money/words'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 
 import classes from './Pace.module.css'
-import { Refusal } from './Refusal'
 
 interface Budget {
   currency: string
@@ -92,7 +92,7 @@ function OpenForm({ projectId, currency, onDone }: { projectId: string; currency
         Close
       </Button>
       <DraftNote draft={draft} />
-      <Refusal error={set.error} />
+      <Refusal inset error={set.error} />
     </form>
   )
 }

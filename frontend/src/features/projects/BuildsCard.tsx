@@ -3,13 +3,13 @@ import { Link } from '@tanstack/react-router'
 
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 
 import { type BuildBrief, ciQuery, type Project } from './api'
 import { BuildLine, BuildReasons } from './BuildLines'
 import classes from './Builds.module.css'
 import { CopyLines } from './CiLines'
-import { Refusal } from './Refusal'
 import { outcomeOf, outcomesInWords } from './reports'
 import { TokenMaker } from './Tokens'
 
@@ -97,7 +97,7 @@ function Squares({ builds }: { builds: readonly BuildBrief[] }) {
 /** The line that the game's CI runs, to see and to take. */
 function CiLines({ projectId }: { projectId: string }) {
   const { data, error } = useQuery(ciQuery(projectId))
-  if (error) return <Refusal error={error} />
+  if (error) return <Refusal inset error={error} />
   if (data === undefined) return null
   return (
     <div className={classes.command}>

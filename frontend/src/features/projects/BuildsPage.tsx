@@ -4,15 +4,15 @@ import { useState } from 'react'
 
 import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { type Build, useBuilds } from './api'
 import { BuildLine, BuildReasons } from './BuildLines'
 import classes from './Builds.module.css'
 import { CiCard } from './CiLines'
-import { Refusal } from './Refusal'
 import { TokensCard } from './Tokens'
 
 /** Every build that reported, and the tokens of builds. */
@@ -20,7 +20,8 @@ export function BuildsPage() {
   useTitle('Builds')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/builds' })
   const { data: project } = useQuery(projectQuery(projectId))
-  const { data, error, hasNextPage, fetchNextPage, isFetchingNextPage } = useBuilds(projectId)
+  const pages = useBuilds(projectId)
+  const { data, error } = pages
   const builds = data?.pages.flatMap(({ items }) => items)
   return (
     <div className="page stack">
@@ -40,7 +41,7 @@ export function BuildsPage() {
           <span className="mid">: how each build plays the approved sounds, drift, and the listening pass.</span>
         </p>
       </div>
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       <div className={`columns ${classes.columns}`}>
         <Card aria-labelledby="all-builds">
           <CardHead id="all-builds" title="Builds" note="newest first" />
@@ -54,11 +55,9 @@ export function BuildsPage() {
           {builds?.map((build, index) => (
             <OneBuild key={build.id} build={build} projectId={projectId} opened={index === 0} />
           ))}
-          {hasNextPage && (
+          {pages.hasNextPage && (
             <div className={classes.inside}>
-              <Button aria-busy={isFetchingNextPage} onClick={() => void fetchNextPage()}>
-                Earlier builds
-              </Button>
+              <ShowMore list={pages}>Earlier builds</ShowMore>
             </div>
           )}
         </Card>

@@ -1,9 +1,9 @@
 import { useMakeCalendar } from '@/money/api'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 
 import classes from './Project.module.css'
-import { Refusal } from './Refusal'
 
 /** What is due in this project, in one's own calendar. */
 export function CalendarCard({ projectId }: { projectId: string }) {
@@ -22,7 +22,7 @@ export function CalendarCard({ projectId }: { projectId: string }) {
             you may see. Anyone who has it can read them. Creating a new link disables the old one.
           </p>
         )}
-        <Refusal error={make.error} />
+        <Refusal inset error={make.error} />
         {!make.data && (
           <div>
             <Button onClick={() => make.mutate()} disabled={make.isPending}>

@@ -2,11 +2,11 @@ import { useQuery } from '@tanstack/react-query'
 
 import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 
 import { ciQuery } from './api'
 import classes from './Builds.module.css'
-import { Refusal } from './Refusal'
 
 export function CopyLines({ lines, label }: { lines: readonly string[]; label: string }) {
   return (
@@ -24,7 +24,7 @@ export function CiCard({ projectId }: { projectId: string }) {
         title="CI command"
         end={data && <CopyLines lines={[data.command]} label="Copy the CI command" />}
       />
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {data && (
         <>
           {/* A long line scrolls, so the keyboard must reach it. */}

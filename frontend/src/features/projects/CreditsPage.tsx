@@ -9,12 +9,12 @@ import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Credit, type Credits, creditsQuery, useAddCredit, useRemoveCredit, useSaveMyCredit } from './credits'
 import classes from './Credits.module.css'
-import { Refusal } from './Refusal'
 
 /** Who worked on the project, by role, as each wants to be named. */
 export function CreditsPage() {
@@ -42,7 +42,7 @@ export function CreditsPage() {
           </p>
         )}
       </header>
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {data && (
         <div className="columns">
           <div className="stack">
@@ -64,7 +64,7 @@ function RolesCard({ credits: { credits, left_out: leftOut, is_editor: isEditor 
   return (
     <Card aria-label="Credits by role">
       <CardHead title="By role" count={credits.length} end={leftOut > 0 && `${plural(leftOut, 'person')} left out`} />
-      <Refusal error={remove.error} />
+      <Refusal inset error={remove.error} />
       {credits.length === 0 && (
         <EmptyState head="No credits yet">Sound designers are listed once a sound of theirs is approved.</EmptyState>
       )}
@@ -140,7 +140,7 @@ function MyCard({ credits, projectId }: CardProps) {
           onChange={({ currentTarget: { checked } }) => setMine((now) => ({ ...now, is_left_out: checked }))}
         />
         <DraftNote draft={typed} />
-        <Refusal error={save.error} />
+        <Refusal inset error={save.error} />
         <Button type="submit" variant="primary" aria-busy={save.isPending}>
           Save
         </Button>
@@ -177,7 +177,7 @@ function AddCard({ projectId }: { projectId: string }) {
         </Button>
       </form>
       <DraftNote draft={typed} />
-      <Refusal error={add.error} />
+      <Refusal inset error={add.error} />
     </Card>
   )
 }

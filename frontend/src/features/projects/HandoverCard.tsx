@@ -6,10 +6,10 @@ import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
 
 import classes from './Handover.module.css'
-import { Refusal } from './Refusal'
 
 type OpenHandover = components['schemas']['OpenHandover']
 
@@ -25,7 +25,7 @@ const handoversQuery = (projectId: string) =>
 /** Cues of ended contracts that have no designer now: what the next one begins with, and how to hire them. */
 export function HandoverCard({ projectId }: { projectId: string }) {
   const { data: handovers, error } = useQuery(handoversQuery(projectId))
-  if (error) return <Refusal error={error} />
+  if (error) return <Refusal inset error={error} />
   return handovers?.map((one) => <Handover key={one.contract_id} handover={one} projectId={projectId} />)
 }
 

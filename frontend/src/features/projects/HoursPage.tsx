@@ -8,10 +8,10 @@ import { useTitle } from '@/app/title'
 import { hours as inHours } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { figure, plural, shortDay } from '@/ui/format'
 
 import classes from './Hours.module.css'
-import { Refusal } from './Refusal'
 
 type Schemas = components['schemas']
 type Hours = Schemas['ProjectHours']
@@ -52,7 +52,7 @@ export function HoursPage() {
           . What is not known is counted, and nothing is guessed for it.
         </p>
       </div>
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {data && <Shown data={data} projectId={projectId} />}
     </div>
   )

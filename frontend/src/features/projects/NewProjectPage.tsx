@@ -10,10 +10,11 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { useOpenProject } from './api'
 import classes from './New.module.css'
-import { Refusal } from './Refusal'
 import { against, proposedPrefix } from './words'
 
 type Preset = '48k' | '44k1'
@@ -38,7 +39,7 @@ const PRESETS: Record<Preset, { head: string; accepts: string; makes: string; wh
 export function NewProjectPage() {
   useTitle('New project')
   const { data: me } = useQuery(meQuery)
-  if (me === undefined) return null
+  if (me === undefined) return <PageSkeleton />
   const studios = me.studios.filter(({ roles }) => roles.includes('producer'))
   if (studios.length === 0) {
     return (
@@ -167,7 +168,7 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
               )
             })}
           </fieldset>
-          {!hasFields && <Refusal error={open.error} />}
+          {!hasFields && <Refusal inset error={open.error} />}
           <div className={`row wrap ${classes.whole}`}>
             <Button type="submit" variant="primary" aria-busy={open.isPending}>
               Create project

@@ -6,12 +6,12 @@ import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { hours, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { average, days, duration, figure, plural, share, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
 import { BudgetForm } from './BudgetForm'
 import classes from './Pace.module.css'
-import { Refusal } from './Refusal'
 
 type Pace = components['schemas']['Pace']
 
@@ -152,7 +152,7 @@ export function PaceCard({ projectId, isProducer }: { projectId: string; isProdu
         title="Pace"
         note={isProducer ? 'both sides see this, but for the budget' : 'both sides see this'}
       />
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {pace && (
         <div className={classes.parts}>
           <Part head="The work" lines={ofWork(pace)} />

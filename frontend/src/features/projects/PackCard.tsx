@@ -9,12 +9,12 @@ import { ButtonLink } from '@/ui/Button'
 import { ClearanceLinks } from '@/ui/ClearanceLinks'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
 import { keyUrl, type Pack, packsQuery, packUrl } from './api'
 import classes from './Project.module.css'
-import { Refusal } from './Refusal'
 import { sentence } from './words'
 
 /** The accepted sounds as the game takes them, for each target. */
@@ -41,7 +41,7 @@ export function PackCard({ projectId }: { projectId: string }) {
           The spec has no targets, so no game files are rendered. Add a target to the spec.
         </p>
       ) : (
-        <Refusal error={error} />
+        <Refusal inset error={error} />
       )}
       {nothing && (
         <div className={classes.inside}>

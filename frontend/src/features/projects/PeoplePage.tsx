@@ -1,8 +1,9 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { projectQuery, studioPeopleQuery } from '@/api/project'
+import { studioPeopleQuery, projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Project } from './api'
 import { ApprovalCard } from './people/ApprovalCard'
@@ -14,7 +15,6 @@ import { HearingCard } from './people/HearingCard'
 import { ReasonsCard } from './people/ReasonsCard'
 import { TeamCard } from './people/TeamCard'
 import classes from './Project.module.css'
-import { Refusal } from './Refusal'
 
 /** The liaisons, the approver and the designers. */
 export function PeoplePage() {
@@ -41,7 +41,7 @@ export function PeoplePage() {
           </Link>
         </p>
       </div>
-      <Refusal error={error ?? noMembers} />
+      <Refusal inset error={error ?? noMembers} />
       {project && !isTeam && <p>{`${approversOf(project)} Only the game team can see its members.`}</p>}
       {project && isTeam && (
         <div className={`columns ${classes.columns}`}>

@@ -3,12 +3,12 @@ import { Link } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { figure, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 
 import { type Countdown, countdownQuery } from './api'
 import classes from './Project.module.css'
-import { Refusal } from './Refusal'
 
 /** What the game still plays a placeholder-file for: how much is left, where, and what to record next. */
 export function PlaceholdersCard({ projectId }: { projectId: string }) {
@@ -26,7 +26,7 @@ export function PlaceholdersCard({ projectId }: { projectId: string }) {
           </Link>
         }
       />
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {countdown && countdown.files > 0 && <Counted projectId={projectId} countdown={countdown} />}
     </Card>
   )

@@ -2,11 +2,11 @@ import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { playlistsQuery } from './api'
-import { Refusal } from './Refusal'
 
 /** The playlists in which a designer's sounds are; nothing where the team made none with them. */
 export function PlaylistsCard({ projectId }: { projectId: string }) {
@@ -15,7 +15,7 @@ export function PlaylistsCard({ projectId }: { projectId: string }) {
   return (
     <Card aria-labelledby="playlists">
       <CardHead id="playlists" title="Playlists with your sounds" count={playlists?.length} />
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       <Rows aria-label="Playlists with your sounds">
         {playlists?.map(({ id, name, takes, made_by }) => (
           <Row key={id}>

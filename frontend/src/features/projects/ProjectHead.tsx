@@ -1,17 +1,17 @@
+import { studioPeopleQuery } from '@/api/project'
 import { Textarea, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
 import { type FormEvent, useState } from 'react'
 
-import { studioPeopleQuery } from '@/api/project'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { Face } from '@/ui/Face'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Project, useChangeProject } from './api'
 import classes from './Project.module.css'
-import { Refusal } from './Refusal'
 import { against, KIND_WORDS, otherMembers, speaks } from './words'
 
 interface Someone {
@@ -195,7 +195,7 @@ function ChangeProject({ project, onDone }: { project: Project; onDone: () => vo
           </Link>
         </div>
       </form>
-      <Refusal error={change.error} />
+      <Refusal inset error={change.error} />
     </Card>
   )
 }

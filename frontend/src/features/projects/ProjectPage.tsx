@@ -7,6 +7,7 @@ import { useHotkeys } from '@/app/keys'
 import { useCommands } from '@/app/palette'
 import { NotFoundPage } from '@/app/NotFoundPage'
 import { useTitle } from '@/app/title'
+import { Refusal } from '@/ui/Refusal'
 
 import { overviewQuery } from './api'
 import { BuildsCard } from './BuildsCard'
@@ -20,7 +21,6 @@ import classes from './Project.module.css'
 import { PlaceholdersCard } from './PlaceholdersCard'
 import { PlaylistsCard } from './PlaylistsCard'
 import { ProjectHead } from './ProjectHead'
-import { Refusal } from './Refusal'
 import { SpecCard } from './spec/SpecCard'
 import { StepsCard } from './StepsCard'
 import { speaks } from './words'
@@ -114,7 +114,7 @@ export function ProjectPage() {
   return (
     <div className="page">
       {project ? <ProjectHead project={project} members={overview?.reviewers} /> : <h1>Project</h1>}
-      <Refusal error={error ?? noOverview} />
+      <Refusal inset error={error ?? noOverview} />
       {project && overview && (
         <div className={`columns ${classes.columns}`}>
           <div className="stack">

@@ -4,16 +4,17 @@ import { useState } from 'react'
 
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { type Project, useProjects } from './api'
 import { OwnPostingsCard } from './OwnPostingsCard'
 import classes from './Projects.module.css'
-import { Refusal } from './Refusal'
 import { KIND_WORDS } from './words'
 
 /** The current person's roles in a project, in words. */
@@ -29,7 +30,8 @@ export function ProjectsPage() {
   useTitle('Projects')
   const [which, setWhich] = useState<'running' | 'away'>('running')
   const { data: me } = useQuery(meQuery)
-  const { data, error, hasNextPage, fetchNextPage, isFetchingNextPage } = useProjects(which === 'away')
+  const pages = useProjects(which === 'away')
+  const { data, error } = pages
   const projects = data?.pages.flatMap(({ items }) => items)
   const mayOpen = me?.studios.some(({ roles }) => roles.includes('producer')) ?? false
   const several = new Set(projects?.map(({ studio }) => studio.id)).size > 1
@@ -54,7 +56,7 @@ export function ProjectsPage() {
           )}
         </div>
       </div>
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       <OwnPostingsCard />
       {projects?.length === 0 &&
         (which === 'away' ? (
@@ -90,11 +92,9 @@ export function ProjectsPage() {
           </Rows>
         </Card>
       )}
-      {hasNextPage && (
+      {pages.hasNextPage && (
         <p className={classes.more}>
-          <Button aria-busy={isFetchingNextPage} onClick={() => void fetchNextPage()}>
-            Earlier projects
-          </Button>
+          <ShowMore list={pages}>Earlier projects</ShowMore>
         </p>
       )}
     </div>

@@ -3,14 +3,14 @@ import { type FormEvent, useState } from 'react'
 
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { CopyButton } from '@/ui/CopyButton'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
+import { SecretOnce } from '@/ui/SecretOnce'
 import { State } from '@/ui/State'
 
 import { type Scope, type Token, type TokenMade, useMakeToken, useRevokeToken, useTokens } from './api'
 import classes from './Builds.module.css'
-import { Refusal } from './Refusal'
 import { ago, day } from '@/ui/format'
 import { TOKEN_LIFETIMES } from '@/ui/tokenLifetimes'
 
@@ -87,28 +87,17 @@ export function TokenMaker({ projectId }: { projectId: string }) {
           Cancel
         </Button>
       </div>
-      <Refusal error={make.error} />
+      <Refusal inset error={make.error} />
     </form>
   )
 }
 
 function Secret({ token: { name, secret }, onDone }: { token: TokenMade; onDone: () => void }) {
   return (
-    <div className={classes.maker} role="status">
-      <p>
-        <span className="strong">{`Copy the secret of “${name}” now. It is not shown again.`}</span>{' '}
-        <span className="mid">
-          Add it to the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>. If you lose it, create a new
-          token.
-        </span>
-      </p>
-      <div className={classes.secret}>
-        <code className="mono">{secret}</code>
-        <CopyButton text={secret} what="Token" variant="quiet" square aria-label="Copy secret" />
-      </div>
-      <div>
-        <Button onClick={onDone}>I’ve saved it</Button>
-      </div>
+    <div className={classes.maker}>
+      <SecretOnce secret={secret} what="Token" name={name} onDone={onDone}>
+        Add it to the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>. If you lose it, create a new token.
+      </SecretOnce>
     </div>
   )
 }
@@ -120,7 +109,7 @@ export function TokensCard({ projectId }: { projectId: string }) {
   return (
     <Card aria-labelledby="tokens">
       <CardHead id="tokens" title="Tokens" note="access for builds" />
-      <Refusal error={error ?? revoke.error} />
+      <Refusal inset error={error ?? revoke.error} />
       {tokens?.length === 0 && (
         <div className={classes.inside}>
           <EmptyState head="No tokens yet" level={3}>

@@ -2,15 +2,13 @@ import { Textarea, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { Dialog } from '@/app/Dialog'
 import { DraftNote, useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
 import { showToast } from '@/app/toast'
 import { kindName, type Reference, titleOf } from '@/references'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import { useChangeReference, useOpenings, useRemoveReference, versionsQuery } from './api'
 import { bodyOfPin, pinOf, secondsOf } from './pins'
@@ -50,7 +48,6 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
   })
   const [wrong, setWrong] = useState<{ start?: string; end?: string }>({})
   const plays = version.kind === 'audio' || version.kind === 'video' || version.kind === 'link'
-  const problem = [change.error, remove.error].find((error) => error instanceof ApiProblem)
   const save = () => {
     const start = secondsOf(typed.start)
     const end = secondsOf(typed.end)
@@ -93,7 +90,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       )}
       <PinSelect projectId={projectId} pin={typed.pin} onPin={(pin) => setTyped({ ...typed, pin })} />
       <DraftNote draft={draft} />
-      {problem instanceof ApiProblem && <ProblemNote detail={sentence(problem.detail)} />}
+      <Refusal error={change.error ?? remove.error} />
       <div className={classes.acts}>
         <Button type="submit" variant="primary" aria-busy={change.isPending}>
           Save

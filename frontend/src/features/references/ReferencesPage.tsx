@@ -2,16 +2,15 @@ import { useInfiniteQuery, useQuery, useQueryClient } from '@tanstack/react-quer
 import { Link, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useCallback, useEffect, useEffectEvent, useMemo, useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery, useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { boardQuery, type Reference, ReferenceDialog, ReferenceTile, titleOf } from '@/references'
-import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { filesOfField, type Picked, usePageDrop } from '@/uploads'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { AddCard } from './AddCard'
 import classes from './Board.module.css'
@@ -33,7 +32,6 @@ export function ReferencesPage(): ReactNode {
   const mayAdd = (project?.is_producer || project?.is_liaison || project?.is_approver) ?? false
   useTitle('References')
   const references = useMemo(() => board.data?.pages.flatMap(({ items }) => items), [board.data])
-  const problem = board.error instanceof ApiProblem ? board.error : null
   const [shown, setShown] = useState<Reference | null>(null)
   const [edited, setEdited] = useState<Reference | null>(null)
   useHotkeys([
@@ -49,7 +47,7 @@ export function ReferencesPage(): ReactNode {
           <Count of={board.hasNextPage ? `${references.length}+` : references.length} />
         )}
       </header>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix ?? undefined} />}
+      <Refusal error={board.error} />
       {mayAdd && uploads && <Adding key={cue} projectId={projectId} cueId={cue} uploads={uploads} />}
       {references?.length === 0 && (
         <EmptyState head="No references yet">
@@ -91,11 +89,7 @@ export function ReferencesPage(): ReactNode {
           </div>
         </section>
       ))}
-      {board.hasNextPage && (
-        <Button aria-busy={board.isFetchingNextPage} onClick={() => void board.fetchNextPage()}>
-          Show more
-        </Button>
-      )}
+      <ShowMore list={board} />
       <ReferenceDialog reference={shown} onClose={() => setShown(null)} />
       <EditDialog
         reference={edited}

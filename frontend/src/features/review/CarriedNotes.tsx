@@ -1,12 +1,11 @@
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import type { ReviewTake } from '@/judging/api'
 import { spot } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Face } from '@/ui/Face'
+import { Refusal } from '@/ui/Refusal'
 import { age } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import { useAnswerNote } from './api'
 import { type Carried, isAnswered } from './carried'
@@ -73,7 +72,7 @@ export function CarriedNotes({ carried, hand, cueId, projectId, areBlocking, onS
           {areBlocking ? 'A version is approved once all are done.' : 'Approving marks what is left as done.'}
         </p>
       )}
-      {answer.error instanceof ApiProblem && <ProblemNote detail={answer.error.detail} fix={answer.error.fix} />}
+      <Refusal error={answer.error} />
     </section>
   )
 }

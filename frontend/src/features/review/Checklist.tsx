@@ -1,11 +1,10 @@
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { age } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './Checklist.module.css'
 import { useCheckItem } from './checklistApi'
@@ -83,7 +82,7 @@ export function Checklist({ checklist, hand, cueId }: ChecklistProps) {
           })}
         </ul>
       )}
-      {check.error instanceof ApiProblem && <ProblemNote detail={check.error.detail} fix={check.error.fix} />}
+      <Refusal error={check.error} />
     </section>
   )
 }

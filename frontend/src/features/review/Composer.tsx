@@ -1,14 +1,13 @@
 import { type Dispatch, type SetStateAction, useLayoutEffect, useRef } from 'react'
 
-import { ApiProblem } from '@/api'
 import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { Mentions } from '@/judging/Mentions'
 import { capital } from '@/judging/words'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { place, range } from '@/ui/format'
 import { Key } from '@/ui/Key'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import type { useComment } from './api'
 import classes from './Side.module.css'
@@ -114,7 +113,7 @@ export function Composer({ review, hand, writing, onWrite, onWriting, comment }:
           },
         }}
       />
-      {comment.error instanceof ApiProblem && <ProblemNote detail={comment.error.detail} fix={comment.error.fix} />}
+      <Refusal error={comment.error} />
     </div>
   )
 }

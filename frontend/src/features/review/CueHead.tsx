@@ -1,6 +1,5 @@
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import type { CueReview, ReviewTake } from '@/judging/api'
@@ -9,10 +8,10 @@ import { inOrder, MASTER, variationName } from '@/judging/hearing'
 import { asked, capital } from '@/judging/words'
 import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { LazyMenu } from '@/ui/LazyMenu'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 import { State, type StateKind } from '@/ui/State'
 
@@ -185,7 +184,7 @@ function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps) {
         </Button>
       </div>
       <DraftNote draft={draft} />
-      {cut.error instanceof ApiProblem && <ProblemNote detail={cut.error.detail} fix={cut.error.fix} />}
+      <Refusal error={cut.error} />
     </form>
   )
 }

@@ -2,7 +2,7 @@ import { infiniteQueryOptions, queryOptions, useInfiniteQuery, useQuery } from '
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { useRef } from 'react'
 
-import { answered, api, ApiProblem } from '@/api'
+import { answered, api } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useHotkeys } from '@/app/keys'
@@ -10,10 +10,11 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { ago, day, place, plural } from '@/ui/format'
 import { Person } from '@/ui/Person'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Select } from '@/ui/Select'
+import { ShowMore } from '@/ui/ShowMore'
 
 import type { FoundReasons } from './foundReasons'
 import classes from './Reasons.module.css'
@@ -78,7 +79,7 @@ export function ReasonsPage() {
         <h1>Reasons</h1>
         <p className="mid">How often each reason was given with a verdict, and of which versions.</p>
       </div>
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       {counts && (!isNothing || isFiltered) && (
         <div className={classes.filters}>
           {counts.designers.length > 0 && (
@@ -180,7 +181,7 @@ interface VersionsProps {
 function Versions({ kind, reason, search }: VersionsProps) {
   const { projectId } = useParams({ from: '/shell/projects/$projectId/reasons' })
   const versions = useInfiniteQuery(versionsQuery(projectId, kind, reason, search))
-  const { error, data, hasNextPage, isFetchingNextPage, fetchNextPage } = versions
+  const { error, data } = versions
   return (
     <Card aria-labelledby="reason-versions">
       <CardHead
@@ -189,7 +190,7 @@ function Versions({ kind, reason, search }: VersionsProps) {
         note={kind === 'pick' ? 'approved' : 'change requested'}
         end="newest first"
       />
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       {data?.length === 0 && <p className={`small mid ${classes.nothing}`}>No version here</p>}
       <ul>
         {data?.map((found) => (
@@ -198,11 +199,9 @@ function Versions({ kind, reason, search }: VersionsProps) {
           </li>
         ))}
       </ul>
-      {hasNextPage && (
+      {versions.hasNextPage && (
         <p className={classes.nothing}>
-          <Button aria-busy={isFetchingNextPage} onClick={() => void fetchNextPage()}>
-            More versions
-          </Button>
+          <ShowMore list={versions}>More versions</ShowMore>
         </p>
       )}
     </Card>

@@ -1,8 +1,8 @@
+import { cueMoneyQuery } from '@/money/api'
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useEffect, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
@@ -17,8 +17,7 @@ import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
 import { useQueue } from '@/judging/useQueue'
 import { counted } from '@/judging/words'
-import { cueMoneyQuery } from '@/money/api'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { CueRoom } from './CueRoom'
 import { QueuePanel } from './QueuePanel'
@@ -151,7 +150,7 @@ export function ReviewPage(): ReactNode {
       ) : (
         <section className={classes.stage}>
           <h1 className="visually-hidden">Review</h1>
-          {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+          <Refusal error={error} />
         </section>
       )}
     </div>

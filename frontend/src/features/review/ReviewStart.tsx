@@ -11,7 +11,7 @@ import { filterOf, isFiltered } from '@/judging/queueFilter'
 import { useQueue } from '@/judging/useQueue'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { JudgedLately } from './JudgedLately'
 import classes from './Review.module.css'
@@ -39,7 +39,7 @@ export function ReviewStart(): ReactNode {
     return (
       <div className="page">
         <h1>Review</h1>
-        <ProblemNote detail={queue.error.detail} fix={queue.error.fix} />
+        <Refusal error={queue.error} />
       </div>
     )
   }

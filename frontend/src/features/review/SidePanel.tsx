@@ -2,7 +2,6 @@ import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { type Dispatch, type KeyboardEvent, type ReactNode, type SetStateAction, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { isWaitingId } from '@/api/laterWrites'
 import { meQuery } from '@/api/me'
 import { useRoles } from '@/api/roles'
@@ -19,7 +18,7 @@ import { Finding } from '@/ui/Finding'
 import { age, clock, day } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { Person } from '@/ui/Person'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { useLazy } from '@/ui/useLazy'
 
 import { type Comment, useComment, useMarkComment } from './api'
@@ -158,10 +157,8 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
           />
         ))}
       </ul>
-      {[mark.error, replying.error].map(
-        (error) =>
-          error instanceof ApiProblem && <ProblemNote key={error.code} detail={error.detail} fix={error.fix} />,
-      )}
+      <Refusal error={mark.error} />
+      <Refusal error={replying.error} />
       {hand && (hand.note || hand.delivery_note) && (
         <section className={classes.block} aria-label="Designer’s note">
           <p className="row small">
@@ -362,8 +359,8 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
 
 function History({ take, projectId }: { take: ReviewTake; projectId: string }) {
   const history = useQuery(historyQuery(take.id))
-  if (history.error instanceof ApiProblem) {
-    return <ProblemNote detail={history.error.detail} fix={history.error.fix} />
+  if (history.error) {
+    return <Refusal error={history.error} />
   }
   return (
     <>

@@ -1,11 +1,10 @@
 import { TextInput } from '@mantine/core'
 
-import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import type { ReviewTake } from '@/judging/api'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { useWaive } from './api'
 import classes from './Side.module.css'
@@ -51,7 +50,7 @@ export function Waiver({ take, cueId, projectId }: WaiverProps) {
         Waive version {take.number}
       </Button>
       <DraftNote draft={draft} />
-      {waive.error instanceof ApiProblem && <ProblemNote detail={waive.error.detail} fix={waive.error.fix} />}
+      <Refusal error={waive.error} />
     </form>
   )
 }

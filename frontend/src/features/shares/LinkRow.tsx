@@ -2,11 +2,10 @@ import { TextInput } from '@mantine/core'
 import { useInfiniteQuery } from '@tanstack/react-query'
 import { useId, useState } from 'react'
 
-import { ApiProblem, useMutation } from '@/api'
-import { sentence } from '@/app/Form'
+import { useMutation } from '@/api'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { ago, day, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Row } from '@/ui/Rows'
 
 import { type GuestLink, readAddress, useChangeLink, useRevokeLink, visitsQuery } from './api'
@@ -41,7 +40,6 @@ export function LinkRow({ projectId, link }: { projectId: string; link: GuestLin
   const panelId = useId()
   const address = useMutation({ mutationFn: () => readAddress(link.id) })
   const revoke = useRevokeLink(projectId, link.id)
-  const problem = [address.error, revoke.error].find((error) => error instanceof ApiProblem)
   return (
     <Row className={classes.link}>
       <div className={classes.linkLine}>
@@ -76,7 +74,7 @@ export function LinkRow({ projectId, link }: { projectId: string; link: GuestLin
       <p className="small dim">
         {termsOf(link)}. Made by {link.made_by.name} {ago(link.created_at)}.
       </p>
-      {problem instanceof ApiProblem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix} />}
+      <Refusal error={address.error ?? revoke.error} />
       {address.data && <CopyAddress url={address.data} title={link.title} />}
       <div id={panelId} hidden={!opened}>
         {opened && <Opened projectId={projectId} link={link} />}
@@ -104,7 +102,7 @@ function Opened({ projectId, link }: { projectId: string; link: GuestLink }) {
           />
         </div>
       )}
-      {change.error instanceof ApiProblem && <ProblemNote detail={sentence(change.error.detail)} />}
+      <Refusal error={change.error} />
       <h3 className="small">Heard by</h3>
       {visits.data?.length === 0 && <p className="small mid">Nobody has opened it yet.</p>}
       <ul>

@@ -11,9 +11,11 @@ import { useTitle } from '@/app/title'
 // eslint-disable-next-line no-restricted-imports -- the plays of guests are recorded by their link
 import { usePlayer, WaveThumb } from '@/audio'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { length, place as placeWords } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { doorQuery, type GuestRoom, type GuestSound, openLink, recordPlay, roomQuery, sendGuestComment } from './api'
 import { Position } from './Position'
@@ -66,7 +68,7 @@ function Door({ secret, onOpened }: { secret: string; onOpened: (visit: string) 
   const [busy, setBusy] = useState(false)
   const [error, setError] = useState<unknown>(null)
   if (door.error) return <Gone problem={door.error instanceof ApiProblem ? door.error : null} />
-  if (door.data === undefined) return <div className="page" aria-busy="true" />
+  if (door.data === undefined) return <PageSkeleton />
   const open = async (name: string, password: string | null) => {
     setBusy(true)
     try {
@@ -115,7 +117,7 @@ function Visit({ visit, onOver }: { visit: string; onOver: () => void }) {
       </>
     )
   }
-  if (!room) return <div className="page" aria-busy="true" />
+  if (!room) return <PageSkeleton />
   return <Room visit={visit} room={room} />
 }
 
@@ -167,7 +169,7 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
         <h1>{title}</h1>
         <span className="small dim">for {room.guest_name}</span>
       </header>
-      {problem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix && sentence(problem.fix)} />}
+      <Refusal error={problem} />
       {playing.error && <ProblemNote detail={playing.error} />}
       {current && (
         <section aria-label="Now" className={classes.now}>
@@ -279,7 +281,7 @@ function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound
         value={text}
         onChange={(event) => setText(event.currentTarget.value)}
       />
-      {problem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix && sentence(problem.fix)} />}
+      <Refusal error={problem} />
       <div className={classes.acts}>
         <Button type="submit" icon="comment" aria-busy={busy}>
           Send comment

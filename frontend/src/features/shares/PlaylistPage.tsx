@@ -12,9 +12,11 @@ import { NotHeard } from '@/heard/NotHeard'
 import { useTakePlayer } from '@/heard/useTakePlayer'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
+import { Refusal } from '@/ui/Refusal'
 import { length, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { type Playlist, playlistQuery, savePosition, useChangePlaylist, useRemovePlaylist } from './api'
 import { LivePanel } from './LivePanel'
@@ -37,11 +39,11 @@ export function PlaylistPage(): ReactNode {
     return (
       <div className="page">
         <h1>Playlist</h1>
-        <ProblemNote detail={error.detail} fix={error.fix} />
+        <Refusal error={error} />
       </div>
     )
   }
-  if (!playlist) return <div className="page" aria-busy="true" />
+  if (!playlist) return <PageSkeleton />
   return <Room key={playlistId} playlist={playlist} />
 }
 
@@ -137,7 +139,6 @@ function Room({ playlist }: { playlist: Playlist }) {
   }, [playing.status, currentId])
   useEffect(() => () => keep(), [])
 
-  const problem = change.error instanceof ApiProblem ? change.error : null
   return (
     <div className={`page ${classes.page}`}>
       <header className={classes.top}>
@@ -168,7 +169,7 @@ function Room({ playlist }: { playlist: Playlist }) {
           )}
         </span>
       </header>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={change.error} />
       {current && (
         <section aria-label="Now" className={classes.now}>
           <p className={classes.nowHead}>

@@ -3,15 +3,13 @@ import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import type { FormEvent, ReactNode } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
 import { DraftNote, useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { ago, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 
 import { cuesQuery, linksQuery, playlistsQuery, useAddPlaylist } from './api'
@@ -49,11 +47,10 @@ export function SharingPage(): ReactNode {
 
 function Links({ projectId }: { projectId: string }) {
   const links = useInfiniteQuery(linksQuery(projectId))
-  const problem = links.error instanceof ApiProblem ? links.error : null
   return (
     <Card aria-labelledby="links" aria-busy={links.isPending}>
       <CardHead id="links" title="Guest links" count={links.data?.length} />
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={links.error} />
       {links.data?.length === 0 && (
         <p className={`mid ${classes.body}`}>
           No links yet. A link lets a publisher, a composer or a friend hear sounds without an account.
@@ -74,7 +71,7 @@ function Playlists({ projectId }: { projectId: string }) {
   return (
     <Card aria-labelledby="playlists">
       <CardHead id="playlists" title="Playlists" count={playlists?.length} />
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       {playlists?.length === 0 && (
         <p className={`mid ${classes.body}`}>
           No playlists yet. A playlist plays sounds one after another, alone or together with others of the team.
@@ -105,7 +102,6 @@ function NewPlaylist({ projectId }: { projectId: string }) {
   const { data: cues } = useQuery(cuesQuery(projectId))
   const add = useAddPlaylist(projectId)
   const navigate = useNavigate()
-  const refusal = add.error instanceof ApiProblem ? add.error : null
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (add.isPending) return
@@ -136,9 +132,7 @@ function NewPlaylist({ projectId }: { projectId: string }) {
         />
         <CueChoice projectId={projectId} filter={typed.filter} onFilter={(filter) => setTyped({ ...typed, filter })} />
         <DraftNote draft={draft} />
-        {refusal && (
-          <ProblemNote detail={sentence(refusal.detail)} fix={refusal.fix ? sentence(refusal.fix) : undefined} />
-        )}
+        <Refusal error={add.error} />
         <div className={classes.acts}>
           <Button type="submit" aria-busy={add.isPending}>
             Make playlist

@@ -178,7 +178,7 @@ test('a refused order stands as it was, with the reason', async () => {
     'PATCH /v1/playlists/l1': refusal(409, 'playlist-changed', 'another person changed this playlist'),
   })
   await userEvent.click(await screen.findByRole('button', { name: 'Move laser down' }))
-  expect(await screen.findByText(/another person changed this playlist/)).toBeVisible()
+  expect(await screen.findByText(/another person changed this playlist/i)).toBeVisible()
   await waitFor(() => {
     const [first] = within(screen.getByRole('list', { name: '3 sounds in order' })).getAllByRole('listitem')
     expect(first).toHaveTextContent('laser')

@@ -1,10 +1,10 @@
 import { useQueryClient } from '@tanstack/react-query'
 import { useCallback, useEffect, useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { ended } from '@/judging/findings'
 import { Button, ButtonLink } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, bytesOf, figure } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -86,7 +86,7 @@ function Withdraw({ takeId }: { takeId: string }) {
       <Button variant="quiet" icon="cross" disabled={isPending} onClick={() => mutate()}>
         Remove stem
       </Button>
-      {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
+      <Refusal error={error} />
     </>
   )
 }

@@ -1,12 +1,11 @@
 import { type FormEvent, useId } from 'react'
 
-import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { useSetLabel } from '@/judging/labels'
 import { useReasons } from '@/judging/reasons'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import type { Take } from './api'
 import classes from './Take.module.css'
@@ -55,7 +54,7 @@ export function LabelLine({ take }: { take: Take }) {
         {text.trim() === '' && saved !== '' ? 'Take away' : 'Save label'}
       </Button>
       <DraftNote draft={draft} />
-      {label.error instanceof ApiProblem && <ProblemNote detail={label.error.detail} fix={label.error.fix} />}
+      <Refusal error={label.error} />
     </form>
   )
 }

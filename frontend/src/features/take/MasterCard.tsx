@@ -1,7 +1,7 @@
-import { ApiProblem } from '@/api'
 import { ended } from '@/judging/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { bytes } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
@@ -73,7 +73,7 @@ function Downloads({ take }: { take: Take }) {
       </p>
       {made?.file_url && <Fields made={made} />}
       {made?.refusal && <ProblemNote detail={ended(made.refusal)} />}
-      {error instanceof ApiProblem && <ProblemNote detail={ended(error.detail)} fix={ended(error.fix)} />}
+      <Refusal error={error} />
     </>
   )
 }

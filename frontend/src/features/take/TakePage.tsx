@@ -14,6 +14,7 @@ import { ended, wordsOf, worstFirst } from '@/judging/findings'
 import { FixPanel, useFixing, useSounds } from '@/fixing'
 import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -85,7 +86,7 @@ function WithSounds({ take }: { take: Take }) {
   const problem = [noSounds, noCheck].find((each) => each instanceof ApiProblem)
   return (
     <TakeSheet take={take} sounds={sounds} check={check}>
-      {problem instanceof ApiProblem && <ProblemNote detail={ended(problem.detail)} fix={ended(problem.fix)} />}
+      <Refusal error={problem} />
     </TakeSheet>
   )
 }

@@ -1,7 +1,6 @@
 import { Link } from '@tanstack/react-router'
 import { useId, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useRoles } from '@/api/roles'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
@@ -13,10 +12,10 @@ import type { Queue } from '@/judging/useQueue'
 import { heardTakes, whatWaits } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { age } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { Person } from '@/ui/Person'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
 import { type AskedQuestion, useAnswer } from './api'
@@ -215,7 +214,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
         </Button>
       </div>
       <DraftNote draft={draft} />
-      {answer.error instanceof ApiProblem && <ProblemNote detail={answer.error.detail} fix={answer.error.fix} />}
+      <Refusal error={answer.error} />
     </form>
   )
 }

@@ -2,15 +2,13 @@ import { NumberInput, TextInput } from '@mantine/core'
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { type FormEvent, useMemo } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { DraftNote, useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Select } from '@/ui/Select'
 import { languageName } from '@/voice-lines'
 
@@ -41,7 +39,6 @@ export function CastView({ projectId, script }: { projectId: string; script: Scr
     [client, projectId, me?.person],
   )
   const found = releases.data
-  const problem = [releases.error, remove.error].find((error) => error instanceof ApiProblem)
   return (
     <>
       <Card aria-labelledby="cast">
@@ -55,7 +52,7 @@ export function CastView({ projectId, script }: { projectId: string; script: Scr
       <Card aria-labelledby="releases">
         <CardHead id="releases" title="Releases" count={found?.performers.flatMap((one) => one.releases).length} />
         <div className={classes.releases}>
-          {problem instanceof ApiProblem && <ProblemNote detail={sentence(problem.detail)} />}
+          <Refusal error={releases.error ?? remove.error} />
           {found && found.lines_without_performer > 0 && (
             <p className="tone-warn toned">
               {plural(found.lines_without_performer, 'approved line')} of characters for whom no performer is named.
@@ -179,7 +176,6 @@ function EditCasting({ projectId, character, language, casting }: EditCastingPro
   }
   const [typed, setTyped, draft] = useDraft(`casting:${character.id}:${language}`, begun)
   const isChanged = Object.entries(begun).some(([name, value]) => typed[name as keyof typeof begun] !== value)
-  const problem = cast.error instanceof ApiProblem ? cast.error : null
   const field = (name: keyof typeof begun, label: string) => (
     <TextInput
       label={label}
@@ -215,7 +211,7 @@ function EditCasting({ projectId, character, language, casting }: EditCastingPro
         </Button>
       )}
       <DraftNote draft={draft} />
-      {problem && <ProblemNote detail={sentence(problem.detail)} />}
+      <Refusal error={cast.error} />
     </form>
   )
 }
@@ -224,7 +220,6 @@ function Settings({ projectId, script }: { projectId: string; script: Script }) 
   const change = useChangeSettings(projectId)
   const { original_language: original, length_tolerance_percent: tolerance, languages } = script
   const [typed, setTyped, draft] = useDraft(`voice-settings:${projectId}`, { original, tolerance })
-  const problem = change.error instanceof ApiProblem ? change.error : null
   return (
     <Card aria-labelledby="voice-settings">
       <CardHead id="voice-settings" title="Settings" />
@@ -268,7 +263,7 @@ function Settings({ projectId, script }: { projectId: string; script: Script }) 
           Save
         </Button>
         <DraftNote draft={draft} />
-        {problem && <ProblemNote detail={sentence(problem.detail)} />}
+        <Refusal error={change.error} />
       </form>
     </Card>
   )

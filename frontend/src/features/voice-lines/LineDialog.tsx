@@ -1,14 +1,13 @@
 import { Checkbox, Textarea, TextInput } from '@mantine/core'
 import { Link } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
 import { Dialog } from '@/app/Dialog'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { sentence } from '@/app/Form'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { length } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { languageName, LineState, percentOf, type VoiceLine } from '@/voice-lines'
 
 import { useChangeLine, useChangeText } from './api'
@@ -97,7 +96,6 @@ function EditLine({ projectId, line, onDone }: { projectId: string; line: VoiceL
     direction: line.direction,
     takesFit: false,
   })
-  const problem = [changeText.error, changeLine.error].find((error) => error instanceof ApiProblem)
   const save = async () => {
     if (changeText.isPending || changeLine.isPending) return
     try {
@@ -145,9 +143,7 @@ function EditLine({ projectId, line, onDone }: { projectId: string; line: VoiceL
       <TextInput label="Direction" maxLength={2000} {...field('direction')} />
       <TextInput label="Scene" maxLength={200} {...field('scene')} />
       <DraftNote draft={draft} />
-      {problem instanceof ApiProblem && (
-        <ProblemNote detail={sentence(problem.detail)} fix={problem.fix ?? undefined} />
-      )}
+      <Refusal error={changeText.error ?? changeLine.error} />
       <div>
         <Button type="submit" variant="primary" aria-busy={changeText.isPending || changeLine.isPending}>
           Save

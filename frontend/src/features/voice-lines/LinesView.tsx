@@ -3,12 +3,11 @@ import { useDebouncedValue } from '@mantine/hooks'
 import { useInfiniteQuery } from '@tanstack/react-query'
 import { useEffect, useEffectEvent, useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
 import { FilterChip } from '@/ui/FilterChip'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { LINE_STATES, LineState, percentOf, type VoiceLine } from '@/voice-lines'
 
 import { linesQuery, type Script } from './api'
@@ -45,7 +44,6 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
   const lines = found.data?.pages.flatMap((page) => page.lines) ?? []
   const counts = found.data?.pages[0]?.counts ?? []
   const all = counts.reduce((sum, one) => sum + one.lines, 0)
-  const problem = found.error instanceof ApiProblem ? found.error : null
   return (
     <>
       <div className={classes.tools}>
@@ -73,7 +71,7 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
           onChange={(event) => setTyped(event.currentTarget.value)}
         />
       </div>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix ?? undefined} />}
+      <Refusal error={found.error} />
       {found.isSuccess && lines.length === 0 && (
         <EmptyState head="No line fits">Choose another state or character, or clear the search.</EmptyState>
       )}

@@ -1,13 +1,12 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { sentence } from '@/app/Form'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { languageName, LineState, type VoiceLine } from '@/voice-lines'
+import { Refusal } from '@/ui/Refusal'
 
 import { pickUpsQuery } from './api'
 import type { LinesSearch } from './search'
@@ -16,7 +15,6 @@ import classes from './VoiceLines.module.css'
 /** What the next session records, by language and character, with the reason of each line; made to be printed. */
 export function PickUpsView({ projectId, search }: { projectId: string; search: LinesSearch }) {
   const found = useQuery(pickUpsQuery(projectId, search))
-  const problem = found.error instanceof ApiProblem ? found.error : null
   const print = () => window.print()
   useHotkeys([{ keys: 'p', label: 'Print the pick-up list', group: 'Voice lines', run: print }])
   const query = new URLSearchParams(
@@ -25,7 +23,7 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
     ),
   ).toString()
   const at = (ending: string) => `/v1/projects/${projectId}/pick-ups.${ending}${query && `?${query}`}`
-  if (problem) return <ProblemNote detail={problem.detail} fix={problem.fix ?? undefined} />
+  if (found.error) return <Refusal error={found.error} />
   if (found.data?.lines.length === 0)
     return (
       <EmptyState head="Nothing to record">Every line has a take of its present text that no one sent back.</EmptyState>

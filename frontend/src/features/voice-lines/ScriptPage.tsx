@@ -9,7 +9,6 @@ import { base64Of } from '@/api/base64'
 import { useMyProject } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
 import { DraftNote, useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
 import { useHotkeys } from '@/app/keys'
 import { RefusedNamesList } from '@/app/RefusedNames'
 import { showToast } from '@/app/toast'
@@ -18,8 +17,8 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
+import { Refusal } from '@/ui/Refusal'
 import { bytes, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 import { languageName } from '@/voice-lines'
@@ -115,7 +114,6 @@ export function ScriptPage(): ReactNode {
     )
   const read = isGiven ? plan.data : undefined
   const problem = isGiven && plan.error instanceof ApiProblem ? plan.error : null
-  const refused = send.error instanceof ApiProblem ? send.error : null
   const isWaiting = plan.isFetching || !isSettled
   const touched = read ? read.added + read.changed : 0
   const put = () =>
@@ -204,7 +202,7 @@ export function ScriptPage(): ReactNode {
           </div>
           <DraftNote draft={draft} />
           {unread && <FieldError>{unread}</FieldError>}
-          {problem && <ProblemNote detail={sentence(problem.detail)} fix={problem.fix ?? undefined} />}
+          <Refusal error={problem} />
         </div>
       </Card>
       {read && (
@@ -233,7 +231,7 @@ export function ScriptPage(): ReactNode {
                 </p>
               )}
             </div>
-            {refused && <ProblemNote detail={sentence(refused.detail)} fix={refused.fix ?? undefined} />}
+            <Refusal error={send.error} />
             <Button variant="primary" disabled={touched === 0 || isWaiting || send.isPending} onClick={put}>
               {touched === 0 ? 'Nothing to import' : `Import ${plural(touched, 'line')}`}
             </Button>

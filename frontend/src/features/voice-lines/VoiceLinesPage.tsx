@@ -2,13 +2,12 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { ButtonLink } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 import { languageName } from '@/voice-lines'
@@ -33,7 +32,6 @@ export function VoiceLinesPage(): ReactNode {
   const navigate = useNavigate()
   const script = useQuery(scriptQuery(projectId))
   useTitle('Voice lines')
-  const problem = script.error instanceof ApiProblem ? script.error : null
   const change = (next: Partial<LinesSearch>) =>
     void navigate({
       to: '/projects/$projectId/voice-lines',
@@ -77,7 +75,7 @@ export function VoiceLinesPage(): ReactNode {
           )}
         </span>
       </header>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix ?? undefined} />}
+      <Refusal error={script.error} />
       {script.data?.lines === 0 ? (
         <EmptyState head="No voice lines yet">
           {mayChange

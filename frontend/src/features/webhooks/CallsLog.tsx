@@ -1,9 +1,9 @@
 import { useInfiniteQuery } from '@tanstack/react-query'
 
-import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
 import { ago, clock, day, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { type Call, callsQuery, useReplay, type Webhook } from './api'
 import classes from './Webhooks.module.css'
@@ -11,13 +11,14 @@ import { eventWords, STATE_WORDS } from './words'
 
 /** What was sent to an address, and what was answered. */
 export function CallsLog({ webhook }: { webhook: Webhook }) {
-  const { data, error, hasNextPage, fetchNextPage, isFetchingNextPage } = useInfiniteQuery(callsQuery(webhook.id))
+  const list = useInfiniteQuery(callsQuery(webhook.id))
+  const { data, error } = list
   const replay = useReplay()
   return (
     <section aria-label={`Log of ${new URL(webhook.url).host}`}>
-      {[error, replay.error].map(
-        (one) => one instanceof ApiProblem && <ProblemNote key={one.code} detail={one.detail} fix={one.fix} />,
-      )}
+      {[error, replay.error].map((error, at) => (
+        <Refusal key={at} error={error} />
+      ))}
       {data?.length === 0 && <p className="small mid">Nothing was sent yet.</p>}
       <ul className={classes.calls}>
         {data?.map((call) => (
@@ -26,11 +27,7 @@ export function CallsLog({ webhook }: { webhook: Webhook }) {
           </li>
         ))}
       </ul>
-      {hasNextPage && (
-        <Button disabled={isFetchingNextPage} onClick={() => void fetchNextPage()}>
-          Show earlier messages
-        </Button>
-      )}
+      <ShowMore list={list}>Show earlier messages</ShowMore>
     </section>
   )
 }

@@ -2,15 +2,16 @@ import { useQuery } from '@tanstack/react-query'
 import { useNavigate, useSearch } from '@tanstack/react-router'
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { ago } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import { AddWebhook } from './AddWebhook'
 import { useDelete, useEnable, useOwnStudios, useRotate, useTest, type Webhook, webhooksQuery } from './api'
@@ -25,7 +26,7 @@ export function WebhooksPage() {
   const studios = useOwnStudios()
   const { studio: wanted } = useSearch({ from: '/shell/webhooks' })
   const navigate = useNavigate({ from: '/webhooks' })
-  if (studios === undefined) return <div className="page" aria-busy="true" />
+  if (studios === undefined) return <PageSkeleton />
   const studio = studios.find(({ id }) => id === wanted) ?? studios[0]
   if (studio === undefined) {
     return (
@@ -61,7 +62,7 @@ function Webhooks({ studioId }: { studioId: string }) {
   const { data, error } = useQuery(webhooksQuery(studioId))
   return (
     <>
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       {data && (
         <>
           {data.items.length > 0 && (
@@ -84,14 +85,12 @@ function Webhooks({ studioId }: { studioId: string }) {
 function WebhookRow({ webhook }: { webhook: Webhook }) {
   const { url, form, events, project, failing_since: failing, disabled_at: disabled } = webhook
   const [isOpen, setOpen] = useState(false)
-  const [isSure, setSure] = useState(false)
   const enable = useEnable()
   const rotate = useRotate()
   const test = useTest()
   const remove = useDelete()
   const host = new URL(url).host
   const chosen = EVENTS.filter((event) => events.includes(event))
-  const refused = [enable.error, rotate.error, test.error, remove.error].find((error) => error instanceof ApiProblem)
   return (
     <Row className={classes.webhook}>
       <p className="row wrap">
@@ -117,34 +116,27 @@ function WebhookRow({ webhook }: { webhook: Webhook }) {
           Log<span className="visually-hidden"> of {host}</span>
         </Button>
         {disabled === null && (
-          <Button disabled={test.isPending} onClick={() => test.mutate(webhook, { onSuccess: () => setOpen(true) })}>
+          <Button onClick={() => test.mutate(webhook, { onSuccess: () => setOpen(true) })}>
             Send a test<span className="visually-hidden"> to {host}</span>
           </Button>
         )}
-        <Button
-          disabled={enable.isPending}
-          onClick={() => enable.mutate({ id: webhook.id, enabled: disabled !== null })}
-        >
+        <Button onClick={() => enable.mutate({ id: webhook.id, enabled: disabled !== null })}>
           {disabled ? 'Enable' : 'Disable'}
           <span className="visually-hidden"> {host}</span>
         </Button>
-        <Button disabled={rotate.isPending} onClick={() => rotate.mutate(webhook)}>
+        <Button onClick={() => rotate.mutate(webhook)}>
           New secret<span className="visually-hidden"> for {host}</span>
         </Button>
-        {isSure ? (
-          <>
-            <Button onClick={() => remove.mutate(webhook)}>Delete it and its log</Button>
-            <Button variant="quiet" onClick={() => setSure(false)}>
-              Cancel
-            </Button>
-          </>
-        ) : (
-          <Button variant="quiet" onClick={() => setSure(true)}>
-            Delete<span className="visually-hidden"> {host}</span>
-          </Button>
-        )}
+        <ConfirmInline
+          variant="quiet"
+          aria-label={`Delete ${host}`}
+          action="Delete it and its log"
+          onConfirm={() => remove.mutate(webhook)}
+        >
+          Delete
+        </ConfirmInline>
       </p>
-      {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+      <Refusal error={enable.error ?? rotate.error ?? test.error ?? remove.error} />
       {isOpen && <CallsLog webhook={webhook} />}
     </Row>
   )

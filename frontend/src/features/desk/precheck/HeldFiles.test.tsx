@@ -4,7 +4,7 @@ import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { expect, test, vi } from 'vitest'
 
-import { ToastRegion } from '@/app/toast'
+import { StatusSlot } from '@/app/toast'
 import { draw } from '@/test/draw'
 import { serve } from '@/test/server'
 import type { Picked } from '@/uploads'
@@ -119,7 +119,7 @@ test('what is left out is back with undo', async () => {
   draw(
     <>
       <HeldFiles precheck={made} />
-      <ToastRegion />
+      <StatusSlot />
     </>,
   )
   await made.add([LOUD, pick('boom.wav', 'peak at -0.9 dBFS')], null)

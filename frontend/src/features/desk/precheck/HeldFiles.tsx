@@ -2,8 +2,8 @@ import { useEffect, useMemo, useRef, useState, useSyncExternalStore } from 'reac
 
 import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
-import { Refusal } from '@/judging/Refusal'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { State } from '@/ui/State'
 

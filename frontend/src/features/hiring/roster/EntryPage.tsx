@@ -8,20 +8,20 @@ import { showToast } from '@/app/toast'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { plural, shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import forms from '../Hiring.module.css'
-import { Refusal } from '../Refusal'
 import { period } from '../words'
 import {
+  workQuery,
   type Entry,
   entryQuery,
   type PostingChoice,
   postingsToAskQuery,
   useAskForBids,
   useRemoveEntry,
-  workQuery,
 } from './api'
 import { AvailabilityCard } from './AvailabilityCard'
 import { EntryForm } from './EntryForm'

@@ -2,9 +2,9 @@ import { useQuery } from '@tanstack/react-query'
 
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 
 import forms from '../Hiring.module.css'
-import { Refusal } from '../Refusal'
 import { ownWorkQuery } from './api'
 import { FiguresCard } from './FiguresCard'
 

@@ -14,11 +14,12 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
+import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import forms from '../Hiring.module.css'
-import { Refusal } from '../Refusal'
 import { importRoster, type RosterImport, useImportRoster, useRosterStudios } from './api'
 import classes from './Roster.module.css'
 import { FIELD_WORDS } from './words'
@@ -49,7 +50,7 @@ export function RosterImportPage() {
   useHotkeys([
     { keys: 'Escape', label: 'Back to the roster', group: 'Import', run: () => void navigate({ to: '/roster' }) },
   ])
-  if (studios === undefined) return <div className="page" aria-busy="true" />
+  if (studios === undefined) return <PageSkeleton />
   const studio = studios.find(({ id }) => id === wanted) ?? studios[0]
   return (
     <div className="page stack">

@@ -10,15 +10,17 @@ import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { countOf, plural, shortDay } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
+import { ShowMore } from '@/ui/ShowMore'
+import { PageSkeleton } from '@/ui/Skeleton'
 
 import forms from '../Hiring.module.css'
-import { Refusal } from '../Refusal'
-import { type Roster, type RosterRow, rosterQuery, useAddEntry, useRosterStudios } from './api'
+import { rosterQuery, type Roster, type RosterRow, useAddEntry, useRosterStudios } from './api'
 import { type FilePlayer, useReelPlayer } from '../player'
 import classes from './Roster.module.css'
 import { Weeks } from './Weeks'
@@ -34,7 +36,7 @@ export function RosterPage() {
   const studios = useRosterStudios()
   const search = useSearch({ from: '/shell/roster' })
   const navigate = useNavigate({ from: '/roster' })
-  if (studios === undefined) return <div className="page" aria-busy="true" />
+  if (studios === undefined) return <PageSkeleton />
   const studio = studios.find(({ id }) => id === search.studio) ?? studios[0]
   if (studio === undefined) {
     return (
@@ -76,10 +78,11 @@ export function RosterPage() {
 }
 
 function Found({ studioId, search }: { studioId: string; search: RosterSearch }) {
-  const { data, error, fetchNextPage, hasNextPage, isFetchingNextPage } = useInfiniteQuery({
+  const pages = useInfiniteQuery({
     ...rosterQuery(studioId, search),
     placeholderData: keepPreviousData,
   })
+  const { data, error } = pages
   const first = data?.pages[0]
   if (first === undefined) return <Refusal error={error} />
   const people = data?.pages.flatMap(({ items }) => items) ?? []
@@ -123,11 +126,9 @@ function Found({ studioId, search }: { studioId: string; search: RosterSearch })
         />
         <Filters roster={first} search={search} />
         <People people={people} roster={first} search={search} />
-        {hasNextPage && (
+        {pages.hasNextPage && (
           <div className={classes.foot}>
-            <Button aria-busy={isFetchingNextPage} onClick={() => void fetchNextPage()}>
-              {`Show more, ${first.found - people.length} left`}
-            </Button>
+            <ShowMore list={pages}>{`Show more, ${first.found - people.length} left`}</ShowMore>
           </div>
         )}
       </Card>

@@ -7,10 +7,10 @@ import { categoriesQuery } from '@/api/project'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
 import type { Project } from '../api'
-import { Refusal } from '../Refusal'
 import { approvalSettingsQuery, useSetBlockers, useSetChecklist } from './api'
 import classes from './People.module.css'
 
@@ -35,7 +35,7 @@ export function ApprovalCard({ project }: { project: Project }) {
   return (
     <Card aria-labelledby="before-approval">
       <CardHead id="before-approval" title="Before approval" note="checklists, and what blocks" />
-      <Refusal error={error ?? block.error} />
+      <Refusal inset error={error ?? block.error} />
       {settings && (
         <div className={classes.form}>
           {isProducer ? (
@@ -133,7 +133,7 @@ function ChecklistForm({ projectId, category, items }: ChecklistFormProps) {
         onChange={(event) => setText(event.currentTarget.value)}
       />
       <DraftNote draft={draft} />
-      <Refusal error={write.error} />
+      <Refusal inset error={write.error} />
       <Button type="submit" disabled={text === saved} aria-busy={write.isPending}>
         Save checklist
       </Button>

@@ -10,12 +10,12 @@ import { MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
+import { Refusal } from '@/ui/Refusal'
 import { shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Project } from '../api'
 import { approverHistoryQuery, invitedApproversQuery, type Member, useInviteApprover, useNameApprover } from './api'
-import { Refusal } from '../Refusal'
 import { against, sentence } from '../words'
 import { candidatesOf } from './candidates'
 import classes from './People.module.css'
@@ -93,7 +93,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
             onChange={({ currentTarget }) => setReason(currentTarget.value)}
             error={against(name.error, 'reason')}
           />
-          {!fields && <Refusal error={name.error} />}
+          {!fields && <Refusal inset error={name.error} />}
           <div className="row wrap">
             <Button type="submit" variant="primary" aria-busy={name.isPending}>
               Make approver
@@ -105,7 +105,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
         </form>
       )}
       {mine.is_producer && !naming && <InviteApprover project={project} />}
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {history && history.length > 0 && (
         <>
           <h3 className={classes.part}>Earlier approvers</h3>
@@ -164,7 +164,7 @@ function InviteApprover({ project }: { project: Project }) {
           onChange={({ currentTarget }) => setEmail(currentTarget.value)}
           error={against(invite.error, 'email')}
         />
-        {!isAtField && <Refusal error={invite.error} />}
+        {!isAtField && <Refusal inset error={invite.error} />}
         <div className="row wrap">
           <Button type="submit" aria-busy={invite.isPending}>
             Invite as approver

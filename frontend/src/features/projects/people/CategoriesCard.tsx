@@ -1,3 +1,4 @@
+import { candidatesOf } from './candidates'
 import { Select } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
@@ -6,13 +7,12 @@ import { categoriesQuery } from '@/api/project'
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Project } from '../api'
 import { type Member, useNameCategoryApprover } from './api'
-import { Refusal } from '../Refusal'
-import { candidatesOf } from './candidates'
 import classes from './People.module.css'
 
 /** The value of the project’s approver in a choice of approvers. */
@@ -56,7 +56,7 @@ export function CategoriesCard({
   return (
     <Card aria-labelledby="categories">
       <CardHead id="categories" title="Categories" note="each may have its own approver" />
-      <Refusal error={error ?? name.error} />
+      <Refusal inset error={error ?? name.error} />
       {categories && shown.length === 0 && (
         <div className={classes.empty}>
           <EmptyState

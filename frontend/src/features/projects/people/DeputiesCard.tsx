@@ -10,13 +10,13 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { State } from '@/ui/State'
 
 import { type Project } from '../api'
 import { deputiesQuery, type Deputy, type Member, useNameDeputy, useWithdrawDeputy } from './api'
-import { Refusal } from '../Refusal'
 import { against } from '../words'
 import { candidatesOf } from './candidates'
 import classes from './People.module.css'
@@ -28,7 +28,7 @@ export function DeputiesCard({ project, members = [] }: { project: Project; memb
   return (
     <Card aria-labelledby="deputies">
       <CardHead id="deputies" title="Deputies" note="approve while an approver is away" />
-      <Refusal error={error ?? withdraw.error} />
+      <Refusal inset error={error ?? withdraw.error} />
       {found?.deputies.length === 0 && (
         <div className={classes.empty}>
           <EmptyState head="No deputies named" level={3}>
@@ -146,7 +146,7 @@ function NameDeputy({ project, members, today, timeZone }: NameDeputyProps) {
           </Link>
         </p>
         <DraftNote draft={draft} />
-        {!isAtField && <Refusal error={name.error} />}
+        {!isAtField && <Refusal inset error={name.error} />}
         <div className="row wrap">
           <Button type="submit" aria-busy={name.isPending} disabled={!isComplete}>
             Name deputy

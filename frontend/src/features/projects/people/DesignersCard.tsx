@@ -5,11 +5,12 @@ import type { FormEvent } from 'react'
 import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
-import { MailedLink, mailedLinksQuery } from '@/mails'
+import { mailedLinksQuery, MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
+import { Refusal } from '@/ui/Refusal'
 import { ago, dueDay, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Row, Rows } from '@/ui/Rows'
@@ -25,7 +26,6 @@ import {
   useInviteDesigner,
   useRevokeInvitation,
 } from './api'
-import { Refusal } from '../Refusal'
 import { against, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
 import classes from './People.module.css'
 
@@ -53,7 +53,7 @@ export function DesignersCard({ project }: { project: Project }) {
           <Designer key={engagement.id} engagement={engagement} project={project} />
         ))}
       </Rows>
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {open.length > 0 && <Invitations project={project} open={open} />}
       {may && <Invite project={project} first={nobody} />}
     </Card>
@@ -111,7 +111,7 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
           </Button>
         )}
       </Row>
-      <Refusal error={change.error} />
+      <Refusal inset error={change.error} />
     </>
   )
 }
@@ -130,7 +130,7 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
           No mail server is set up. Copy the link and send it yourself.
         </p>
       )}
-      <Refusal error={revoke.error} />
+      <Refusal inset error={revoke.error} />
       <Rows aria-label="Pending invitations">
         {open.map(({ id, email, kind, note, inviter, created_at, expires_at }) => {
           const expired = new Date(expires_at) < new Date()
@@ -221,7 +221,7 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
           error={against(invite.error, 'note')}
         />
         <DraftNote draft={draft} />
-        {!fields && <Refusal error={invite.error} />}
+        {!fields && <Refusal inset error={invite.error} />}
         <div className={`row wrap ${classes.whole}`}>
           <Button type="submit" variant={first ? 'primary' : 'plain'} aria-busy={invite.isPending}>
             Send invitation

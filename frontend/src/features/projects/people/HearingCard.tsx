@@ -1,8 +1,8 @@
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Project, useChangeProject } from '../api'
-import { Refusal } from '../Refusal'
 import classes from './People.module.css'
 
 type Choice = Project['designers_hear']
@@ -40,7 +40,7 @@ export function HearingCard({ project }: { project: Project }) {
         They only play these sounds, without the designer’s name. Masters, game files, findings, comments and returned
         sounds are shown to the studio and to the sound’s own designer.
       </p>
-      <Refusal error={change.error} />
+      <Refusal inset error={change.error} />
       {project.mine.is_producer ? (
         <fieldset className={classes.choices}>
           <legend className="small mid">Designers can play</legend>

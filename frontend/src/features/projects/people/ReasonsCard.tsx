@@ -9,10 +9,10 @@ import { showToast } from '@/app/toast'
 import { type ReasonKind, reasonsQuery, type ReviewReasons } from '@/judging/reasons'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { Segmented } from '@/ui/Segmented'
 
 import type { Project } from '../api'
-import { Refusal } from '../Refusal'
 import classes from './People.module.css'
 
 const KINDS: { value: ReasonKind; label: string }[] = [
@@ -33,7 +33,7 @@ export function ReasonsCard({ project }: { project: Project }) {
   return (
     <Card aria-labelledby="review-reasons">
       <CardHead id="review-reasons" title="Reasons and labels" note="on the digits in Review, for all projects" />
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {lists && (
         <div className={classes.form}>
           <Segmented label="List" options={KINDS} value={kind} onChange={setKind} />
@@ -91,7 +91,7 @@ function ReasonsForm({ project, kind, list }: ReasonsFormProps) {
         onChange={(event) => setText(event.currentTarget.value)}
       />
       <DraftNote draft={draft} />
-      <Refusal error={write.error} />
+      <Refusal inset error={write.error} />
       <div className="row">
         <Button type="submit" disabled={text === saved} aria-busy={write.isPending}>
           Save list

@@ -5,11 +5,11 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
 import { Icon } from '@/ui/Icon'
+import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Project } from '../api'
 import { type Member, useSetLiaison } from './api'
-import { Refusal } from '../Refusal'
 import classes from './People.module.css'
 
 /** The members of the studio, and which of them act for the team here. */
@@ -50,7 +50,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
           <Icon name="triangle" /> {project.audio_leads_warning}.
         </p>
       )}
-      <Refusal error={set.error} />
+      <Refusal inset error={set.error} />
       <Rows aria-label="Members of the studio">
         {members?.map((member) => {
           const { person, roles, email } = member

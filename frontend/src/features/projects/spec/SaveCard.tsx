@@ -4,9 +4,9 @@ import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Icon } from '@/ui/Icon'
+import { Refusal } from '@/ui/Refusal'
 
 import type { Spec } from '../api'
-import { Refusal } from '../Refusal'
 import { sentence } from '../words'
 import { goTo, goToLine } from './goTo'
 import { LineDiff } from './LineDiff'
@@ -78,7 +78,7 @@ export function SaveCard({ spec, writing }: { spec: Spec; writing: SpecWriting }
           value={draft.note}
           onChange={({ currentTarget }) => change({ note: currentTarget.value })}
         />
-        {!isMovedOn && troubleOf(save.error) === null && <Refusal error={save.error} />}
+        {!isMovedOn && troubleOf(save.error) === null && <Refusal inset error={save.error} />}
         <div className="row wrap">
           <Button
             variant="primary"

@@ -4,14 +4,14 @@ import { Link } from '@tanstack/react-router'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
+import { Refusal } from '@/ui/Refusal'
 import { countOf, figure, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
-import { cuesQuery, packsQuery, type Pack, type Project, type Spec, specQuery } from '../api'
-import { Refusal } from '../Refusal'
+import { packsQuery, cuesQuery, type Pack, type Project, type Spec, specQuery } from '../api'
 import { listed, speaks } from '../words'
 import { useChecks } from './checks'
-import { acceptLines, differences, kindOf, type Line, limitLines, targetLines } from './say'
+import { targetLines, acceptLines, differences, kindOf, type Line, limitLines } from './say'
 import classes from './SpecCard.module.css'
 import { tableIn } from './tables'
 
@@ -58,7 +58,7 @@ export function SpecCard({ project }: { project: Project }) {
           )
         }
       />
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       {spec && (
         <>
           <div className={classes.parts}>

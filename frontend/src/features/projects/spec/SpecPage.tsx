@@ -5,9 +5,9 @@ import { projectQuery } from '@/api/project'
 import { RefusedNamesNote } from '@/app/RefusedNames'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 
 import { checksQuery, specQuery } from '../api'
-import { Refusal } from '../Refusal'
 import { speaks } from '../words'
 import { SpecEditor } from './SpecEditor'
 
@@ -50,7 +50,7 @@ export function SpecPage() {
       ) : (
         <h1>Delivery spec</h1>
       )}
-      <Refusal error={error ?? noSpec ?? noChecks} />
+      <Refusal inset error={error ?? noSpec ?? noChecks} />
     </div>
   )
 }

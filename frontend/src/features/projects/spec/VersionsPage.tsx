@@ -7,13 +7,14 @@ import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { specVersionQuery, useSpecTry, useSpecVersions } from '../api'
-import { Refusal } from '../Refusal'
 import { speaks } from '../words'
 import { draftOf, keepDraft } from './draft'
 import { LineDiff } from './LineDiff'
@@ -26,7 +27,8 @@ export function VersionsPage() {
   const search = useSearch({ from: '/shell/projects/$projectId/spec/versions' })
   const navigate = useNavigate()
   const { data: project } = useQuery(projectQuery(projectId))
-  const { data, error, hasNextPage, fetchNextPage } = useSpecVersions(projectId)
+  const list = useSpecVersions(projectId)
+  const { data, error } = list
   const versions = data?.pages.flatMap(({ items }) => items) ?? []
   const newest = versions[0]?.version
   const version = search.version ?? newest
@@ -53,7 +55,7 @@ export function VersionsPage() {
           </Link>
         </p>
       </div>
-      <Refusal error={error} />
+      <Refusal inset error={error} />
       <div className={classes.columns}>
         <Card aria-label="Versions">
           <Rows aria-label="Versions">
@@ -67,9 +69,9 @@ export function VersionsPage() {
               </Row>
             ))}
           </Rows>
-          {hasNextPage && (
+          {list.hasNextPage && (
             <div className={classes.more}>
-              <Button onClick={() => void fetchNextPage()}>Earlier versions</Button>
+              <ShowMore list={list}>Earlier versions</ShowMore>
             </div>
           )}
         </Card>
@@ -141,7 +143,7 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
           </>
         }
       />
-      <Refusal error={error ?? noOther} />
+      <Refusal inset error={error ?? noOther} />
       {view !== 'text' && numbers.length > 1 && (
         <p className={`row wrap small mid ${classes.against}`}>
           <label htmlFor="against">Compare with version</label>

@@ -4,13 +4,13 @@ import { useEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { DraftNote, keepDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { partOf, type Reference, titleOf, useOpenVersion } from '@/references'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -93,12 +93,11 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
   ])
   const { data: cues } = useQuery(cuesQuery(projectId))
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].toSorted()
-  const refusal = open.error instanceof ApiProblem ? open.error : null
   return (
     <>
       <div className={classes.stage}>
         <div className={classes.picture}>
-          {refusal && <ProblemNote detail={refusal.detail} fix={refusal.fix} />}
+          <Refusal error={open.error} />
           {isUnplayable ? (
             <ProblemNote
               detail={`This browser can’t play ${version.file_name}.`}
@@ -190,7 +189,7 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
             ))}
           </ol>
           <div className={classes.foot}>
-            {making.problem && <ProblemNote detail={sentence(making.problem.detail)} fix={making.problem.fix} />}
+            <Refusal error={making.problem} />
             <Button
               variant="primary"
               keys="mod+Enter"

@@ -4,7 +4,7 @@ import { Link, useParams } from '@tanstack/react-router'
 import { useTitle } from '@/app/title'
 import { titleOf } from '@/references'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { clipQuery } from './api'
 import classes from './Spotting.module.css'
@@ -23,7 +23,7 @@ export function SpottingPage() {
   const refusal = clip !== undefined && whyNot(clip)
   return (
     <div className={`page ${classes.page}`} aria-busy={isPending}>
-      {error && <ProblemNote detail={error.message} />}
+      <Refusal error={error} />
       {refusal && (
         <EmptyState head={refusal} level={1} action={back}>
           Spotting marks, in a clip on the board, where sounds are needed.

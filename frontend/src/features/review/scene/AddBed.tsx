@@ -1,9 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
 import { type BedRole, type BedSource, bedSourcesQuery, useBeds } from './api'
@@ -77,7 +76,7 @@ export function AddBed({ projectId, category, onDone }: AddBedProps) {
       <Button variant="quiet" onClick={onDone}>
         Cancel
       </Button>
-      {problem instanceof ApiProblem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={problem} />
     </form>
   )
 }

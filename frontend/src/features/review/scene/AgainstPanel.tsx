@@ -1,13 +1,12 @@
 import { useQuery } from '@tanstack/react-query'
 import { useEffect, useMemo, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { HotkeyButton } from '@/app/keys'
 import type { Player, PlayerState, Source } from '@/audio'
 import { useSounds } from '@/fixing'
 import type { CueReview, ReviewTake } from '@/judging/api'
+import { Refusal } from '@/ui/Refusal'
 import { figure, gain, level } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Select } from '@/ui/Select'
 
 import { type Against, bedSourcesQuery, type Comparison, comparisonQuery } from './api'
@@ -106,7 +105,7 @@ export function AgainstPanel({ review, projectId, hand, nameOf, source, player, 
           Difference
         </HotkeyButton>
       </div>
-      {error instanceof ApiProblem && <ProblemNote detail={error.detail} fix={error.fix} />}
+      <Refusal error={error} />
       {comparison && <p className="small mid">{inWords(comparison)}</p>}
       {comparison?.spectra && <SpectraPlot spectra={comparison.spectra} name={nameOf(hand)} other={chosen.words} />}
     </section>

@@ -8,7 +8,7 @@ import { type Player, type Source, useAt } from '@/audio'
 import type { Placing } from '@/judging/useHearing'
 import { Button } from '@/ui/Button'
 import { figure, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { AddBed } from './AddBed'
 import { maskingQuery, type Scene, type SceneLane, sceneQuery, useBeds } from './api'
@@ -49,7 +49,7 @@ export function SceneStage(props: SceneStageProps) {
       release: () => player.setHushed(false),
     },
   ])
-  if (error instanceof ApiProblem) return <ProblemNote detail={error.detail} fix={error.fix} />
+  if (error instanceof ApiProblem) return <Refusal error={error} />
   if (scene === undefined) return <p className={`small mid ${classes.waits}`}>The scene is loading.</p>
   return (
     <section className={classes.scene} aria-label="Scene">

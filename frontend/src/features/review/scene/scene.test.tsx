@@ -271,7 +271,7 @@ test('a scene that is refused says why', async () => {
   openApp(`/projects/${PROJECT}/review/shield`)
   await screen.findByRole('region', { name: 'Verdict' })
   await userEvent.keyboard('o')
-  expect(await screen.findByText(/version a is for no cue yet/)).toBeVisible()
+  expect(await screen.findByText(/version a is for no cue yet/i)).toBeVisible()
 })
 
 test('a designer is offered no scene', async () => {
@@ -327,7 +327,7 @@ describe('against another sound', () => {
   test('what cannot be compared says why', async () => {
     server.on('POST /v1/takes/a/comparisons', refusal(409, 'nothing-to-compare', 'both are the same file'))
     const panel = await opened()
-    expect(await panel.findByText(/both are the same file/)).toBeVisible()
+    expect(await panel.findByText(/both are the same file/i)).toBeVisible()
     expect(panel.getByRole('button', { name: /^Difference/ })).toBeDisabled()
   })
 })

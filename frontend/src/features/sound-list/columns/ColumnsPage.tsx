@@ -11,8 +11,8 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Select } from '@/ui/Select'
 
 import { type Cue, listQuery, problemIn, useRights } from '../api'
@@ -56,7 +56,6 @@ export function ColumnsPage(): ReactNode {
   useTitle('Columns')
   const rights = useRights(projectId)
   const { data, error } = useQuery(columnsQuery(projectId))
-  const refused = problemIn(error)
   return (
     <div className={`page ${classes.page}`}>
       <header className={classes.top}>
@@ -71,7 +70,7 @@ export function ColumnsPage(): ReactNode {
           Back to the list
         </ButtonLink>
       </header>
-      {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+      <Refusal error={error} />
       {rights.known && !rights.edits && (
         <EmptyState head="Only producers and audio leads can change columns">You can read them in the list.</EmptyState>
       )}
@@ -199,7 +198,7 @@ function ColumnsForm({ projectId, columns, edition }: ColumnsFormProps) {
             and come back when you add a column of the same name.
           </p>
         )}
-        {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+        <Refusal error={problem} />
         <Button type="submit" variant="primary" keys="mod+Enter" disabled={!isChanged || set.isPending}>
           Save columns
         </Button>

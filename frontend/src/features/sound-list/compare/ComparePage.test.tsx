@@ -59,5 +59,5 @@ test('a refusal is said where it happened', async () => {
   const server = served()
   server.answers[`GET ${server.at}/sound-list/revisions/compare`] = refusal(404, 'revision-not-found', 'no revision 3')
   openApp(`${server.path}/compare`)
-  expect(await screen.findByRole('alert')).toHaveTextContent('no revision 3')
+  expect(await screen.findByRole('alert')).toHaveTextContent('No revision 3.')
 })

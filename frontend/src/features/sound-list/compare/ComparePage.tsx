@@ -4,12 +4,13 @@ import type { ReactNode } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { clock, day, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { Select } from '@/ui/Select'
+import { ShowMore } from '@/ui/ShowMore'
 
 import { compareQuery, type Difference, listQuery, problemIn, type Revision, revisionsQuery } from '../api'
 import { Changes } from '../Changes'
@@ -68,7 +69,7 @@ export function ComparePage(): ReactNode {
           Back to the list
         </ButtonLink>
       </header>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={problem} />
       {list?.revision === 0 && (
         <EmptyState head="No revisions yet">Adding the first cues creates revision 1.</EmptyState>
       )}
@@ -128,9 +129,7 @@ export function ComparePage(): ReactNode {
             </ol>
             {revisions.hasNextPage && (
               <p className={classes.older}>
-                <Button disabled={revisions.isFetchingNextPage} onClick={() => void revisions.fetchNextPage()}>
-                  Older revisions
-                </Button>
+                <ShowMore list={revisions}>Older revisions</ShowMore>
               </p>
             )}
           </Card>

@@ -175,7 +175,7 @@ test('an answer that came too late says so, and keeps its text', async () => {
   await userEvent.type(field, 'A drop.')
   await userEvent.click(screen.getByRole('checkbox', { name: 'Add it to the cue’s description' }))
   await userEvent.click(screen.getByRole('button', { name: 'Answer' }))
-  expect(await screen.findByRole('alert')).toHaveTextContent('this question was answered already')
+  expect(await screen.findByRole('alert')).toHaveTextContent('This question was answered already.')
   expect(field).toHaveValue('A drop.')
   expect(server.sent('POST', '/v1/questions/q1/answer')[0]?.body).toEqual({ text: 'A drop.', joins: false })
 })
@@ -244,7 +244,7 @@ test('a reel that is refused says why', async () => {
   const { server, id } = opened()
   server.answers[`POST /v1/cues/${id}/reels`] = refusal(409, 'takes-being-drawn', 'a take is still being drawn')
   await userEvent.click(await screen.findByRole('button', { name: 'Play all versions' }))
-  expect(await screen.findByRole('alert')).toHaveTextContent('a take is still being drawn')
+  expect(await screen.findByRole('alert')).toHaveTextContent('A take is still being drawn.')
   expect(screen.queryByRole('link', { name: 'Download reel' })).not.toBeInTheDocument()
 })
 

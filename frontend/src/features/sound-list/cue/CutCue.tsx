@@ -4,9 +4,9 @@ import { useEffect, useRef, useState } from 'react'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
-import { type Cue, problemIn, useCut } from '../api'
+import { type Cue, useCut } from '../api'
 import classes from './Panel.module.css'
 
 interface CutCueProps {
@@ -20,7 +20,6 @@ export function CutCue({ cue, projectId, onClose }: CutCueProps) {
   const [reason, setReason, draft] = useDraft(`cut:${cue.id}`, '')
   const [missing, setMissing] = useState(false)
   const cut = useCut(projectId, cue.id)
-  const problem = problemIn(cut.error)
   const field = useRef<HTMLInputElement>(null)
   useEffect(() => field.current?.focus(), [])
   const send = () => {
@@ -64,7 +63,7 @@ export function CutCue({ cue, projectId, onClose }: CutCueProps) {
         A cut can’t be undone: {cue.label} stays in the list with its reason and versions, and its file name can be used
         again.
       </p>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={cut.error} />
     </form>
   )
 }

@@ -7,6 +7,7 @@ import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Cue, type FieldChange, problemIn, readAgain, useChangeCue } from '../api'
 import { Changes } from '../Changes'
@@ -162,7 +163,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
       {whole.map((sentence) => (
         <ProblemNote key={sentence} detail={sentence} />
       ))}
-      {refusal && <ProblemNote detail={refusal.detail} fix={refusal.fix} />}
+      <Refusal error={refusal} />
       <div className={classes.acts}>
         {more}
         <span className="small dim end">

@@ -1,12 +1,12 @@
 import type { InfiniteData, UseInfiniteQueryResult } from '@tanstack/react-query'
 import type { ReactNode } from 'react'
 
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ShowMore } from '@/ui/ShowMore'
 
-import { type CueChanged, type CueDetail, problemIn, type Version } from '../api'
+import { type CueChanged, type CueDetail, type Version } from '../api'
 import { Changes } from '../Changes'
 import classes from './Cue.module.css'
 
@@ -30,11 +30,10 @@ export function History({ cue, versions, changes }: HistoryProps) {
     ...cue.questions.flatMap(ofQuestion),
     ...versions.map(ofVersion),
   ].sort((a, b) => b.at.localeCompare(a.at))
-  const problem = problemIn(changes.error)
   return (
     <Card aria-labelledby="history">
       <CardHead id="history" title="History" end="newest first" />
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={changes.error} />
       <ol className={classes.history}>
         {all.map(({ key, at, who, what }) => (
           <li key={key}>
@@ -45,9 +44,7 @@ export function History({ cue, versions, changes }: HistoryProps) {
       </ol>
       {changes.hasNextPage && (
         <p className={classes.further}>
-          <Button disabled={changes.isFetchingNextPage} onClick={() => void changes.fetchNextPage()}>
-            Show older
-          </Button>
+          <ShowMore list={changes}>Show older</ShowMore>
         </p>
       )}
     </Card>

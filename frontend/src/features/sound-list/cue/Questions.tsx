@@ -5,12 +5,12 @@ import { useRoles } from '@/api/roles'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { ago } from '@/ui/format'
 import { Person } from '@/ui/Person'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { State } from '@/ui/State'
 
-import { type Cue, problemIn, type Question, useAnswer, useAsk } from '../api'
+import { type Cue, type Question, useAnswer, useAsk } from '../api'
 import fields from './CueFields.module.css'
 import classes from './Panel.module.css'
 
@@ -77,7 +77,6 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
   useEffect(() => {
     if (opens) field.current?.focus()
   }, [opens])
-  const problem = problemIn(answer.error)
   const send = () => {
     const said = text.trim()
     if (said === '' || answer.isPending) return
@@ -123,7 +122,7 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
         onChange={(event) => setJoins(event.currentTarget.checked)}
       />
       <DraftNote draft={draft} />
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={answer.error} />
     </form>
   )
 }
@@ -140,7 +139,6 @@ interface AskFormProps {
 export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps) {
   const [text, setText, draft] = useDraft(`ask:${cue.id}`, '')
   const ask = useAsk(projectId, cue.id)
-  const problem = problemIn(ask.error)
   const field = useRef<HTMLTextAreaElement>(null)
   useEffect(() => {
     if (opens) field.current?.focus()
@@ -182,7 +180,7 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
         </Button>
       </div>
       <DraftNote draft={draft} />
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={ask.error} />
     </form>
   )
 }

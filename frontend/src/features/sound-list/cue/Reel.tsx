@@ -2,11 +2,12 @@ import { NumberInput } from '@mantine/core'
 import { useRef, useState } from 'react'
 
 import { ButtonLink, Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { length, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
 
-import { problemIn, type Reel as Made, type ReelAdd, useReel } from '../api'
+import { type Reel as Made, type ReelAdd, useReel } from '../api'
 import classes from './Cue.module.css'
 
 const SLATES = {
@@ -20,7 +21,6 @@ const MAX_S = 5
 export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
   const { ask, made: reel, making, error } = useReel(cueId)
   const [how, setHow] = useState<Required<ReelAdd>>({ gap_ms: 500, crossfade_ms: 0, slates: 'spoken', order: 'oldest' })
-  const problem = problemIn(error)
   return (
     <div className={classes.inside}>
       <div className="row wrap">
@@ -42,7 +42,7 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
       </p>
       {reel?.file_url && !making && <Player key={reel.id} reel={reel} fileUrl={reel.file_url} cueName={cueName} />}
       {reel?.refusal && <ProblemNote detail={reel.refusal} />}
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={error} />
     </div>
   )
 }

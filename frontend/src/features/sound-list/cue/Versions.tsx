@@ -6,8 +6,8 @@ import { NotHeard } from '@/heard/NotHeard'
 import { reasonsText, sentence } from '@/judging/words'
 import { Card, CardHead } from '@/ui/Card'
 import { Finding } from '@/ui/Finding'
+import { Refusal } from '@/ui/Refusal'
 import { ago, length, place } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 import { State, type StateKind } from '@/ui/State'
 
 import type { CueDetail, Take, Version } from '../api'
@@ -41,7 +41,7 @@ export function Versions({ cue, projectId, versions, unheardIds, problem, playin
   return (
     <Card aria-labelledby="versions">
       <CardHead id="versions" title="Versions" count={versions?.length} end="newest first" />
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={problem} />
       {versions?.length === 0 && <p className={`small dim ${classes.inside}`}>No versions yet.</p>}
       <ul>
         {versions?.map((version) => (

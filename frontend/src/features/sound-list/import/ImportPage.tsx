@@ -15,6 +15,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
+import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Segmented } from '@/ui/Segmented'
@@ -127,7 +128,6 @@ export function ImportPage(): ReactNode {
   const read = given ? plan.data : undefined
   const isStale = plan.isPlaceholderData || plan.isFetching || asked !== sheet
   const problem = given ? problemIn(plan.error) : null
-  const refused = problemIn(send.error)
   const put = () => {
     if (read === undefined || isStale) return
     send.mutate(bodyOf(sheet), {
@@ -260,7 +260,7 @@ export function ImportPage(): ReactNode {
                 </p>
               )}
             </div>
-            {refused && <ProblemNote detail={refused.detail} fix={refused.fix} />}
+            <Refusal error={send.error} />
             <Button
               variant="primary"
               disabled={read.added + read.changed === 0 || isStale || send.isPending}

@@ -9,9 +9,9 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Refusal } from '@/ui/Refusal'
 import { figure, length, plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import { type CueAdd, problemIn, useAddCues, useRights } from '../api'
 import { type Kit, kitQuery, type KitRow, kitsQuery, useUndoAddition } from './api'
@@ -60,7 +60,7 @@ export function KitsPage() {
           </Link>
         </p>
       </div>
-      {error && <ProblemNote detail={error.message} />}
+      <Refusal error={error} />
       {kits && !kit && <KitCards kits={kits} projectId={projectId} />}
       {kit && <ChosenKit key={kit.key} kit={kit} projectId={projectId} />}
     </div>
@@ -164,13 +164,12 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
     { keys: 'x', label: 'Strike out or keep', group: GROUP, run: toggle },
     { keys: 'mod+Enter', label: 'Add the cues', group: GROUP, run: () => void send() },
   ])
-  const problem = problemIn(add.error)
   const categories = [...new Set(rows.map(({ category }) => category))]
   return (
     <>
       <Usual kit={kit} />
       <DraftNote draft={draft} />
-      {error && <ProblemNote detail={error.message} />}
+      <Refusal error={error} />
       <Card aria-labelledby="kit-cues">
         <CardHead id="kit-cues" title="Cues" count={rows.length} note={`${wanted.length} will be added`} />
         <table ref={table} className={classes.table}>
@@ -229,7 +228,7 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
         </table>
       </Card>
       <div className={classes.foot}>
-        {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+        <Refusal error={add.error} />
         <span className="wide-only">
           <KeysLine
             keys={[

@@ -8,14 +8,14 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { FieldError } from '@/ui/FieldError'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
 
 import classes from './AddCues.module.css'
 import { type Cue, type CueAdd, problemIn, useAddCues } from '../api'
 import { type CueDraft, type Faults, readDraft, refusedRows } from '../cue/draft'
 import { useUndoAddition } from '../kits/api'
-import { isMatrix, matrixQuery } from './matrix'
+import { matrixQuery, isMatrix } from './matrix'
 import { MatrixPreview } from './MatrixPreview'
 import { blankRow, isBlank, isBlock, NEW_FIELDS, type NewRow, withPasted, withRoom } from './newRows'
 import { NEEDS, SETTLED } from '../words'
@@ -189,7 +189,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
           <option key={category} value={category} />
         ))}
       </datalist>
-      {refusal && <ProblemNote detail={refusal.detail} fix={refusal.fix} />}
+      <Refusal error={refusal} />
       <footer className={classes.foot}>
         <span className={wrong > 0 ? 'tone-bad toned' : 'small dim'} role="status">
           {wrong > 0

@@ -4,7 +4,7 @@ import { useState } from 'react'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Cue, problemIn } from '../api'
 import { type FactQuestion, useAnswerFact, useDismissFact } from '../clarity'
@@ -60,7 +60,7 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
       {questions.map((one) => (
         <Asked key={one.fact} one={one} isFirst={one === first} busy={busy} onSay={say} onDrop={drop} />
       ))}
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={problem} />
       <div className={classes.acts}>
         <span className="small dim">
           Each answer is added to the description. Unclear cues can be delivered all the same.

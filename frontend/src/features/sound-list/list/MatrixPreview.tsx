@@ -2,7 +2,7 @@ import { useDebouncedValue } from '@mantine/hooks'
 import { keepPreviousData, useQuery } from '@tanstack/react-query'
 
 import { figure, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { problemIn } from '../api'
 import classes from './AddCues.module.css'
@@ -25,7 +25,7 @@ export function MatrixPreview({ projectId, line, category }: MatrixPreviewProps)
     placeholderData: keepPreviousData,
   })
   const problem = problemIn(error)
-  if (problem) return <ProblemNote detail={problem.detail} fix={problem.fix} />
+  if (problem) return <Refusal error={problem} />
   if (data === undefined) return null
   const taken = data.rows.filter(({ owner }) => owner !== null)
   const rows = [...taken, ...data.rows.filter(({ owner }) => owner === null)]

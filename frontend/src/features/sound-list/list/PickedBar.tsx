@@ -2,11 +2,11 @@ import { useState } from 'react'
 
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
-import { ProblemNote } from '@/ui/ProblemNote'
 
-import { type Cue, problemIn } from '../api'
+import { type Cue } from '../api'
 import { type SharedField, useSetForSeveral } from '../import/api'
 import { type CuePerson, TASKS } from '../people'
 import classes from './SoundList.module.css'
@@ -24,7 +24,6 @@ interface PickedBarProps {
 export function PickedBar({ projectId, cues, categories, people, onClear }: PickedBarProps) {
   const [category, setCategory] = useState('')
   const set = useSetForSeveral(projectId)
-  const problem = problemIn(set.error)
   const live = cues.filter(({ state }) => state !== 'cut')
   const cut = cues.length - live.length
 
@@ -148,7 +147,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           Clear
         </Button>
       </section>
-      {problem && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+      <Refusal error={set.error} />
     </>
   )
 }

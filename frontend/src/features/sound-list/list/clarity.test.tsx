@@ -57,7 +57,7 @@ test('what is typed stays when the server refuses it', async () => {
   await userEvent.keyboard('jc')
   const form = await screen.findByRole('form', { name: 'How heavy?' })
   await userEvent.type(within(form).getByRole('textbox'), 'as a piano{Enter}')
-  expect(await screen.findByText('SW-001 is cut')).toBeInTheDocument()
+  expect(await screen.findByText('SW-001 is cut.')).toBeInTheDocument()
   expect(within(form).getByRole('textbox')).toHaveValue('as a piano')
 })
 

@@ -192,7 +192,7 @@ describe('several cues in one line', () => {
       'a part is missing before or after ×',
     )
     await typed(server)
-    expect(await screen.findByText('a part is missing before or after ×')).toBeInTheDocument()
+    expect(await screen.findByText('A part is missing before or after ×.')).toBeInTheDocument()
     await userEvent.keyboard('{Control>}{Enter}{/Control}')
     await waitFor(() => expect(screen.getByRole('textbox', { name: 'Name, row 1' })).toBeInvalid())
     expect(server.sent('POST', `${server.at}/cues`)).toEqual([])

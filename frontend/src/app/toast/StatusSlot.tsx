@@ -1,17 +1,32 @@
 import { useEffect, useRef, useState, useSyncExternalStore } from 'react'
 
+import { isSending, subscribeSending } from '@/api'
 import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
 
 import { useHotkeys } from '../keys'
 import { dismissToast, type Toast, TOAST_MS, toastStore } from './store'
-import classes from './Toast.module.css'
+import classes from './StatusSlot.module.css'
+import { useIsLoading } from './useIsLoading'
+import { useLate } from './useLate'
 
-/** The place at the bottom left where what was just done can be taken back. */
-export function ToastRegion() {
+/**
+ * The place at the end of the bar for what goes on: what was just done and can be taken back, and that a write waits for
+ * its answer. It covers nothing: on a phone it is a line above the bar of screens, for which the page makes room.
+ */
+export function StatusSlot() {
   const toast = useSyncExternalStore(toastStore.subscribe, toastStore.get)
+  const isSendingLate = useLate(useSyncExternalStore(subscribeSending, isSending))
+  const isLoadingLate = useLate(useIsLoading())
+  const isLate = isSendingLate || isLoadingLate
   return (
-    <div role="status" className={classes.region}>
+    <div role="status" className={classes.slot} data-filled={isLate || toast !== null || undefined}>
+      {isLate && (
+        <span className={classes.sending}>
+          <span className="ring" aria-hidden="true" />
+          {isSendingLate ? 'Sending…' : 'Loading…'}
+        </span>
+      )}
       {toast && <ToastLine key={toast.id} toast={toast} />}
     </div>
   )
@@ -51,7 +66,7 @@ function ToastLine({ toast }: { toast: Toast }) {
       onBlur={() => setHeld(false)}
     >
       <Icon name="tick" />
-      <span className="grow">{toast.text}</span>
+      <span className={classes.text}>{toast.text}</span>
       {toast.undo && (
         <Button variant="quiet" className={classes.undo} keys="u" onClick={undo}>
           Undo

@@ -1,0 +1,32 @@
+import type { ReactNode } from 'react'
+
+import { ApiProblem } from '@/api/problem'
+
+import { ProblemNote } from './ProblemNote'
+import { sentence } from './sentence'
+
+interface RefusalProps {
+  /** The error of a query or a mutation; nothing is drawn while there is none. */
+  error: unknown
+  /** What was to be done, where the sentence alone would not say: a file's name. */
+  about?: string
+  action?: ReactNode
+  /** Stands in a card by itself, away from its edges. */
+  inset?: boolean
+  className?: string
+}
+
+/** What the server refused and what to do about it, said where it was asked. */
+export function Refusal({ error, about, action, inset = false, className }: RefusalProps) {
+  if (error === null || error === undefined) return null
+  const problem = error instanceof ApiProblem ? error : null
+  const detail = problem ? sentence(problem.detail) : 'Something went wrong in the page. What you typed is kept.'
+  return (
+    <ProblemNote
+      detail={about ? `${about}: ${detail}` : detail}
+      fix={problem?.fix ? sentence(problem.fix) : undefined}
+      action={action}
+      className={[inset ? 'inset' : '', className].filter(Boolean).join(' ')}
+    />
+  )
+}
