@@ -1,6 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { ApiProblem } from '@/api'
+import { Table } from '@/ui/Table'
 
 import { lossQuery } from './api'
 import classes from './Losses.module.css'
@@ -32,28 +33,16 @@ export function LossPanel({ renderId, target }: { renderId: string; target: stri
 
 function LossTable({ label, head, lines }: { label: string; head: string; lines: readonly LossLine[] }) {
   return (
-    <table className={`small ${classes.table}`} aria-label={label}>
-      <thead>
-        <tr className="dim">
-          <th scope="col">{head}</th>
-          <th scope="col" className="num">
-            Master
-          </th>
-          <th scope="col" className="num">
-            Game file
-          </th>
-        </tr>
-      </thead>
-      <tbody>
-        {lines.map(({ what, master, file }) => (
-          <tr key={what}>
-            <th scope="row">{what}</th>
-            <td className="num">{master ?? ''}</td>
-            <td className="num">{file}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <Table
+      label={label}
+      rows={lines}
+      keyOf={({ what }) => what}
+      columns={[
+        { head, rowHead: true, cell: ({ what }) => what },
+        { head: 'Master', numeric: true, cell: ({ master }) => master ?? '' },
+        { head: 'Game file', numeric: true, cell: ({ file }) => file },
+      ]}
+    />
   )
 }
 

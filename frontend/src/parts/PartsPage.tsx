@@ -8,7 +8,7 @@ import { showToast } from '@/app/toast'
 import { WaveThumb } from '@/audio'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { DataTable } from '@/ui/DataTable'
+import { ListTable } from '@/ui/Table'
 import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
 import { FieldError } from '@/ui/FieldError'
@@ -380,7 +380,7 @@ function List() {
   ])
   return (
     <section aria-label="Sound list" className={classes.list}>
-      <DataTable
+      <ListTable
         label="Sound list"
         columns={CUE_COLUMNS}
         groups={CUES}

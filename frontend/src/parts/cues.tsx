@@ -1,5 +1,5 @@
 import { type Peaks, WaveThumb } from '@/audio'
-import type { Column, RowGroup } from '@/ui/DataTable'
+import type { Column, RowGroup } from '@/ui/Table'
 import { Icon } from '@/ui/Icon'
 import { SetBlocks } from '@/ui/SetBlocks'
 import { State, type StateKind, type Tone } from '@/ui/State'

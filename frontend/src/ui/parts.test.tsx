@@ -6,7 +6,7 @@ import { draw } from '@/test/draw'
 
 import { Button, ButtonLink } from './Button'
 import { Card, CardHead } from './Card'
-import { DataTable } from './DataTable'
+import { ListTable } from './Table'
 import { EmptyState } from './EmptyState'
 import { Face } from './Face'
 import { FieldError } from './FieldError'
@@ -204,7 +204,7 @@ test('a face is the picture of the person, and letters where that does not load'
   expect(screen.getByText('AD')).toBeInTheDocument()
 })
 
-describe('DataTable', () => {
+describe('ListTable', () => {
   const columns = [
     { id: 'number', head: 'Number', cell: (row: { id: string; name: string }) => row.id },
     {
@@ -221,7 +221,7 @@ describe('DataTable', () => {
   ]
 
   test('names rows and groups, and marks the one in the hand', () => {
-    draw(<DataTable label="Sound list" columns={columns} groups={groups} keyOf={(row) => row.id} selected="SW-018" />)
+    draw(<ListTable label="Sound list" columns={columns} groups={groups} keyOf={(row) => row.id} selected="SW-018" />)
     const table = screen.getByRole('table', { name: 'Sound list' })
     expect(
       within(table)
@@ -234,7 +234,7 @@ describe('DataTable', () => {
 
   test('a press on a row takes it in the hand', async () => {
     const select = vi.fn()
-    draw(<DataTable label="Sound list" columns={columns} groups={groups} keyOf={(row) => row.id} onSelect={select} />)
+    draw(<ListTable label="Sound list" columns={columns} groups={groups} keyOf={(row) => row.id} onSelect={select} />)
     await userEvent.click(screen.getByText('SW-007'))
     expect(select).toHaveBeenCalledWith({ id: 'SW-007', name: 'shield_hit' })
   })

@@ -10,8 +10,9 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
-import { bytes, day, plural } from '@/ui/format'
+import { bytes, day, figure, plural } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
+import { Table } from '@/ui/Table'
 
 import classes from './Libraries.module.css'
 import { librariesQuery, MAX_SHEET_BYTES, type SoundLibrary, useAddLibrary, useRemoveLibrary } from './libraries'
@@ -47,42 +48,32 @@ function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
     <Card aria-labelledby="known">
       <CardHead id="known" title="Known libraries" count={libraries.length} />
       <Refusal error={remove.error} />
-      <div className={classes.scroll}>
-        <table>
-          <thead>
-            <tr>
-              {['Library', 'Licence', 'Sounds', 'Registered by', 'Newest sheet', ''].map((head) => (
-                <th key={head} scope="col">
-                  {head || <VisuallyHidden>Remove</VisuallyHidden>}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {libraries.map(({ id, name, licence, sounds, person, added_at: at, may_remove: mayRemove }) => (
-              <tr key={id}>
-                <th scope="row">{name}</th>
-                <td>{licence || 'not named'}</td>
-                <td>{sounds.toLocaleString('en')}</td>
-                <td>{person.name}</td>
-                <td>{day(at)}</td>
-                <td>
-                  {mayRemove && (
-                    <ConfirmInline
-                      variant="quiet"
-                      aria-label={`Remove ${name}`}
-                      action={`Remove ${name} and what was found`}
-                      onConfirm={() => remove.mutate(id)}
-                    >
-                      Remove
-                    </ConfirmInline>
-                  )}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <Table
+        label="Known libraries"
+        rows={libraries}
+        keyOf={({ id }) => id}
+        columns={[
+          { head: 'Library', rowHead: true, cell: ({ name }) => name },
+          { head: 'Licence', cell: ({ licence }) => licence || 'not named' },
+          { head: 'Sounds', numeric: true, cell: ({ sounds }) => figure(sounds) },
+          { head: 'Registered by', cell: ({ person }) => person.name },
+          { head: 'Newest sheet', cell: ({ added_at: at }) => day(at) },
+          {
+            head: <VisuallyHidden>Remove</VisuallyHidden>,
+            cell: ({ id, name, may_remove: mayRemove }) =>
+              mayRemove && (
+                <ConfirmInline
+                  variant="quiet"
+                  aria-label={`Remove ${name}`}
+                  action={`Remove ${name} and what was found`}
+                  onConfirm={() => remove.mutate(id)}
+                >
+                  Remove
+                </ConfirmInline>
+              ),
+          },
+        ]}
+      />
     </Card>
   )
 }

@@ -1,5 +1,6 @@
 import { amount, money } from '@/money/words'
 import { plural, shortDay } from '@/ui/format'
+import { Table } from '@/ui/Table'
 
 import type { Difference } from './api'
 import classes from './Contracts.module.css'
@@ -43,39 +44,28 @@ export function DifferenceView({ difference, currency }: { difference: Differenc
           )}
         </dd>
       </dl>
-      {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a region that scrolls is reached by keys */}
-      <div className={classes.table} tabIndex={0} role="region" aria-label="Payment plan">
-        <table>
-          <thead className="dim">
-            <tr>
-              <th scope="col">{`Payment plan, ${currency}`}</th>
-              <th scope="col" className={classes.number}>
-                now
-              </th>
-              <th scope="col" className={classes.number}>
-                after
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {difference.milestones.map((one) => (
-              <tr key={one.name}>
-                <td>
-                  {one.name} <span className="mid">{datesOf(one)}</span>
-                </td>
-                <td className={classes.number}>{amount(one.amount_before_minor, currency)}</td>
-                <td className={classes.number}>
-                  {one.amount_before_minor === one.amount_after_minor ? (
-                    'same'
-                  ) : (
-                    <strong>{amount(one.amount_after_minor, currency)}</strong>
-                  )}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <Table
+        label="Payment plan"
+        rows={difference.milestones}
+        keyOf={({ name }) => name}
+        columns={[
+          {
+            head: `Payment plan, ${currency}`,
+            cell: (milestone) => (
+              <>
+                {milestone.name} <span className="mid">{datesOf(milestone)}</span>
+              </>
+            ),
+          },
+          { head: 'now', numeric: true, cell: ({ amount_before_minor: before }) => amount(before, currency) },
+          {
+            head: 'after',
+            numeric: true,
+            cell: ({ amount_before_minor: before, amount_after_minor: after }) =>
+              before === after ? 'same' : <strong>{amount(after, currency)}</strong>,
+          },
+        ]}
+      />
       {[...difference.warnings, ...difference.advice].map(({ code, message, why }) => (
         <Warning key={`${code} ${message}`}>{`${message} ${why}`}</Warning>
       ))}

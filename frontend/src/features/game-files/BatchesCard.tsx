@@ -7,6 +7,7 @@ import { Refusal } from '@/ui/Refusal'
 import { ago, day, figure } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { ShowMore } from '@/ui/ShowMore'
+import { Table } from '@/ui/Table'
 
 import { type Batch, type BatchSizes, useBatch, useBatches, useBeginBatch, useCancelBatch } from './api'
 import classes from './Files.module.css'
@@ -156,33 +157,23 @@ function Sizes({ batch }: { batch: Batch }) {
   return (
     <>
       <SizeBars batch={batch} sizes={data.sizes} />
-      <div className={classes.scroll}>
-        <table className={`small ${classes.table}`} aria-label={`Sizes of batch ${batch.number}`}>
-          <thead>
-            <tr>
-              <th scope="col">Target</th>
-              <th scope="col">Category</th>
-              {['Files', 'Before', 'After', 'Difference'].map((head) => (
-                <th key={head} scope="col" className="num">
-                  {head}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {data.sizes.map(({ target, category, files, before_bytes, after_bytes }) => (
-              <tr key={`${target} ${category}`}>
-                <th scope="row">{target}</th>
-                <td>{category || 'none'}</td>
-                <td className="num">{figure(files)}</td>
-                <td className="num">{sizeOf(before_bytes)}</td>
-                <td className="num">{sizeOf(after_bytes)}</td>
-                <td className="num">{signed(after_bytes - before_bytes)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <Table
+        label={`Sizes of batch ${batch.number}`}
+        rows={data.sizes}
+        keyOf={({ target, category }) => `${target} ${category}`}
+        columns={[
+          { head: 'Target', rowHead: true, cell: ({ target }) => target },
+          { head: 'Category', cell: ({ category }) => category || 'none' },
+          { head: 'Files', numeric: true, cell: ({ files }) => figure(files) },
+          { head: 'Before', numeric: true, cell: ({ before_bytes: before }) => sizeOf(before) },
+          { head: 'After', numeric: true, cell: ({ after_bytes: after }) => sizeOf(after) },
+          {
+            head: 'Difference',
+            numeric: true,
+            cell: ({ before_bytes: before, after_bytes: after }) => signed(after - before),
+          },
+        ]}
+      />
       {data.trouble.length > 0 && (
         <ul className={`small mid ${classes.paths}`} aria-label={`Files batch ${batch.number} could not render`}>
           {data.trouble.map(({ cue, name, target, reason }) => (

@@ -1,6 +1,7 @@
 import { bytes, figure } from '@/ui/format'
+import { Table } from '@/ui/Table'
 
-import type { Memory, Target } from './api'
+import type { Target } from './api'
 import classes from './Files.module.css'
 import { roomOf } from './words'
 
@@ -56,40 +57,25 @@ export function MemoryBars({ target }: { target: Target }) {
       </p>
       <details className="small">
         <summary className={classes.summary}>Show as table</summary>
-        <div className={classes.scroll}>
-          <table className={classes.table} aria-label={`Memory of ${target.name} by category`}>
-            <thead>
-              <tr>
-                <th scope="col">Category</th>
-                {['Files', 'Without a length', 'Used', 'Forecast', 'On disk', 'Budget'].map((head) => (
-                  <th key={head} scope="col" className="num">
-                    {head}
-                  </th>
-                ))}
-              </tr>
-            </thead>
-            <tbody>
-              {rows.map(({ name, of, used: now }) => (
-                <Row key={name} name={name} forecast={of} used={now} />
-              ))}
-            </tbody>
-          </table>
-        </div>
+        <Table
+          label={`Memory of ${target.name} by category`}
+          rows={rows}
+          keyOf={({ name }) => name}
+          columns={[
+            { head: 'Category', rowHead: true, cell: ({ name }) => name },
+            { head: 'Files', numeric: true, cell: ({ of }) => figure(of.files) },
+            { head: 'Without a length', numeric: true, cell: ({ of }) => figure(of.unknown_files) },
+            { head: 'Used', numeric: true, cell: ({ used: now }) => bytes(now?.memory_bytes ?? 0) },
+            { head: 'Forecast', numeric: true, cell: ({ of }) => bytes(of.memory_bytes) },
+            { head: 'On disk', numeric: true, cell: ({ of }) => bytes(of.disk_bytes) },
+            {
+              head: 'Budget',
+              numeric: true,
+              cell: ({ of }) => (of.budget_bytes === null ? 'none' : bytes(of.budget_bytes)),
+            },
+          ]}
+        />
       </details>
     </>
-  )
-}
-
-function Row({ name, forecast, used }: { name: string; forecast: Memory; used: Memory | undefined }) {
-  return (
-    <tr>
-      <th scope="row">{name}</th>
-      <td className="num">{figure(forecast.files)}</td>
-      <td className="num">{figure(forecast.unknown_files)}</td>
-      <td className="num">{bytes(used?.memory_bytes ?? 0)}</td>
-      <td className="num">{bytes(forecast.memory_bytes)}</td>
-      <td className="num">{bytes(forecast.disk_bytes)}</td>
-      <td className="num">{forecast.budget_bytes === null ? 'none' : bytes(forecast.budget_bytes)}</td>
-    </tr>
   )
 }

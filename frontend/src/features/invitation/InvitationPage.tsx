@@ -8,7 +8,7 @@ import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { type Column, DataTable } from '@/ui/DataTable'
+import { type Column, ListTable } from '@/ui/Table'
 import { EmptyState } from '@/ui/EmptyState'
 import { day, length, plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
@@ -117,7 +117,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
               </EmptyState>
             </div>
           ) : (
-            <DataTable
+            <ListTable
               label="Sound list"
               columns={COLUMNS}
               groups={[{ id: 'all', rows: cues }]}

@@ -7,6 +7,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural, shortDay } from '@/ui/format'
 import { Rows } from '@/ui/Rows'
+import { Table } from '@/ui/Table'
 
 import { HoursForm } from './HoursForm'
 import classes from './Page.module.css'
@@ -86,38 +87,25 @@ function inWords(terms: Hours, currency: string): string {
 
 function Months({ terms, title }: { terms: Hours; title: string }) {
   return (
-    // A region that scrolls is reached by the keyboard.
-    // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label={`Hours by month, ${title}`}>
-      <table className={`small ${classes.table}`}>
-        <thead className="dim">
-          <tr>
-            <th scope="col">Month from</th>
-            <th scope="col" className={classes.number}>
-              Agreed
-            </th>
-            <th scope="col" className={classes.number}>
-              Waiting
-            </th>
-            <th scope="col" className={classes.number}>
-              Left
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {terms.months.toReversed().map((month) => (
-            <tr key={month.number}>
-              <th scope="row">
-                {shortDay(month.begins_on)}
-                {month.is_retained && <span className="mid">, retainer</span>}
-              </th>
-              <td className={classes.number}>{hours(month.approved_min)}</td>
-              <td className={classes.number}>{hours(month.waiting_min)}</td>
-              <td className={classes.number}>{hours(month.left_min)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+    <Table
+      label={`Hours by month, ${title}`}
+      rows={terms.months.toReversed()}
+      keyOf={({ number }) => number}
+      columns={[
+        {
+          head: 'Month from',
+          rowHead: true,
+          cell: (month) => (
+            <>
+              {shortDay(month.begins_on)}
+              {month.is_retained && <span className="mid">, retainer</span>}
+            </>
+          ),
+        },
+        { head: 'Agreed', numeric: true, cell: (month) => hours(month.approved_min) },
+        { head: 'Waiting', numeric: true, cell: (month) => hours(month.waiting_min) },
+        { head: 'Left', numeric: true, cell: (month) => hours(month.left_min) },
+      ]}
+    />
   )
 }

@@ -1,8 +1,7 @@
 import type { LedgerLine } from '@/money/api'
 import { amount } from '@/money/words'
 import { shortDay } from '@/ui/format'
-
-import classes from './Page.module.css'
+import { Table } from '@/ui/Table'
 
 const KINDS = {
   deposit: 'Deposit',
@@ -33,44 +32,28 @@ export function LedgerTable({
   name: string
 }) {
   return (
-    // A region that scrolls is reached by the keyboard.
-    // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label={name}>
-      <table className={`small ${classes.table}`}>
-        <thead className="dim">
-          <tr>
-            <th scope="col">Day</th>
-            <th scope="col">Type</th>
-            <th scope="col">For</th>
-            <th scope="col" className={classes.wideOnly}>
-              Clause
-            </th>
-            <th scope="col" className={classes.wideOnly}>
-              By
-            </th>
-            <th scope="col" className={classes.number}>
-              {currency}
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {lines.toReversed().map((line) => (
-            <tr key={line.id}>
-              <td>{shortDay(line.at)}</td>
-              <td>
-                {KINDS[line.kind]}
-                {line.round_number !== null && ` ${line.round_number}`}
-                {line.reference !== null && `, ${line.reference}`}
-                {line.invoice_number !== null && <span className="dim"> invoice {line.invoice_number}</span>}
-              </td>
-              <td>{line.cue?.name ?? line.milestone ?? ''}</td>
-              <td className={classes.wideOnly}>{line.clause.replaceAll('_', ' ')}</td>
-              <td className={classes.wideOnly}>{line.by}</td>
-              <td className={classes.number}>{amount(line.amount_minor, currency)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+    <Table
+      label={name}
+      rows={lines.toReversed()}
+      keyOf={({ id }) => id}
+      columns={[
+        { head: 'Day', cell: ({ at }) => shortDay(at) },
+        {
+          head: 'Type',
+          cell: (line) => (
+            <>
+              {KINDS[line.kind]}
+              {line.round_number !== null && ` ${line.round_number}`}
+              {line.reference !== null && `, ${line.reference}`}
+              {line.invoice_number !== null && <span className="dim"> invoice {line.invoice_number}</span>}
+            </>
+          ),
+        },
+        { head: 'For', cell: ({ cue, milestone }) => cue?.name ?? milestone ?? '' },
+        { head: 'Clause', wideOnly: true, cell: ({ clause }) => clause.replaceAll('_', ' ') },
+        { head: 'By', wideOnly: true, cell: ({ by }) => by },
+        { head: currency, numeric: true, cell: ({ amount_minor: minor }) => amount(minor, currency) },
+      ]}
+    />
   )
 }

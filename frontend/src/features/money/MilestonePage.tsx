@@ -16,6 +16,7 @@ import { Refusal } from '@/ui/Refusal'
 import { average, day, deviation, dueDay, figure, plural, shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { State, type StateKind } from '@/ui/State'
+import { Table } from '@/ui/Table'
 
 import { LedgerTable } from './LedgerTable'
 import classes from './Page.module.css'
@@ -231,26 +232,18 @@ function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
       <div className={classes.pad}>
         <p>{slip ? capital(slipInWords(slip, side)) : 'Not due yet'}.</p>
         {slips.length > 1 && (
-          <table className={`small ${classes.slips}`}>
-            <thead className="dim">
-              <tr>
-                <th scope="col">Milestone</th>
-                <th scope="col">Late</th>
-                <th scope="col">{side === 'designer' ? 'with you' : 'with the designer'}</th>
-                <th scope="col">{side === 'designer' ? 'with the studio' : 'with you'}</th>
-              </tr>
-            </thead>
-            <tbody>
-              {slips.map((one) => (
-                <tr key={one.milestone_id} className={one.milestone_id === milestone.id ? 'strong' : undefined}>
-                  <th scope="row">{one.name}</th>
-                  <td>{plural(one.days, 'day')}</td>
-                  <td>{one.designer_days}</td>
-                  <td>{one.studio_days}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
+          <Table
+            label="Delays so far"
+            rows={slips}
+            keyOf={({ milestone_id: id }) => id}
+            rowClass={({ milestone_id: id }) => (id === milestone.id ? 'strong' : undefined)}
+            columns={[
+              { head: 'Milestone', rowHead: true, cell: ({ name }) => name },
+              { head: 'Late', cell: ({ days }) => plural(days, 'day') },
+              { head: side === 'designer' ? 'with you' : 'with the designer', cell: (each) => each.designer_days },
+              { head: side === 'designer' ? 'with the studio' : 'with you', cell: (each) => each.studio_days },
+            ]}
+          />
         )}
         {growth !== null && (
           <p className="small mid">

@@ -10,6 +10,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { figure, plural, shortDay } from '@/ui/format'
+import { Table } from '@/ui/Table'
 
 import classes from './Hours.module.css'
 
@@ -80,40 +81,18 @@ function Shown({ data, projectId }: { data: Hours; projectId: string }) {
       ))}
       <Card aria-labelledby="categories">
         <CardHead id="categories" title="By category" note={sumWords(data.total)} />
-        {/* Wide tables scroll by themselves; the focus lets the arrow keys do it. */}
-        {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-        <section className={classes.scroll} aria-label="Hours by category" tabIndex={0}>
-          <table className={classes.table}>
-            <thead>
-              <tr>
-                <th scope="col">Category</th>
-                <th scope="col" className="num">
-                  Cues
-                </th>
-                <th scope="col" className="num">
-                  Left
-                </th>
-                <th scope="col" className="num">
-                  Logged
-                </th>
-                <th scope="col" className="num">
-                  Without an estimate
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {data.categories.map((one) => (
-                <tr key={one.category}>
-                  <th scope="row">{one.category || 'No category'}</th>
-                  <td className="num">{figure(one.cues)}</td>
-                  <td className="num">{hours(one.left_h)}</td>
-                  <td className="num">{hours(one.done_h)}</td>
-                  <td className="num">{one.unknown > 0 ? figure(one.unknown) : ''}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </section>
+        <Table
+          label="Hours by category"
+          rows={data.categories}
+          keyOf={({ category }) => category}
+          columns={[
+            { head: 'Category', rowHead: true, cell: ({ category }) => category || 'No category' },
+            { head: 'Cues', numeric: true, cell: ({ cues }) => figure(cues) },
+            { head: 'Left', numeric: true, cell: ({ left_h: left }) => hours(left) },
+            { head: 'Logged', numeric: true, cell: ({ done_h: done }) => hours(done) },
+            { head: 'Without an estimate', numeric: true, cell: ({ unknown }) => (unknown > 0 ? figure(unknown) : '') },
+          ]}
+        />
         {data.uncontracted > 0 && (
           <p className={`${classes.note} small mid`}>
             {`${plural(data.uncontracted, 'cue')} of the list ${data.uncontracted === 1 ? 'is' : 'are'} under no agreed contract: hours not known.`}
@@ -150,42 +129,26 @@ function DesignerCard({ designer }: { designer: Designer }) {
           <p className="small mid">{`${plural(undated, 'cue')} without a day ${undated === 1 ? 'is' : 'are'} in no week.`}</p>
         )}
       </div>
-      {/* Wide tables scroll by themselves; the focus lets the arrow keys do it. */}
-      {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-      <section className={classes.scroll} aria-label={`Weeks of ${person.name}`} tabIndex={0}>
-        <table className={classes.table}>
-          <thead>
-            <tr>
-              <th scope="col">Week of</th>
-              <th scope="col" className="num">
-                Due in it
-              </th>
-              <th scope="col" className="num">
-                Due by then
-              </th>
-              <th scope="col" className="num">
-                There by then
-              </th>
-              <th scope="col">
-                <span className="visually-hidden">Due against there</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {weeks.map((week) => (
-              <tr key={week.week_on}>
-                <th scope="row">{shortDay(week.week_on)}</th>
-                <td className="num">{week.due_h > 0 ? hours(week.due_h) : ''}</td>
-                <td className="num">{hours(week.wanted_h)}</td>
-                <td className="num">{week.there_h === null ? 'not known' : hours(week.there_h)}</td>
-                <td className={classes.gauge}>
-                  <Gauge week={week} most={most} />
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </section>
+      <Table
+        label={`Weeks of ${person.name}`}
+        rows={weeks}
+        keyOf={({ week_on: on }) => on}
+        columns={[
+          { head: 'Week of', rowHead: true, cell: ({ week_on: on }) => shortDay(on) },
+          { head: 'Due in it', numeric: true, cell: ({ due_h: due }) => (due > 0 ? hours(due) : '') },
+          { head: 'Due by then', numeric: true, cell: ({ wanted_h: due }) => hours(due) },
+          {
+            head: 'There by then',
+            numeric: true,
+            cell: ({ there_h: there }) => (there === null ? 'not known' : hours(there)),
+          },
+          {
+            head: <span className="visually-hidden">Due against there</span>,
+            className: classes.gauge,
+            cell: (week) => <Gauge week={week} most={most} />,
+          },
+        ]}
+      />
     </Card>
   )
 }

@@ -9,6 +9,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { Table } from '@/ui/Table'
 
 import { deliveryFitQuery } from './api'
 import { type DeliveryFit, moved, WHAT } from './fit'
@@ -72,26 +73,16 @@ function Shifts({ fit }: { fit: DeliveryFit }) {
     <Card aria-labelledby="shifts">
       <CardHead id="shifts" title="Overall" note="its median sound against the approved sounds" />
       <div className={classes.inside}>
-        <table className={classes.table} aria-label="The delivery overall">
-          <thead>
-            <tr>
-              <th scope="col">Measure</th>
-              <th scope="col">Offset from median</th>
-              <th scope="col">Outliers</th>
-            </tr>
-          </thead>
-          <tbody>
-            {fit.shifts.map(({ measure, shift, apart, compared }) => (
-              <tr key={measure}>
-                <th scope="row">{WHAT[measure].replace(', from the median', '')}</th>
-                <td>{moved(measure, shift)}</td>
-                <td>
-                  {apart} of {compared}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <Table
+          label="The delivery overall"
+          rows={fit.shifts}
+          keyOf={({ measure }) => measure}
+          columns={[
+            { head: 'Measure', rowHead: true, cell: ({ measure }) => WHAT[measure].replace(', from the median', '') },
+            { head: 'Offset from median', numeric: true, cell: ({ measure, shift }) => moved(measure, shift) },
+            { head: 'Outliers', numeric: true, cell: ({ apart, compared }) => `${apart} of ${compared}` },
+          ]}
+        />
       </div>
     </Card>
   )

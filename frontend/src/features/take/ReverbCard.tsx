@@ -3,6 +3,7 @@ import { Link } from '@tanstack/react-router'
 import { LevelWell } from '@/audio'
 import { Card, CardHead } from '@/ui/Card'
 import { figure, plural, score } from '@/ui/format'
+import { Table } from '@/ui/Table'
 
 import type { Check, Take } from './api'
 import { DryStem } from './DryStem'
@@ -86,26 +87,24 @@ function DecayPlot({ evidence: { bands, stepS } }: { evidence: ReverbEvidence })
 
 function DecayTable({ evidence: { bands, isStereo } }: { evidence: ReverbEvidence }) {
   return (
-    <table className={`small ${classes.decayTable}`} aria-label="Decay per octave">
-      <thead>
-        <tr>
-          <th scope="col">Octave</th>
-          <th scope="col">RT60</th>
-          <th scope="col">Rate</th>
-          {isStereo && <th scope="col">L/R correlation, start to tail</th>}
-        </tr>
-      </thead>
-      <tbody>
-        {bands.map(({ hz, rt60S, rateDbS, head, tail }) => (
-          <tr key={hz}>
-            <th scope="row">{octave(hz)}</th>
-            <td>{rt60S === null ? 'too short to measure' : `${figure(rt60S, 2)} s`}</td>
-            <td>{rateDbS === null ? '' : `${figure(rateDbS)} dB/s`}</td>
-            {isStereo && <td>{alike(head, tail)}</td>}
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <Table
+      label="Decay per octave"
+      rows={bands}
+      keyOf={({ hz }) => hz}
+      columns={[
+        { head: 'Octave', rowHead: true, cell: ({ hz }) => octave(hz) },
+        { head: 'RT60', cell: ({ rt60S }) => (rt60S === null ? 'too short to measure' : `${figure(rt60S, 2)} s`) },
+        { head: 'Rate', cell: ({ rateDbS }) => (rateDbS === null ? '' : `${figure(rateDbS)} dB/s`) },
+        ...(isStereo
+          ? [
+              {
+                head: 'L/R correlation, start to tail',
+                cell: ({ head, tail }: (typeof bands)[number]) => alike(head, tail),
+              },
+            ]
+          : []),
+      ]}
+    />
   )
 }
 

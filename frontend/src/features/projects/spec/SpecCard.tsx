@@ -7,6 +7,7 @@ import { CopyButton } from '@/ui/CopyButton'
 import { Refusal } from '@/ui/Refusal'
 import { countOf, figure, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { Table } from '@/ui/Table'
 
 import { packsQuery, cuesQuery, type Pack, type Project, type Spec, specQuery } from '../api'
 import { listed, speaks } from '../words'
@@ -148,30 +149,17 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
   return (
     <>
       {shown.length > 0 && (
-        <table className={classes.table}>
-          <thead>
-            <tr>
-              <th scope="col">Category</th>
-              <th scope="col" className="num">
-                Cues
-              </th>
-              <th scope="col" className="wide-only">
-                Sounds are
-              </th>
-              <th scope="col">Differs in</th>
-            </tr>
-          </thead>
-          <tbody>
-            {shown.map(({ name, cues: count, kind, differs }) => (
-              <tr key={name}>
-                <th scope="row">{name}</th>
-                <td className="num">{figure(count)}</td>
-                <td className="mid wide-only">{kind}</td>
-                <td>{differs.join('; ')}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <Table
+          label="Rules by category"
+          rows={shown}
+          keyOf={({ name }) => name}
+          columns={[
+            { head: 'Category', rowHead: true, cell: ({ name }) => name },
+            { head: 'Cues', numeric: true, cell: ({ cues: count }) => figure(count) },
+            { head: 'Sounds are', wideOnly: true, cell: ({ kind }) => kind },
+            { head: 'Differs in', cell: ({ differs }) => differs.join('; ') },
+          ]}
+        />
       )}
       {rows.length > 0 && (
         <p className={`small mid ${classes.plain}`}>

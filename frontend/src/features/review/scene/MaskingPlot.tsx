@@ -1,4 +1,5 @@
 import { figure, level } from '@/ui/format'
+import { Table } from '@/ui/Table'
 
 import type { MaskedBand, Masking } from './api'
 import classes from './Scene.module.css'
@@ -41,32 +42,18 @@ export function MaskingPlot({ masking, names, name }: MaskingPlotProps) {
       </p>
       <details className="small">
         <summary>Figures by band</summary>
-        {/* Focusable, so that it can be scrolled without a pointer. */}
-        {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-        <div className={classes.table} tabIndex={0} role="region" aria-label="Figures by band">
-          <table>
-            <thead>
-              <tr>
-                <th scope="col">Hz</th>
-                <th scope="col">Sound</th>
-                <th scope="col">Heard from</th>
-                <th scope="col">Heard</th>
-                <th scope="col">Strongest other</th>
-              </tr>
-            </thead>
-            <tbody>
-              {bands.map((band) => (
-                <tr key={band.hz}>
-                  <th scope="row">{figure(band.hz)}</th>
-                  <td>{band.is_part ? level(band.sound_db) : 'nothing'}</td>
-                  <td>{band.cover_db === null ? 'any level' : level(band.cover_db)}</td>
-                  <td>{band.is_part ? (band.is_heard ? 'yes' : 'covered') : ''}</td>
-                  <td>{band.covered_by === null ? '' : names.get(band.covered_by)}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </div>
+        <Table
+          label="Figures by band"
+          rows={bands}
+          keyOf={({ hz }) => hz}
+          columns={[
+            { head: 'Hz', rowHead: true, cell: ({ hz }) => figure(hz) },
+            { head: 'Sound', cell: (band) => (band.is_part ? level(band.sound_db) : 'nothing') },
+            { head: 'Heard from', cell: ({ cover_db: cover }) => (cover === null ? 'any level' : level(cover)) },
+            { head: 'Heard', cell: (band) => (band.is_part ? (band.is_heard ? 'yes' : 'covered') : '') },
+            { head: 'Strongest other', cell: ({ covered_by: by }) => (by === null ? '' : names.get(by)) },
+          ]}
+        />
       </details>
     </figure>
   )
