@@ -12,7 +12,11 @@ import { openApp } from './openApp'
 import { aMe, PROJECT } from './review'
 
 type Route = { options: { component?: unknown; beforeLoad?: unknown; loader?: unknown } }
-const routes = Object.entries(router.routesByPath as Record<string, Route>).filter(([path]) => path !== '/$')
+/** What no answer of the server is needed for: the pages of the checks come with the product. */
+const NEEDS_NO_ANSWER = ['/$', '/checks/$check']
+const routes = Object.entries(router.routesByPath as Record<string, Route>).filter(
+  ([path]) => !NEEDS_NO_ANSWER.includes(path),
+)
 const addressOf = (path: string) => path.replace('$projectId', PROJECT).replace(/\$\w+/g, 'id')
 const me = aMe()
 
