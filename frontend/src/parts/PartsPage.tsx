@@ -30,6 +30,7 @@ import { CUE_COLUMNS, CUES } from './cues'
 import classes from './Parts.module.css'
 import { peaksOf, SAMPLES } from './sounds'
 import { Stage } from './Stage'
+import { Waiting } from './Waiting'
 
 const REASONS = [
   'Too loud',
@@ -99,6 +100,7 @@ export function PartsPage() {
           <Lines />
         </div>
       </div>
+      <Waiting />
       <Stage />
       <List />
     </div>

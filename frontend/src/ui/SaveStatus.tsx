@@ -1,7 +1,7 @@
 import { Button } from './Button'
 import { Icon } from './Icon'
 
-interface SaveStatusProps {
+export interface SaveStatusProps {
   state: 'saving' | 'saved' | 'failed'
   /** When it was saved, as it is shown: "21:04". */
   at?: string

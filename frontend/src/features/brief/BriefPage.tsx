@@ -11,6 +11,7 @@ import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
 import { Refusal } from '@/ui/Refusal'
+import { SaveStatus, type SaveStatusProps } from '@/ui/SaveStatus'
 
 import { type Brief, briefQuery, listedCuesQuery, type Question, type Topic, useRecordRead } from './api'
 import classes from './Brief.module.css'
@@ -20,11 +21,14 @@ import { type Saving, useAnswers } from './useAnswers'
 import { openWords, questionsOf } from './words'
 
 const GROUP = 'Brief'
-const SAVING: Record<Saving, string> = {
-  saved: 'Saved',
-  saving: 'Saving…',
-  lost: 'Not saved: the server can’t be reached. Your answers are kept here and sent again.',
-  refused: 'An answer is not saved',
+const SAVING: Record<Saving, SaveStatusProps> = {
+  saved: { state: 'saved' },
+  saving: { state: 'saving' },
+  lost: {
+    state: 'failed',
+    why: 'the server can’t be reached. Your answers are kept here and sent again.',
+  },
+  refused: { state: 'failed', why: 'an answer was refused' },
 }
 
 /** What a designer must know before work starts: one topic a page, saved as it is typed. */
@@ -193,14 +197,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
               </h1>
               <p className="mid">{`${topic.lead} ${asked.length === 1 ? 'One question' : `${asked.length} questions`}, ${open === 0 ? 'none open' : `${open} open`}.`}</p>
             </div>
-            {brief.may_answer && (
-              <p
-                className={answers.saving === 'lost' || answers.saving === 'refused' ? 'tone-warn toned' : 'small mid'}
-                role="status"
-              >
-                {SAVING[answers.saving]}
-              </p>
-            )}
+            {brief.may_answer && <SaveStatus {...SAVING[answers.saving]} />}
           </header>
           {asked.map((question) => (
             <QuestionCard
