@@ -25,7 +25,7 @@ const LINES = [
 /** Everything that waits, fails or asks, once. */
 export function Waiting() {
   return (
-    <Card aria-labelledby="waiting">
+    <Card aria-labelledby="waiting" style={{ marginTop: 'var(--sl-4)' }}>
       <CardHead id="waiting" title="Waiting and failing" note="shown after 300 ms, never before" />
       <div className="stack inset">
         <PageHead title="Delivery 12" actions={<Button variant="primary">Send</Button>}>

@@ -44,6 +44,8 @@ export function ConfirmInline({
     )
   }
   return (
+    // Escape goes back from either of its buttons; there is nothing to press on the group itself.
+    // eslint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <span
       role="group"
       aria-label={about === undefined ? action : `${action}: ${about}`}

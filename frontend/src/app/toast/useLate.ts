@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'react'
 
 /** What waits shows it after this long, never before; `--sl-t-wait` of the sheets is the same. */
-export const WAIT_MS = 300
+const WAIT_MS = 300
 
 /** Whether something has gone on for so long that it must be seen. */
 export function useLate(isGoingOn: boolean, afterMs: number = WAIT_MS): boolean {

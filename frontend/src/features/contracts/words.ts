@@ -1,4 +1,3 @@
-import { ApiProblem } from '@/api'
 import { day, dueDay } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 
@@ -45,12 +44,6 @@ export function progress(contract: ContractBrief): { kind: StateKind; text: stri
 export const sentence = (text: string): string => {
   const begun = text.charAt(0).toUpperCase() + text.slice(1)
   return /[.?!]$/.test(begun) ? begun : `${begun}.`
-}
-
-export function refusal(error: unknown): { detail: string; fix?: string } {
-  if (!(error instanceof ApiProblem))
-    return { detail: 'Could not send. Something went wrong in the page; your text is kept.' }
-  return { detail: sentence(error.detail), fix: error.fix === '' ? undefined : sentence(error.fix) }
 }
 
 /** A term's label where the library has none: its name in words. */

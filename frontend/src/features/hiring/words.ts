@@ -1,4 +1,3 @@
-import { ApiProblem } from '@/api'
 import { day, plural } from '@/ui/format'
 
 import type { AskedLine, BidLine, PostingSummary } from './api'
@@ -29,12 +28,3 @@ export function period(from: string | null, to: string | null): string {
   if (from) return `from ${day(from)}`
   return to ? `until ${day(to)}` : 'no dates yet'
 }
-
-/** What the server refused, in a sentence, and what to do about it. */
-export function refusal(error: unknown): { detail: string; fix?: string } | null {
-  if (error === null || error === undefined) return null
-  if (error instanceof ApiProblem) return { detail: sentence(error.detail), fix: error.fix || undefined }
-  return { detail: 'The server could not be reached.', fix: 'Try again in a moment.' }
-}
-
-const sentence = (text: string) => `${text.slice(0, 1).toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`
