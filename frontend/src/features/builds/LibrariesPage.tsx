@@ -49,7 +49,7 @@ function Libraries({ libraries }: { libraries: SoundLibrary[] }) {
       <CardHead id="known" title="Known libraries" count={libraries.length} />
       <Refusal error={remove.error} />
       <Table
-        label="Known libraries"
+        label="Registered libraries"
         rows={libraries}
         keyOf={({ id }) => id}
         columns={[
