@@ -83,7 +83,7 @@ def test_with_a_mail_server_nobody_signs_up_without_the_mail(server: RunningServ
 def test_without_a_mail_server_no_link_is_promised(server: RunningServer) -> None:
     refused = server.browser().post("/v1/sign-ups", json={"email": address()})
     assert (refused.status_code, refused.json()["code"]) == (409, "no-mail-server")
-    assert server.browser().get("/v1/sign-up").json() == {"open": True, "by_mail": False}
+    assert server.browser().get("/v1/sign-up").json() == {"open": True, "by_mail": False, "setup_code": False}
 
 
 def test_by_invitation_only_the_first_person_signs_up(server: RunningServer) -> None:

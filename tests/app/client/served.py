@@ -121,7 +121,9 @@ class Client:
             code = main(arguments)
         except SystemExit as end:  # of argparse
             code = int(end.code or 0)
-        self.out, self.err = self._capsys.readouterr()
+        self.out, printed = self._capsys.readouterr()
+        # Without the log of the server's jobs, which run in this process.
+        self.err = "".join(line for line in printed.splitlines(keepends=True) if not line.startswith('{"'))
         return code
 
 
