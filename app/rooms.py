@@ -10,6 +10,14 @@ from app.accounts.me_endpoints import router as me
 from app.accounts.passkey_endpoints import router as passkeys
 from app.accounts.picture_endpoints import router as my_picture
 from app.accounts.second_factor_endpoints import router as second_factors
+from app.accounts.security_event_endpoints import router as security_events
+from app.accounts.security_log import (
+    record_joining,
+    record_member_change,
+    record_personal_event,
+    record_second_factor,
+    record_token,
+)
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
 from app.agreements.award_endpoints import router as awards
@@ -102,6 +110,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     second_factors,
     my_picture,
     studios,
+    security_events,
     calendars,
     invoice_details,
     projects,
@@ -290,6 +299,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "posting_question.answered": ("notifications.notify_posting_answer",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),
+    "member.joined": (),
     "member.changed": (),
     "password.reset_asked": ("notifications.mail_link",),
     "address.verification_asked": ("notifications.mail_link",),
@@ -319,7 +329,15 @@ HANDLERS: dict[str, tuple[Handler, ...]] = {
         revoke_calendars,
         drop_news_of_member,
         disable_webhooks_of_member,
+        record_member_change,
     ),
+    # What the security log of each studio says.
+    "password.changed": (record_personal_event,),
+    "address.changed": (record_personal_event,),
+    "desk_token.made": (record_personal_event,),
+    "second_factor.changed": (record_second_factor,),
+    "token.made": (record_token,),
+    "member.joined": (record_joining,),
     "invoice.drafted": (ensure_stated_to_invoice,),  # an invoice without the sources that the contract wants is refused
 }
 for _event in EVENTS:  # what webhooks are called for

@@ -26,6 +26,7 @@ NEVER_ALTERED = frozenset(  # what was said and owed stands
     {
         *("contracts_events", "contracts_acceptances", "contracts_amendment_acceptances"),
         "contracts_seals",
+        "accounts_security_events",
         *("contracts_ledger_lines", "contracts_invoice_lines"),
     }
 )
@@ -52,6 +53,7 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("shares_guest_copies", "shares_live_sessions", "shares_live_listeners"),
         *("webhooks_webhooks", "webhooks_calls", "webhooks_attempts"),
         "projects_budgets",
+        "accounts_security_events",
         *("reviews_checklist_items", "reviews_item_checks", "reviews_approval_rules"),
         "builds_master_fingerprints",
     }

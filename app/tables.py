@@ -1,6 +1,7 @@
 """Every table of every room, imported once for migrations and tests."""
 
 from app.accounts import models as _accounts
+from app.accounts import security_event_models as _security_events
 from app.agreements import models as _agreements
 from app.amendments import models as _amendments
 from app.briefs import models as _briefs

@@ -10,7 +10,7 @@ import structlog
 from sqlalchemy.exc import SQLAlchemyError
 
 from app import rooms
-from app.accounts import rate_limits
+from app.accounts import rate_limits, security_log
 from app.kit import clock, events
 from app.kit.queue import Payload, job, job_names
 from app.kit.runtime import Runtime
@@ -48,11 +48,19 @@ def delete_expired_rate_limits(runtime: Runtime, _payload: Payload) -> None:
         rate_limits.delete_expired(session)
 
 
+@job("server.delete_old_security_events")
+def delete_old_security_events(runtime: Runtime, _payload: Payload) -> None:
+    """Delete lines that are older than the security log goes back."""
+    with runtime.database.writing() as session:
+        security_log.delete_old(session)
+
+
 CHORES = (
     "server.sweep_uploads",
     "server.send_pending",
     "server.delete_finished_jobs",
     "server.delete_expired_rate_limits",
+    "server.delete_old_security_events",
     "reviews.apply_deemed_acceptance",
     "money.charge_retainers",
     "amendments.settle_ended",

@@ -6,7 +6,7 @@ import structlog
 from fastapi import Request, Response
 from sqlalchemy.orm import Session
 
-from app.accounts import authentication, sign_ins
+from app.accounts import authentication, security_log, sign_ins
 from app.accounts.authentication import (
     SESSION_COOKIE,
     csrf_token,
@@ -14,6 +14,7 @@ from app.accounts.authentication import (
 from app.accounts.models import Person
 from app.accounts.policies import client_address
 from app.accounts.rules import device_of
+from app.accounts.security_event_rules import SecurityEventKind
 from app.kit import clock
 from app.kit.events import publish
 from app.kit.http import runtime_of
@@ -35,6 +36,8 @@ def sign_in_browser(session: Session, settings: Settings, request: Request, resp
             device=device_of(request.headers.get("user-agent", "")),
             place=client_address(request) or "an unknown address",
         )
+    device = device_of(request.headers.get("user-agent", ""))
+    security_log.record_of_person(session, SecurityEventKind.SIGN_IN, f"signed in with {device}", person.id)
     secret = sign_ins.start_sign_in(
         session,
         person.id,

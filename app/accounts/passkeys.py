@@ -103,7 +103,8 @@ def add_passkey(
     session.flush()
     # They may have begun with a password alone.
     queries.end_sign_ins(session, actor.person, except_sha256=sha256_of(kept_secret) if kept_secret else None)
-    second_factors.publish_change(session, actor.person, f"The passkey “{name}” was added to your account.")
+    change = f"The passkey “{name}” was added to your account."
+    second_factors.publish_change(session, actor.person, change, "added a passkey")
     return passkey, codes
 
 
@@ -120,7 +121,7 @@ def remove_passkey(session: Session, actor: Actor, passkey_id: UUID) -> None:
             session.flush()
             second_factors.drop_unneeded_codes(session, actor.person)
             change = f"The passkey “{passkey.name}” was removed from your account."
-            second_factors.publish_change(session, actor.person, change)
+            second_factors.publish_change(session, actor.person, change, "removed a passkey")
             return
     raise PasskeyNotFound(f"no passkey {passkey_id} of yours")
 

@@ -102,7 +102,9 @@ def confirm_totp(
     session.flush()
     # They began with a password alone.
     queries.end_sign_ins(session, actor.person, except_sha256=sha256_of(kept_secret) if kept_secret else None)
-    publish_change(session, actor.person, "An authenticator app was set up for your account.")
+    publish_change(
+        session, actor.person, "An authenticator app was set up for your account.", "set up an authenticator app"
+    )
     return _renewed_recovery_codes(session, actor.person)
 
 
@@ -113,14 +115,16 @@ def end_totp(session: Session, actor: Actor) -> None:
         raise NoSecondFactor("no authenticator app is set up")
     second_factor_queries.drop_totp(session, actor.person)
     drop_unneeded_codes(session, actor.person)
-    publish_change(session, actor.person, "The authenticator app of your account was removed.")
+    publish_change(
+        session, actor.person, "The authenticator app of your account was removed.", "removed the authenticator app"
+    )
 
 
 def renew_recovery_codes(session: Session, actor: Actor) -> list[str]:
     """Return new recovery codes; the earlier ones stop working."""
     if not second_factor_queries.has_second_factor(session, actor.person):
         raise NoSecondFactor("recovery codes belong to a second factor", fix="set up an app or a passkey first")
-    publish_change(session, actor.person, "New recovery codes were made for your account.")
+    publish_change(session, actor.person, "New recovery codes were made for your account.", "made new recovery codes")
     return _renewed_recovery_codes(session, actor.person)
 
 
@@ -132,7 +136,8 @@ def remove_all(session: Session, person_id: UUID) -> None:
     passkey_queries.drop_passkeys(session, person_id)
     drop_unneeded_codes(session, person_id)
     queries.end_sign_ins(session, person_id)
-    publish_change(session, person_id, "The operator of the server removed the second factor of your account.")
+    change = "The operator of the server removed the second factor of your account."
+    publish_change(session, person_id, change, "second factor removed by the operator of the server")
 
 
 def ensure_code_given(code: str | None) -> str:
@@ -152,7 +157,8 @@ def ensure_right_code(session: Session, settings: Settings, person_id: UUID, cod
         if not second_factor_queries.use_recovery_code(session, person_id, sha256_of(plain)):
             raise _wrong("this recovery code is wrong or was used already", fix="enter another one")
         left = second_factor_queries.recovery_codes_left(session, person_id)
-        publish_change(session, person_id, f"A recovery code signed in to your account. Codes left: {left}.")
+        change = f"A recovery code signed in to your account. Codes left: {left}."
+        publish_change(session, person_id, change, f"used a recovery code; codes left: {left}")
         return
     factor = second_factor_queries.totp_factor(session, person_id)
     if factor is None or factor.confirmed_at is None:
@@ -195,9 +201,9 @@ def drop_unneeded_codes(session: Session, person_id: UUID) -> None:
         second_factor_queries.drop_recovery_codes(session, person_id)
 
 
-def publish_change(session: Session, person_id: UUID, change: str) -> None:
-    """Have a person told of a change to their second factors."""
-    publish(session, "second_factor.changed", studio_id=None, person_id=person_id, change=change)
+def publish_change(session: Session, person_id: UUID, change: str, summary: str) -> None:
+    """Have a person told of a change to their second factors, and their studios' security logs by a summary of it."""
+    publish(session, "second_factor.changed", studio_id=None, person_id=person_id, change=change, summary=summary)
 
 
 def _sealed(settings: Settings, person_id: UUID, secret: str) -> bytes:

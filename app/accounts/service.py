@@ -291,7 +291,9 @@ def accept_studio_invitation(
         if place is None:
             add_member(session, invitation.studio_id, person.id, roles)
         else:
-            place.roles = sorted(roles | {Role(role) for role in place.roles})
+            roles |= {Role(role) for role in place.roles}
+            place.roles = sorted(roles)
+        publish(session, "member.joined", studio_id=invitation.studio_id, person_id=person.id, roles=sorted(roles))
         if invitation.approves_project_id is not None:
             publish(
                 session,

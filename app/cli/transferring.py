@@ -79,12 +79,18 @@ def export_studio(
     file: Annotated[Path, typer.Argument(help="The ZIP to write.")],
 ) -> None:
     """Write everything of a studio into one ZIP: sounds, lists, contracts, ledger and records."""
+    from app.accounts.security_event_rules import SecurityEventKind
+    from app.accounts.security_log import record
     from app.transfers.studio_files import export_studio as write_studio
 
     runtime = opened(read_settings_or_exit())
     try:
         with _refusals():
-            _report("exported", write_studio(runtime, studio_id, file))
+            exported = write_studio(runtime, studio_id, file)
+            summary = "exported the whole studio into a file"
+            with runtime.database.writing() as session:
+                record(session, SecurityEventKind.EXPORT, summary, studio_ids=[studio_id], person_id=None)
+            _report("exported", exported)
     finally:
         runtime.close()
 

@@ -120,6 +120,9 @@ async def _ending_in_thread(request: Request) -> AsyncIterator[Session]:
     await run_in_threadpool(opened.__exit__, None, None, None)
 
 
+CLIENT_ADDRESS = "client address"  # of the request, in the information of its session
+
+
 @contextmanager
 def transaction(request: Request) -> Iterator[Session]:
     """Give the transaction of a request."""
@@ -130,6 +133,7 @@ def transaction(request: Request) -> Iterator[Session]:
             yield session
         return
     with database.writing(reach) as session:
+        session.info[CLIENT_ADDRESS] = request.client.host if request.client else ""
         claim(request, session)
         yield session
     kill_points.point("http.after_commit")

@@ -11,6 +11,7 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from app.accounts.models import SignUp
+from app.accounts.security_event_models import SecurityEvent
 from app.kit import clock
 from app.kit.db import Base
 from app.kit.plural import counted
@@ -73,6 +74,9 @@ def erase_person(session: Session, address: str) -> Erased:
         where = scope(table)
         if where is not None:
             erased.rows += _count(session, sa.delete(table).where(where))
+    session.connection().execute(
+        sa.update(SecurityEvent).where(SecurityEvent.person_id == person.id).values(network="")
+    )
     erased.rows += _count(session, sa.delete(Mail).where(Mail.recipient == email))
     erased.rows += _count(session, sa.delete(SignUp).where(SignUp.email == email))
     for name_of_table in INVITED:

@@ -8,6 +8,8 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Token
 from app.accounts.queries import project_token, project_tokens
 from app.accounts.rules import MAX_TOKEN_DAYS, Actor, Scope
+from app.accounts.security_event_rules import SecurityEventKind
+from app.accounts.security_log import record
 from app.accounts.service import add_token
 from app.kit import clock
 from app.projects import queries
@@ -66,4 +68,8 @@ def revoke_token(session: Session, actor: Actor, project_id: UUID, token_id: UUI
     token = project_token(session, project_id, token_id)
     if token is None:
         raise TokenNotFound(f"no token {token_id} in this project")
-    token.revoked_at = token.revoked_at or clock.now()
+    if token.revoked_at is None:
+        token.revoked_at = clock.now()
+        summary = f"revoked the build token {token.name}"
+        studio_ids = [token.studio_id]
+        record(session, SecurityEventKind.TOKEN, summary, studio_ids=studio_ids, person_id=actor.person)

@@ -10,6 +10,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
 from app.accounts.rules import Actor
+from app.accounts.security_event_rules import SecurityEventKind
+from app.accounts.security_log import record
 from app.deliveries.models import Take
 from app.deliveries.rules import base_name, shown_name
 from app.deliveries.schemas import Sources
@@ -53,6 +55,8 @@ def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
         session.add(export)
     export.refusal = None
     session.flush()
+    summary = f"exported the master {export.file_name}"
+    record(session, SecurityEventKind.EXPORT, summary, studio_ids=[take.studio_id], person_id=actor.person)
     publish(session, "master_export.asked", studio_id=take.studio_id, export_id=export.id)
     return export
 

@@ -10,6 +10,8 @@ from app.accounts import passwords
 from app.accounts.authentication import sha256_of
 from app.accounts.rules import AccessKind, Actor, MemberChange, ensure_strong_password
 from app.accounts.schemas import PersonBrief
+from app.accounts.security_event_rules import SecurityEventKind
+from app.accounts.security_log import record
 from app.kit import clock
 from app.kit.db import new_id
 from app.kit.errors import FieldProblem
@@ -58,6 +60,7 @@ def make_link(
     )
     session.flush()
     request_copies(session, link.studio_id, queries.shared_takes(session, link_id), has_beeps=link.has_beeps)
+    _record(session, actor, link, "made")
     return _read_one(session, actor, link_id), secret
 
 
@@ -109,7 +112,7 @@ def revoke_link(session: Session, actor: Actor, link_id: UUID) -> GuestLinkRead:
     link = _link_for(session, actor, link_id)
     if link.revoked_at is None:
         link.revoked_at, link.revoked_by = clock.now(), actor.person
-        session.flush()
+        _record(session, actor, link, "revoked")
     return _read_one(session, actor, link_id)
 
 
@@ -209,6 +212,11 @@ def _link_for(session: Session, actor: Actor, link_id: UUID) -> GuestLink:
         raise GuestLinkNotFound(f"no guest link {link_id}")
     access.ensure_may_speak()
     return link
+
+
+def _record(session: Session, actor: Actor, link: GuestLink, act: str) -> None:
+    summary = f"{act} the guest link {link.title}"
+    record(session, SecurityEventKind.GUEST_LINK, summary, studio_ids=[link.studio_id], person_id=actor.person)
 
 
 def _invalid(where: str, message: str) -> GuestLinkInvalid:

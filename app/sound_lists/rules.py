@@ -8,6 +8,7 @@ from typing import Any, Literal
 from uuid import UUID
 
 import audio_checks
+from app.kit.spreadsheets import FORMULA_STARTS
 
 
 class CueState(StrEnum):
@@ -80,7 +81,6 @@ DURATION_DECIMALS = 6  # as many as an import reads
 _UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\ufffe\uffff]")
 _NOT_IN_FILE_NAMES = re.compile(r'[<>:"/\\|?*]')
 _DEVICE_NAME = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
-FORMULA_STARTS = (*"=+-@\t\r\n", *"\uff1d\uff0b\uff0d\uff20")  # the last four: full-width, as Excel reads them too
 
 
 def facts_seen(facts: Facts, designer_id: UUID | None) -> Facts:

@@ -3,12 +3,15 @@
 from collections.abc import Mapping, Sequence
 from datetime import datetime
 from typing import Any
+from urllib.parse import urlsplit
 from uuid import UUID
 
 from sqlalchemy import delete
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import AccessKind, Actor, MemberChange, Role
+from app.accounts.security_event_rules import SecurityEventKind
+from app.accounts.security_log import record
 from app.accounts.service import ensure_producer_of
 from app.kit import clock
 from app.kit.db import bypass_row_policies, insert_if_absent, new_id
@@ -96,6 +99,7 @@ def add(
     session.add(webhook)
     session.flush()
     session.refresh(webhook, ["project"])
+    _record(session, actor, webhook, "added a webhook to")
     return webhook
 
 
@@ -114,6 +118,7 @@ def change(
     if url is not None:
         _ensure_address(url, may_be_localhost=may_be_localhost)
         webhook.url = url
+        _record(session, actor, webhook, "changed the address of a webhook to")
     if events is not None:
         webhook.events = sorted(set(events))
     if enabled is True:
@@ -139,6 +144,7 @@ def remove(session: Session, actor: Actor, webhook_id: UUID) -> None:
     session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(WebhookCall.webhook_id == webhook.id)))
     session.execute(delete(WebhookCall).where(WebhookCall.webhook_id == webhook.id))
     session.delete(webhook)
+    _record(session, actor, webhook, "deleted the webhook to")
 
 
 def disable_webhooks_of_member(session: Session, payload: Mapping[str, Any]) -> None:
@@ -191,6 +197,11 @@ def webhook_for(session: Session, actor: Actor, webhook_id: UUID, *, locked: boo
 
 def _studios_run_by(actor: Actor) -> list[UUID]:
     return [studio_id for studio_id, roles in actor.roles.items() if Role.PRODUCER in roles]
+
+
+def _record(session: Session, actor: Actor, webhook: Webhook, act: str) -> None:
+    summary = f"{act} {urlsplit(webhook.url).hostname}"  # the rest of an address may hold a secret
+    record(session, SecurityEventKind.WEBHOOK, summary, studio_ids=[webhook.studio_id], person_id=actor.person)
 
 
 def _ensure_enabled(webhook: Webhook) -> None:

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_bd9a1324"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_f2c0e67e"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -326,6 +326,25 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_quotas_studio_id")),
         sa.PrimaryKeyConstraint("studio_id", "kind", name=op.f("pk_accounts_quotas")),
     )
+    op.create_table(
+        "accounts_security_events",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("kind", sa.Enum("sign_in", "email", "password", "second_factor", "roles", "removal", "token", "webhook", "guest_link", "export", name="securityeventkind", native_enum=False, length=32), nullable=False),
+        sa.Column("summary", sa.String(), nullable=False),
+        sa.Column("person_id", sa.Uuid()),
+        sa.Column("about_id", sa.Uuid()),
+        sa.Column("network", sa.String(), nullable=False),
+        sa.Column("at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["about_id"], ["accounts_people.id"], name=op.f("fk_accounts_security_events_about_id")),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_security_events_person_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_security_events_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_security_events")),
+    )
+    op.create_index(op.f("ix_accounts_security_events_about_id"), "accounts_security_events", ["about_id"])
+    op.create_index(op.f("ix_accounts_security_events_at"), "accounts_security_events", ["at"])
+    op.create_index(op.f("ix_accounts_security_events_person_id"), "accounts_security_events", ["person_id"])
+    op.create_index("ix_accounts_security_events_studio_id", "accounts_security_events", ["studio_id", "id"])
     op.create_table(
         "accounts_studio_invitations",
         sa.Column("id", sa.Uuid(), nullable=False),

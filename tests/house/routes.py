@@ -184,6 +184,8 @@ QUERIES: dict[str, dict[str, str]] = {
     "compare_revisions": {"from": "0", "to": "0"},
     "find": {"q": "shield"},
     "list_versions_with_reason": {"kind": "change", "reason": "Too loud"},
+    "list_security_events": {"kind": "sign_in"},
+    "download_security_events": {"kind": "sign_in"},
     "watch_changes": {"seconds": "0"},
     "guess_category": {"name": "door slam"},
     "read_cue_matrix": {"line": "deck, sand × walk, run × 2"},

@@ -35,6 +35,7 @@ export const queryKeys = {
   invoiceDetails: family<[owner: string]>('invoice-details'),
   studioCalendar: family<[studioId: string]>('studio-calendar'),
   quotas: family<[studioId: string]>('quotas'),
+  securityEvents: family<[studioId: string, kind: string]>('security-events'),
 
   // projects
   projects: family<[filter: { archived: boolean }]>('projects'),

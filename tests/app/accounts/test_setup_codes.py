@@ -56,8 +56,8 @@ def empty(runtime: Runtime, monkeypatch: pytest.MonkeyPatch) -> Iterator[Runtime
     monkeypatch.setattr(passwords, "_hasher", cheap)
     yield runtime
     with runtime.database.writing() as session:
-        for table in ("accounts_sign_ins", "accounts_memberships", "accounts_studios", "accounts_rate_limits"):
-            session.execute(sa.text(f"delete from {table}"))  # noqa: S608
+        for table in ("security_events", "sign_ins", "memberships", "studios", "rate_limits"):
+            session.execute(sa.text(f"delete from accounts_{table}"))  # noqa: S608
         session.execute(sa.delete(Person))
 
 

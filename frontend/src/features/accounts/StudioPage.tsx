@@ -1,4 +1,5 @@
 import { useQuery } from '@tanstack/react-query'
+import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import { meQuery } from '@/api/me'
@@ -43,6 +44,11 @@ export function StudioPage() {
               ? 'People, invitations, emails, calendar and limits.'
               : 'The people of the studio. Producers manage them.'}
           </p>
+          {isProducer && (
+            <Link className="link small" to="/studio/$studioId/security-log" params={{ studioId: studio.id }}>
+              Security log
+            </Link>
+          )}
         </div>
         {me.studios.length > 1 && (
           <Segmented

@@ -63,4 +63,9 @@ export const accountRoutes = [
     path: '/studio',
     component: lazyRouteComponent(() => import('./StudioPage'), 'StudioPage'),
   }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/studio/$studioId/security-log',
+    component: lazyRouteComponent(() => import('./SecurityLogPage'), 'SecurityLogPage'),
+  }),
 ]

@@ -68,6 +68,7 @@ const JOBS: Partial<Record<string, string>> = {
   'server.send_pending': 'Send queued emails',
   'server.sweep_uploads': 'Delete unfinished uploads',
   'server.delete_expired_rate_limits': 'Delete old rate-limit counters',
+  'server.delete_old_security_events': 'Delete old lines of security logs',
 }
 
 export function jobWords(job: string): string {
