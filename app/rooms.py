@@ -9,6 +9,7 @@ from app.accounts.invoice_endpoints import router as invoice_details
 from app.accounts.me_endpoints import router as me
 from app.accounts.passkey_endpoints import router as passkeys
 from app.accounts.picture_endpoints import router as my_picture
+from app.accounts.provider_endpoints import router as sign_in_providers
 from app.accounts.second_factor_endpoints import router as second_factors
 from app.accounts.security_event_endpoints import router as security_events
 from app.accounts.security_log import (
@@ -107,6 +108,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     me,
     email_changes,
     passkeys,
+    sign_in_providers,
     second_factors,
     my_picture,
     studios,
@@ -313,6 +315,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "second_factor.changed": ("notifications.notify_second_factor",),
     "desk_token.made": ("notifications.notify_desk_token",),
     "token.made": ("notifications.notify_token",),
+    "sign_in_provider.changed": ("notifications.notify_sign_in_provider",),
     "producer.named": ("notifications.notify_producer",),
     "mail.written": ("notifications.send_mail",),
 }

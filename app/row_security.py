@@ -54,12 +54,15 @@ TEAMS_OWN = frozenset(  # no designer reads them
         *("webhooks_webhooks", "webhooks_calls", "webhooks_attempts"),
         "projects_budgets",
         "accounts_security_events",
+        *("accounts_sign_in_providers", "accounts_sign_in_domains"),
         *("reviews_checklist_items", "reviews_item_checks", "reviews_approval_rules"),
         "builds_master_fingerprints",
     }
 )
 DESIGNERS_READ = frozenset({"shares_playlists", "shares_playlist_entries"})  # which of them, a query decides
-READ_ONLY = frozenset({"accounts_operators", "accounts_quotas"})  # set on the command line only
+READ_ONLY = frozenset(
+    {"accounts_operators", "accounts_quotas", "accounts_sign_in_domains"}
+)  # set on the command line only
 
 ME, THIS_PROJECT = "soundlist_person_id()", "soundlist_project_id()"
 SAID = {ME: PERSON, THIS_PROJECT: PROJECT}

@@ -87,7 +87,8 @@ class Settings(BaseSettings):
     seal_key: Path | None = Field(None, description="PEM file of that certificate's private key.")
     timestamp_url: str = Field("", description="An RFC 3161 timestamp server for seals; empty seals without one.")
     webhook_localhost: bool = Field(
-        False, description="Let webhooks call http://localhost and https://localhost, to try them out on one machine."
+        False,
+        description="Let webhooks and sign-in providers be at http://localhost and https://localhost, to try them out.",
     )
     sign_up: Literal["open", "invited"] = Field(
         "invited", description="Whether anyone may open an account and a studio, or only invited people."

@@ -1,6 +1,7 @@
 """Cookies by which a browser stays signed in."""
 
 from datetime import timedelta
+from uuid import UUID
 
 import structlog
 from fastapi import Request, Response
@@ -25,7 +26,15 @@ NEW_ACCOUNT = timedelta(minutes=1)  # who opens one knows of the browser
 log = structlog.get_logger(__name__)
 
 
-def sign_in_browser(session: Session, settings: Settings, request: Request, response: Response, person: Person) -> None:
+def sign_in_browser(
+    session: Session,
+    settings: Settings,
+    request: Request,
+    response: Response,
+    person: Person,
+    *,
+    second_factor_studio_id: UUID | None = None,
+) -> None:
     """Give the answering browser a session in place of the one it had, and mail a first sign-in to the person."""
     if not _is_known(request, person):
         publish(
@@ -44,10 +53,11 @@ def sign_in_browser(session: Session, settings: Settings, request: Request, resp
         replaces=request.cookies.get(SESSION_COOKIE),
         device=device_of(request.headers.get("user-agent", "")),
         place=client_address(request),
+        second_factor_studio_id=second_factor_studio_id,
     )
-    _set_cookie(response, settings, SESSION_COOKIE, secret, lifetime=sign_ins.SIGN_IN_LIFETIME)
+    set_cookie(response, settings, SESSION_COOKIE, secret, lifetime=sign_ins.SIGN_IN_LIFETIME)
     device = authentication.device_cookie(settings, person.email)
-    _set_cookie(response, settings, authentication.DEVICE_COOKIE, device, lifetime=DEVICE_LIFETIME)
+    set_cookie(response, settings, authentication.DEVICE_COOKIE, device, lifetime=DEVICE_LIFETIME)
     give_csrf_token(response, settings, secret)
     log.info("signed in", person_id=str(person.id), place=client_address(request))
 
@@ -59,7 +69,8 @@ def _is_known(request: Request, person: Person) -> bool:
     return is_device or clock.now() - person.created_at < NEW_ACCOUNT
 
 
-def _set_cookie(response: Response, settings: Settings, name: str, value: str, *, lifetime: timedelta) -> None:
+def set_cookie(response: Response, settings: Settings, name: str, value: str, *, lifetime: timedelta) -> None:
+    """Set a cookie that no script reads and no other site sends."""
     max_age = int(lifetime.total_seconds())
     response.set_cookie(name, value, max_age=max_age, httponly=True, samesite="lax", secure=settings.is_https)
 

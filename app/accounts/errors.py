@@ -41,6 +41,10 @@ class PersonNeeded(Forbidden):
     """Only a person can do this."""
 
 
+class ProviderSignInRefused(Forbidden):
+    """The sign-in by a provider is not of this browser, or the provider's answer does not let its person in."""
+
+
 class ScopeMissing(Forbidden):
     """The build's token lacks the scope for this."""
 
@@ -87,6 +91,14 @@ class NotInDemo(Forbidden):
 
 class StudioNotFound(NotFound):
     """No studio of that id within the caller's sight."""
+
+
+class ProviderNotFound(NotFound):
+    """The studio has no sign-in provider."""
+
+
+class DomainTaken(Conflict):
+    """The domain is bound to another studio."""
 
 
 class MemberNotFound(NotFound):
@@ -215,6 +227,10 @@ class NameNeeded(Invalid):
 
 class PasskeyRefused(Invalid):
     """What the browser sent is not the right answer of a passkey."""
+
+
+class ProviderRefused(Invalid):
+    """The address of a sign-in provider is wrong, or what it answers is not what OpenID Connect wants."""
 
 
 class PasswordTooWeak(Invalid):

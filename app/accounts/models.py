@@ -104,6 +104,7 @@ class SignIn(Base):
     place: Mapped[str] = mapped_column(default="")  # network address that it signed in from
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_seen_at: Mapped[datetime] = mapped_column(default=clock.now)  # to within ten minutes
+    second_factor_studio_id: Mapped[UUID | None]  # whose provider says that a second factor was used; None: none does
     expires_at: Mapped[datetime]
 
 
@@ -145,6 +146,32 @@ class Passkey(Base):
     name: Mapped[str]
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_used_at: Mapped[datetime | None]
+
+
+class SignInProvider(Base):
+    """The OpenID Connect provider by which the people of a studio sign in."""
+
+    __tablename__ = "accounts_sign_in_providers"
+
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
+    issuer: Mapped[str]
+    client_id: Mapped[str]
+    sealed_client_secret: Mapped[bytes]  # encrypted with a key that follows from the server's secret key
+    authorization_endpoint: Mapped[str]  # this and the following as its discovery document named them on saving
+    token_endpoint: Mapped[str]
+    jwks_uri: Mapped[str]
+    is_secret_in_body: Mapped[bool]  # the provider takes the client secret in the body only
+    saved_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class SignInDomain(Base):
+    """A mail domain whose addresses a studio's provider vouches for; bound on the command line only."""
+
+    __tablename__ = "accounts_sign_in_domains"
+
+    domain: Mapped[str] = mapped_column(primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    bound_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 class PasswordReset(MailedLink, Base):

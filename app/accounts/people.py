@@ -25,7 +25,10 @@ def create_person(
     studio_name: str = "",
     demo_part: str | None = None,
 ) -> Person:
-    """Make an account; raise AddressTaken when the address has one. Without a password only the demo lets it in."""
+    """Make an account; raise AddressTaken when the address has one.
+
+    Without a password the demo or a sign-in provider lets it in.
+    """
     address = ensure_address(email)
     if queries.has_account(session, address):
         raise AddressTaken(
@@ -134,8 +137,13 @@ def reset_password(session: Session, secret: str, password: str) -> Person:
 def change_password(session: Session, actor: Actor, *, current: str, new: str, kept_secret: str | None) -> None:
     """Change the caller's password, and end every desk token, and every sign-in but the one it is changed from."""
     person = session.get_one(Person, actor.person)
-    if person.password_hash is None:
+    if person.demo_part is not None:
         raise NotInDemo("the people of the demo have no password")
+    if person.password_hash is None:
+        raise WrongPassword(
+            "your account has no password: you sign in by your studio's provider",
+            fix="to have one too, ask for a link under “Forgot password?”",
+        )
     if not passwords.matches(current, person.password_hash):
         message = "this is not your current password"
         raise WrongPassword(message, errors=[{"where": "current", "message": message}])

@@ -47,6 +47,7 @@ _SIGNED_IN = (
         SignIn.person_id,
         SignIn.created_at,
         SignIn.last_seen_at,
+        SignIn.second_factor_studio_id,
         Membership.studio_id,
         Membership.roles,
         Studio.second_factor_for,
@@ -81,9 +82,12 @@ def actor_for_sign_in(database: Database, secret_sha256: str) -> SignedIn | None
         return None
     roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
     first = rows[0]
-    is_required = any(SecondFactorUse.EVERYTHING in (row.second_factor_for or ()) for row in rows)
+    vouching = first.second_factor_studio_id
+    is_required = any(
+        SecondFactorUse.EVERYTHING in (row.second_factor_for or ()) for row in rows if row.studio_id != vouching
+    )
     return SignedIn(
-        Actor(person_id=first.person_id, roles=roles),
+        Actor(person_id=first.person_id, roles=roles, second_factor_studio_id=vouching),
         first.id if first.last_seen_at < now - SEEN_RECORDED_EVERY else None,
         first.created_at,
         lacks_second_factor=is_required and not first.has_second_factor,

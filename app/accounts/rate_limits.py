@@ -34,6 +34,7 @@ SIGN_INS_FROM_DEVICE = Limit("guesses at an account from a browser that signed i
 SIGN_INS_TO_ACCOUNT_FROM_NETWORK = Limit("guesses at an account from one place", 10, 60)
 SIGN_INS_TO_ACCOUNT = Limit("guesses at an account", 50, 30)
 SIGN_INS_FROM_NETWORK = Limit("guesses from one place", 100, 5)
+PROVIDER_LOOKUPS_FROM_NETWORK = Limit("look-ups of a sign-in provider from one place", 100, 2)
 SECOND_FACTORS_OF_ACCOUNT = Limit("guesses at an account's second factor", 10, 300)
 SIGN_UPS_FROM_NETWORK = Limit("sign-ups from one place", 30, 120)
 MAILS_TO_ADDRESS = Limit("account mails to an address", 5, 720)

@@ -69,11 +69,13 @@ class AddressProof(StrEnum):
 
     MAIL = "mail"  # by a link that was sent there and shown nowhere else
     OPERATOR = "operator"  # by a link that the operator read on the command line and handed over
+    PROVIDER = "provider"  # by the sign-in provider of a studio to which the address's domain is bound
 
 
 PROOF_WORDS: Mapping[AddressProof | None, str] = {
     AddressProof.MAIL: "proven by a link mailed to it",
     AddressProof.OPERATOR: "proven by a link that the server's operator handed over",
+    AddressProof.PROVIDER: "proven by the sign-in provider of a studio",
     None: "not proven",
 }
 MIN_PASSWORD_LENGTH = 10
@@ -233,6 +235,7 @@ class Actor:
     token_studio_id: UUID | None = None
     token_project_id: UUID | None = None
     scopes: frozenset[Scope] = frozenset()
+    second_factor_studio_id: UUID | None = None  # whose sign-in provider says that a second factor was used
 
     @property
     def is_build(self) -> bool:

@@ -21,17 +21,20 @@ def has_second_factor(session: Session, person_id: UUID) -> bool:
     return bool(session.scalar(select(second_factor_exists(literal(person_id)))))
 
 
-def studios_waiting_for_factor(session: Session, person_id: UUID) -> list[str]:
-    """Return the names of a person's studios that stay shut until the person has set up a second factor."""
+def studios_waiting_for_factor(session: Session, person_id: UUID, *, except_studio_id: UUID | None) -> list[str]:
+    """Return the names of a person's studios that stay shut until the person has set up a second factor.
+
+    The excepted studio's own provider says that one was used.
+    """
     if has_second_factor(session, person_id):
         return []
     rows = session.execute(
-        select(Studio.name, Studio.second_factor_for)
+        select(Studio.id, Studio.name, Studio.second_factor_for)
         .join(Membership, Membership.studio_id == Studio.id)
         .where(Membership.person_id == person_id)
         .order_by(Studio.name)
     )
-    return [name for name, uses in rows if SecondFactorUse.EVERYTHING in uses]
+    return [name for id_, name, uses in rows if SecondFactorUse.EVERYTHING in uses and id_ != except_studio_id]
 
 
 def totp_factor(session: Session, person_id: UUID) -> TotpFactor | None:

@@ -29,7 +29,8 @@ def set_requirement(
     studio = ensure_producer_of(session, actor, studio_id)
     if studio.is_demo:
         raise NotInDemo("the people of the demo have no second factor")
-    if uses and not second_factor_queries.has_second_factor(session, actor.person):
+    is_vouched_for = actor.second_factor_studio_id == studio_id
+    if uses and not is_vouched_for and not second_factor_queries.has_second_factor(session, actor.person):
         raise NoSecondFactor(
             "you have no second factor yourself, so this would shut you out",
             fix=f"{SET_UP} first",
@@ -40,7 +41,12 @@ def set_requirement(
 
 
 def ensure_second_factor_for(session: Session, actor: Actor, studio_id: UUID, use: SecondFactorUse) -> None:
-    """Raise SecondFactorRequired where a studio requires a second factor for this and the caller has none."""
+    """Raise SecondFactorRequired where a studio requires a second factor for this and the caller has none.
+
+    That the studio's own sign-in provider asked for one counts as much.
+    """
+    if actor.second_factor_studio_id == studio_id:
+        return
     with bypass_row_policies(session):  # a designer does not see all of the studio
         studio = session.get_one(Studio, studio_id)
         if not {use.value, SecondFactorUse.EVERYTHING.value} & set(studio.second_factor_for):

@@ -1,9 +1,7 @@
 """Second factors of accounts: authenticator apps (TOTP) and recovery codes."""
 
-import secrets
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TYPE_CHECKING
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -31,13 +29,10 @@ from app.accounts.second_factor_rules import (
 from app.kit import clock
 from app.kit.db import Database
 from app.kit.events import publish
-from app.kit.server_keys import derived
+from app.kit.server_keys import sealed, unsealed
 from app.settings import Settings
 
-if TYPE_CHECKING:  # cryptography is loaded by what encrypts
-    from cryptography.hazmat.primitives.ciphers.aead import AESGCM
-
-NONCE_BYTES = 12
+KEY_PURPOSE = "second factors"
 
 
 @dataclass(frozen=True)
@@ -208,16 +203,8 @@ def publish_change(session: Session, person_id: UUID, change: str, summary: str)
 
 def _sealed(settings: Settings, person_id: UUID, secret: str) -> bytes:
     """Encrypt a secret with a key that the database does not hold."""
-    nonce = secrets.token_bytes(NONCE_BYTES)
-    return nonce + _cipher(settings).encrypt(nonce, secret.encode(), person_id.bytes)
+    return sealed(settings.secret_key.get_secret_value(), KEY_PURPOSE, secret, context=person_id.bytes)
 
 
 def _opened(settings: Settings, person_id: UUID, sealed_secret: bytes) -> str:
-    nonce, encrypted = sealed_secret[:NONCE_BYTES], sealed_secret[NONCE_BYTES:]
-    return _cipher(settings).decrypt(nonce, encrypted, person_id.bytes).decode()
-
-
-def _cipher(settings: Settings) -> "AESGCM":
-    from cryptography.hazmat.primitives.ciphers.aead import AESGCM
-
-    return AESGCM(derived(settings.secret_key.get_secret_value(), "second factors", 32))
+    return unsealed(settings.secret_key.get_secret_value(), KEY_PURPOSE, sealed_secret, context=person_id.bytes)

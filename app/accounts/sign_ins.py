@@ -19,7 +19,13 @@ SIGN_IN_LIFETIME = timedelta(days=30)
 
 
 def start_sign_in(
-    session: Session, person_id: UUID, *, replaces: str | None = None, device: str = "", place: str = ""
+    session: Session,
+    person_id: UUID,
+    *,
+    replaces: str | None = None,
+    device: str = "",
+    place: str = "",
+    second_factor_studio_id: UUID | None = None,
 ) -> str:
     """Sign a person in, and return the secret for the cookie; the browser's sign-in before this one ends."""
     if replaces is not None:
@@ -34,6 +40,7 @@ def start_sign_in(
             secret_sha256=sha256_of(secret),
             device=device,
             place=place,
+            second_factor_studio_id=second_factor_studio_id,
             expires_at=clock.now() + SIGN_IN_LIFETIME,
         )
     )

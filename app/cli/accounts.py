@@ -115,6 +115,33 @@ def remove_second_factor(address: Annotated[str, typer.Argument(help="The addres
     )
 
 
+@accounts_cli.command("bind-domain")
+def bind_domain(
+    studio: Annotated[UUID, typer.Argument(help="Id of the studio, which you know to own the domain.")],
+    domain: Annotated[str, typer.Argument(help="What follows the @ of its addresses.")],
+) -> None:
+    """Let a studio's sign-in provider sign in whoever it says has an address of a domain."""
+    from app.accounts import providers
+
+    def bind(session: "Session") -> str:
+        bound_to = providers.bind_domain(session, studio, domain)
+        return f"{domain} is bound to {bound_to.name}"
+
+    _change(bind)
+
+
+@accounts_cli.command("unbind-domain")
+def unbind_domain(domain: Annotated[str, typer.Argument(help="The domain.")]) -> None:
+    """End what bind-domain began; sign-ins that are open stay open."""
+    from app.accounts import providers
+
+    def unbind(session: "Session") -> str:
+        providers.unbind_domain(session, domain)
+        return f"{domain} is bound to no studio any more"
+
+    _change(unbind)
+
+
 @operators_cli.command("add")
 def add_operator(address: Annotated[str, typer.Argument(help="The verified address of an account.")]) -> None:
     """Let a person see every studio's jobs and storage."""
@@ -132,11 +159,15 @@ def remove_operator(address: Annotated[str, typer.Argument(help="The address of 
 
 
 def _change_account(change: "Callable[[Session, str], Person]", address: str, done: str) -> None:
+    _change(lambda session: f"{change(session, address).email} {done}")
+
+
+def _change(change: "Callable[[Session], str]") -> None:
+    """Make a change in a transaction and print its sentence, or the refusal."""
     runtime = opened(read_settings_or_exit())
     try:
         with runtime.database.writing() as session:
-            person = change(session, address)
-            typer.echo(f"{person.email} {done}")
+            typer.echo(change(session))
     except Refused as error:
         raise refusal(["; ".join(filter(None, (error.message, error.fix)))]) from None
     finally:

@@ -38,7 +38,9 @@ def me(session: Session, actor: Actor) -> schemas.Me:
     person = session.get_one(Person, actor.person)
     engagements = {each.project_id: each for each in queries.my_engagements(session, person.id)}
     liaisons = queries.my_liaisons(session, actor)
-    required_by = second_factor_queries.studios_waiting_for_factor(session, person.id)
+    required_by = second_factor_queries.studios_waiting_for_factor(
+        session, person.id, except_studio_id=actor.second_factor_studio_id
+    )
     # Nothing opens before it is set up.
     projects = [] if required_by else queries.my_projects(session, person.id, list(actor.roles))
     studios = {project.studio_id: project.studio.name for project in projects}

@@ -11,7 +11,8 @@ from urllib.parse import urlsplit
 import httpx
 
 TIMEOUT_S = 10.0  # of the whole request: name, connection, answer
-KEPT_BYTES = 1_000  # of the answer
+KEPT_BYTES = 1_000  # of the answer, where the caller needs no more
+DOCUMENT_BYTES = 256_000  # of a document that is read whole
 MAX_URL_CHARS = 2_000
 LOCALHOST = frozenset({"localhost", "127.0.0.1", "::1"})
 # Networks of IPv6 that lead to addresses of IPv4: NAT64, 6to4, Teredo, and IPv4-compatible ones.
@@ -87,6 +88,7 @@ def post(
     body: bytes,
     headers: Mapping[str, str],
     *,
+    max_bytes: int = KEPT_BYTES,
     resolver: Resolver = resolve,
     may_be_localhost: bool = False,
     trusted: ssl.SSLContext | None = None,
@@ -96,19 +98,47 @@ def post(
     The connection goes to the IP address that was looked up and found public, so that a name cannot lead elsewhere a
     moment later. The certificate must be the host's.
     """
+    return _request("POST", url, body, headers, max_bytes, resolver, may_be_localhost, trusted)
+
+
+def get(
+    url: str,
+    headers: Mapping[str, str],
+    *,
+    max_bytes: int = DOCUMENT_BYTES,
+    resolver: Resolver = resolve,
+    may_be_localhost: bool = False,
+    trusted: ssl.SSLContext | None = None,
+) -> Answer:
+    """Fetch an address as `post` sends to one, and return the answer; raise AddressRefused or RequestFailed."""
+    return _request("GET", url, None, headers, max_bytes, resolver, may_be_localhost, trusted)
+
+
+def _request(
+    method: str,
+    url: str,
+    body: bytes | None,
+    headers: Mapping[str, str],
+    max_bytes: int,
+    resolver: Resolver,
+    may_be_localhost: bool,
+    trusted: ssl.SSLContext | None,
+) -> Answer:
     ensure_address(url, may_be_localhost=may_be_localhost)
     try:
-        return asyncio.run(_post_in_time(url, body, headers, resolver, may_be_localhost, trusted))
+        return asyncio.run(_request_in_time(method, url, body, headers, max_bytes, resolver, may_be_localhost, trusted))
     except TimeoutError:
         raise RequestFailed(f"no answer within {TIMEOUT_S:g} s") from None
     except (httpx.HTTPError, httpx.InvalidURL, OSError, UnicodeError) as error:
         raise RequestFailed(str(error) or type(error).__name__) from None
 
 
-async def _post_in_time(
+async def _request_in_time(
+    method: str,
     url: str,
-    body: bytes,
+    body: bytes | None,
     headers: Mapping[str, str],
+    max_bytes: int,
     resolver: Resolver,
     may_be_localhost: bool,
     trusted: ssl.SSLContext | None,
@@ -122,14 +152,14 @@ async def _post_in_time(
         async with httpx.AsyncClient(verify=context, trust_env=False, timeout=None) as client:  # noqa: S113  bounded above
             for last, address in enumerate(addresses, start=1):
                 request = client.build_request(
-                    "POST",
+                    method,
                     target.copy_with(host=address),
                     content=body,
                     headers={**headers, "Host": target.netloc.decode(), "Accept-Encoding": "identity"},
                     extensions={"sni_hostname": target.host},
                 )
                 try:
-                    return await _answer(client, request)
+                    return await _answer(client, request, max_bytes)
                 except httpx.ConnectError:
                     if last == len(addresses):
                         raise
@@ -151,14 +181,14 @@ async def _addresses_of(resolver: Resolver, host: str, port: int, *, is_local: b
     return addresses
 
 
-async def _answer(client: httpx.AsyncClient, request: httpx.Request) -> Answer:
+async def _answer(client: httpx.AsyncClient, request: httpx.Request, max_bytes: int) -> Answer:
     response = await client.send(request, stream=True, follow_redirects=False)
     kept = bytearray()
     try:
         async for chunk in response.aiter_raw():
             kept += chunk
-            if len(kept) >= KEPT_BYTES:
+            if len(kept) >= max_bytes:
                 break
     finally:
         await response.aclose()
-    return Answer(response.status_code, kept[:KEPT_BYTES].decode("utf-8", "replace").replace("\x00", "�"))
+    return Answer(response.status_code, kept[:max_bytes].decode("utf-8", "replace").replace("\x00", "�"))

@@ -2,12 +2,15 @@
 
 import hashlib
 import hmac
+import secrets
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # cryptography is loaded by what signs
     from cryptography.hazmat.primitives.asymmetric.ec import EllipticCurvePrivateKey
     from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
+    from cryptography.hazmat.primitives.ciphers.aead import AESGCM
 
+NONCE_BYTES = 12
 P256_ORDER = 0xFFFFFFFF00000000FFFFFFFFFFFFFFFFBCE6FAADA7179E84F3B9CAC2FC632551
 
 
@@ -35,3 +38,21 @@ def certificate_key(secret: str, purpose: str) -> "EllipticCurvePrivateKey":
     # 16 bytes more than the order has leave no measurable bias (FIPS 186-5, A.2.1).
     number = int.from_bytes(derived(secret, purpose, 48)) % (P256_ORDER - 1) + 1
     return ec.derive_private_key(number, ec.SECP256R1())
+
+
+def sealed(secret: str, purpose: str, text: str, *, context: bytes) -> bytes:
+    """Encrypt a text with the server's key for one purpose (AES-256-GCM); it opens for the same context only."""
+    nonce = secrets.token_bytes(NONCE_BYTES)
+    return nonce + _cipher(secret, purpose).encrypt(nonce, text.encode(), context)
+
+
+def unsealed(secret: str, purpose: str, content: bytes, *, context: bytes) -> str:
+    """Decrypt what `sealed` returned; raise cryptography's InvalidTag for what it did not."""
+    nonce, encrypted = content[:NONCE_BYTES], content[NONCE_BYTES:]
+    return _cipher(secret, purpose).decrypt(nonce, encrypted, context).decode()
+
+
+def _cipher(secret: str, purpose: str) -> "AESGCM":
+    from cryptography.hazmat.primitives.ciphers.aead import AESGCM
+
+    return AESGCM(derived(secret, purpose, 32))

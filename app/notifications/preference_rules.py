@@ -32,7 +32,9 @@ NEWS_OF_TOPIC: Mapping[str, News] = {  # by the first word of a mail's topic
     **dict.fromkeys(("to-review", "returned", "approved", "changes", "reminders", "silence", "tasks"), News.SOUNDS),
     **dict.fromkeys(("questions", "answers", "replies"), News.TALK),
     "mentions": News.MENTIONS,
-    **dict.fromkeys(("list", "cut", "builds", "drift", "joined", "webhooks", "tokens", "producers"), News.LIST),
+    **dict.fromkeys(
+        ("list", "cut", "builds", "drift", "joined", "webhooks", "tokens", "producers", "providers"), News.LIST
+    ),
     **dict.fromkeys(("contract", "deposit", "invoices", "work", "head"), News.CONTRACTS),
     **dict.fromkeys(("bids", "posting-questions", "posting"), News.HIRING),
 }

@@ -9,7 +9,11 @@ from typing import Any
 from app.kit.plural import counted
 
 FOOTER = "Please answer in Soundlist, not to this email."
-SECURITY_TOPICS = ("tokens", "producers")  # first words of topics that a studio's producers are always mailed
+SECURITY_TOPICS = (
+    "tokens",
+    "producers",
+    "providers",
+)  # first words of topics that a studio's producers are always mailed
 FOLDED_LINES = 5  # that a notice shows; the page that it leads to shows all
 
 

@@ -101,6 +101,21 @@ def notify_producer(runtime: Runtime, payload: Payload) -> None:
         _tell_producers(runtime, session, event_id, studio_id, "producers", subject, line, path, but=person.email)
 
 
+@job("notifications.notify_sign_in_provider")
+def notify_sign_in_provider(runtime: Runtime, payload: Payload) -> None:
+    """Tell the producers of a studio that its sign-in provider was set, changed or removed."""
+    with runtime.database.writing() as session:
+        studio_id = UUID(payload["studio_id"])
+        studio, person = session.get_one(Studio, studio_id), session.get_one(Person, UUID(payload["person_id"]))
+        line = (
+            f"{person.name} ({person.email}) {payload['change']} "
+            "If nobody of you meant to, remove the provider on the page Studio."
+        )
+        event_id, subject = payload["event_id"], f"{studio.name}: the sign-in provider was changed"
+        path = f"/studio?studio={studio_id}"
+        _tell_producers(runtime, session, event_id, studio_id, "providers", subject, line, path)
+
+
 @job("notifications.warn_of_token_ends")
 def warn_of_token_ends(runtime: Runtime, _payload: Payload) -> None:
     """Announce once the end of each token: of builds to the producers, of a desk to its person."""

@@ -1,7 +1,7 @@
 """One studio as a ZIP: its rows, table by table, and its stored files by their hash.
 
-Left out are what works on one server only (webhooks, whose secrets come from its key; mails; limits; codes) and the
-passwords and sign-ins of people, who set a password by mail on the other server.
+Left out are what works on one server only (webhooks and sign-in providers, whose secrets come from its key; mails;
+limits; codes) and the passwords and sign-ins of people, who set a password by mail on the other server.
 """
 
 import json
@@ -34,6 +34,7 @@ MANIFEST, PEOPLE, TABLES, BLOBS = "soundlist.json", "people.jsonl", "tables/", "
 LEFT_OUT = frozenset(
     {
         *("kit_changed_rooms", "accounts_quotas", "notifications_mails", "contracts_signing_codes"),
+        *("accounts_sign_in_providers", "accounts_sign_in_domains"),
         "operations_erasures",  # the studio that is imported is to stay
         *("webhooks_webhooks", "webhooks_calls", "webhooks_attempts"),
     }

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_f2c0e67e"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_0ab2e1b4"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -21,7 +21,7 @@ def upgrade() -> None:
         sa.Column("password_hash", sa.String()),
         sa.Column("demo_part", sa.String()),
         sa.Column("email_verified_at", sa.DateTime(timezone=True)),
-        sa.Column("email_proof", sa.Enum("mail", "operator", name="addressproof", native_enum=False, length=32)),
+        sa.Column("email_proof", sa.Enum("mail", "operator", "provider", name="addressproof", native_enum=False, length=32)),
         sa.Column("picture_sha256", sa.String()),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.CheckConstraint("(email_verified_at is null) = (email_proof is null)", name=op.f("ck_accounts_people_verified_somehow")),
@@ -233,6 +233,7 @@ def upgrade() -> None:
         sa.Column("place", sa.String(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("last_seen_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("second_factor_studio_id", sa.Uuid()),
         sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_sign_ins_person_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_sign_ins")),
@@ -345,6 +346,29 @@ def upgrade() -> None:
     op.create_index(op.f("ix_accounts_security_events_at"), "accounts_security_events", ["at"])
     op.create_index(op.f("ix_accounts_security_events_person_id"), "accounts_security_events", ["person_id"])
     op.create_index("ix_accounts_security_events_studio_id", "accounts_security_events", ["studio_id", "id"])
+    op.create_table(
+        "accounts_sign_in_domains",
+        sa.Column("domain", sa.String(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("bound_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_sign_in_domains_studio_id")),
+        sa.PrimaryKeyConstraint("domain", name=op.f("pk_accounts_sign_in_domains")),
+    )
+    op.create_index(op.f("ix_accounts_sign_in_domains_studio_id"), "accounts_sign_in_domains", ["studio_id"])
+    op.create_table(
+        "accounts_sign_in_providers",
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("issuer", sa.String(), nullable=False),
+        sa.Column("client_id", sa.String(), nullable=False),
+        sa.Column("sealed_client_secret", sa.LargeBinary(), nullable=False),
+        sa.Column("authorization_endpoint", sa.String(), nullable=False),
+        sa.Column("token_endpoint", sa.String(), nullable=False),
+        sa.Column("jwks_uri", sa.String(), nullable=False),
+        sa.Column("is_secret_in_body", sa.Boolean(), nullable=False),
+        sa.Column("saved_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_sign_in_providers_studio_id")),
+        sa.PrimaryKeyConstraint("studio_id", name=op.f("pk_accounts_sign_in_providers")),
+    )
     op.create_table(
         "accounts_studio_invitations",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -1998,7 +2022,7 @@ def upgrade() -> None:
         sa.Column("person_id", sa.Uuid(), nullable=False),
         sa.Column("name", sa.String(), nullable=False),
         sa.Column("email", sa.String(), nullable=False),
-        sa.Column("email_proof", sa.Enum("mail", "operator", name="addressproof", native_enum=False, length=32)),
+        sa.Column("email_proof", sa.Enum("mail", "operator", "provider", name="addressproof", native_enum=False, length=32)),
         sa.Column("address", sa.String(), nullable=False),
         sa.Column("agent", sa.String(), nullable=False),
         sa.Column("code_entered_at", sa.DateTime(timezone=True)),
@@ -2680,7 +2704,7 @@ def upgrade() -> None:
         sa.Column("person_id", sa.Uuid(), nullable=False),
         sa.Column("name", sa.String(), nullable=False),
         sa.Column("email", sa.String(), nullable=False),
-        sa.Column("email_proof", sa.Enum("mail", "operator", name="addressproof", native_enum=False, length=32)),
+        sa.Column("email_proof", sa.Enum("mail", "operator", "provider", name="addressproof", native_enum=False, length=32)),
         sa.Column("address", sa.String(), nullable=False),
         sa.Column("agent", sa.String(), nullable=False),
         sa.Column("code_entered_at", sa.DateTime(timezone=True)),

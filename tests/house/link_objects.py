@@ -14,6 +14,7 @@ from app.accounts.models import (
     Passkey,
     PasswordReset,
     SignIn,
+    SignInProvider,
     SignUp,
     StudioInvitation,
 )
@@ -40,6 +41,14 @@ def add_links(session: Session, of: dict[str, UUID], house: "House", posting_sec
     secret_key = house.server.runtime.settings.secret_key.get_secret_value()
     house.links["mail-choices"] = link_token(secret_key, house.designer_id, News.TALK)
     expires_at = clock.now() + TOMORROW
+    session.add(
+        SignInProvider(
+            studio_id=house.studio_id, issuer="https://id.example.test", client_id="soundlist",
+            sealed_client_secret=b"",
+            authorization_endpoint="https://id.example.test/authorize", token_endpoint="https://id.example.test/token",
+            jwks_uri="https://id.example.test/keys", is_secret_in_body=False,
+        )
+    )  # fmt: skip
     session.add(
         CalendarLink(
             **of,

@@ -95,7 +95,7 @@ def test_the_command_line_has_the_commands_it_promises():
     assert groups == {
         "jobs": {"list", "retry"},
         "operators": {"add", "remove", "list"},
-        "accounts": {"add", "remove-second-factor"},
+        "accounts": {"add", "bind-domain", "remove-second-factor", "unbind-domain"},
         "erase": {"person", "project", "studio"},
     }
 

@@ -28,6 +28,7 @@ BEFORE_SIGN_IN = {
     "app/accounts/people.py": "finds whose address and password these are; people are global",
     "app/accounts/policies.py": "notes after the answer that a token was used",
     "app/accounts/second_factors.py": "whether the person who signs in has a second factor, asked after the password",
+    "app/accounts/provider_endpoints.py": "the provider of a domain, before there is a caller",
     "app/agreements/verify_endpoints.py": "looks for the seal of a file, which is shown to anyone who has that file",
     "app/accounts/request_limits.py": "counts tries, also those of requests that are refused",
     "app/shares/guests.py": "looks for a guest link by its secret, before its password is checked",

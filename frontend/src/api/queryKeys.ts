@@ -25,6 +25,8 @@ export const queryKeys = {
   emailChange: family('email-change'),
   emailChangeLink: family<[secret: string]>('email-change-link'),
   secondFactorRequirement: family<[studioId: string]>('second-factor-requirement'),
+  signInProvider: family<[studioId: string]>('sign-in-provider'),
+  providerOfDomain: family<[domain: string]>('provider-of-domain'),
   mailPreferences: family('mail-preferences'),
   mailChoice: family<[secret: string]>('mail-choice'),
   studioPeople: family<[studioId: string]>('studio-people'),

@@ -1,5 +1,5 @@
 import { PasswordInput, TextInput } from '@mantine/core'
-import { createContext, type FormEvent, type ReactNode, useContext, useState } from 'react'
+import { type ChangeEvent, createContext, type FormEvent, type ReactNode, useContext, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { keepDraft, keptDraft } from '@/app/drafts'
@@ -32,10 +32,12 @@ interface FieldProps {
   hint?: string
   defaultValue?: string
   readOnly?: boolean
+  /** Called with what is typed. */
+  onValue?: (value: string) => void
 }
 
 /** One line to fill in, with what the server says of it below. */
-export function Field({ name, label, type = 'text', hint, ...rest }: FieldProps) {
+export function Field({ name, label, type = 'text', hint, onValue, ...rest }: FieldProps) {
   const message = useContext(Against)(name)
   const typed = useContext(Typed)[name]
   const given = {
@@ -45,6 +47,7 @@ export function Field({ name, label, type = 'text', hint, ...rest }: FieldProps)
     label,
     description: hint,
     required: true,
+    ...(onValue && { onChange: ({ currentTarget }: ChangeEvent<HTMLInputElement>) => onValue(currentTarget.value) }),
     withAsterisk: false,
     error: message && sentence(message),
   }

@@ -84,6 +84,12 @@ export const asPerson = (me: typeof PRODUCER | typeof DESIGNER, more: Answers = 
   'GET /v1/me/sign-ins': SIGN_INS,
   'GET /v1/me/desk-tokens': [],
   'GET /v1/studios/s1/second-factor': { required_for: [] },
+  'GET /v1/studios/s1/sign-in-provider': {
+    issuer: null,
+    client_id: null,
+    domains: [],
+    redirect_uri: 'https://sounds.example/sign-in/provider',
+  },
   'GET /v1/me/passkeys': [],
   'GET /v1/me/email-change': null,
   'GET /v1/me/second-factors': { totp_since: null, recovery_codes_left: 0 },

@@ -33,6 +33,8 @@ ACCESS_GIVEN = {
     "begin_my_passkey",
     "add_my_passkey",
     "remove_my_passkey",
+    "set_sign_in_provider",
+    "remove_sign_in_provider",
     # Each erases for good.
     "erase_me",
     "request_project_erasure",

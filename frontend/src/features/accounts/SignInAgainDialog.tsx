@@ -6,6 +6,7 @@ import type { OpenedProps } from '@/app/LazyDialog'
 import { Field, Form } from '@/app/Form'
 
 import { PasskeyButton } from './PasskeyButton'
+import { ProviderButton } from './ProviderButton'
 import { CodeField, useSecondFactorAsked } from './CodeField'
 
 interface SignInAgainDialogProps extends OpenedProps {
@@ -52,6 +53,11 @@ export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: S
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
         {isCodeAsked && <CodeField />}
       </Form>
+      <ProviderButton
+        verb={isRecent ? 'Confirm' : 'Sign in'}
+        email={me.email}
+        nextPath={location.pathname + location.search}
+      />
       <PasskeyButton action={isRecent ? 'Confirm with a passkey' : 'Sign in with a passkey'} onSignedIn={onSignedIn} />
     </Dialog>
   )

@@ -1,11 +1,13 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link, useRouter, useSearch } from '@tanstack/react-router'
+import { useState } from 'react'
 
 import { useTitle } from '@/app/title'
 
 import { sessionQuery, signUpQuery, useSignIn } from './api'
 import { CodeField, useSecondFactorAsked } from './CodeField'
 import { PasskeyButton } from './PasskeyButton'
+import { ProviderButton } from './ProviderButton'
 import { Field, Form, Sheet } from '@/app/Form'
 
 /** An address of this site, whatever was written after `next=`. */
@@ -21,6 +23,7 @@ export function SignInPage() {
   const isCodeAsked = useSecondFactorAsked(signIn.error)
   const { data: session } = useQuery(sessionQuery)
   const { data: way } = useQuery(signUpQuery)
+  const [email, setEmail] = useState('')
   return (
     <Sheet>
       <h1>Sign in</h1>
@@ -49,10 +52,11 @@ export function SignInPage() {
           </Link>
         }
       >
-        <Field name="email" label="Email" type="email" autoComplete="username" />
+        <Field name="email" label="Email" type="email" autoComplete="username" onValue={setEmail} />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
         {isCodeAsked && <CodeField />}
       </Form>
+      <ProviderButton verb="Sign in" email={email} nextPath={ownPath(next)} />
       <PasskeyButton
         action="Sign in with a passkey"
         onSignedIn={() => {

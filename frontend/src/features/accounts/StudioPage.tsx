@@ -15,6 +15,7 @@ import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
 import { QuotasCard } from './QuotasCard'
 import { SecondFactorRequirementCard } from './SecondFactorRequirementCard'
+import { SignInProviderCard } from './SignInProviderCard'
 import classes from './Studio.module.css'
 
 /** Who belongs to the studio, who is invited, the mails that wait, and the limits. */
@@ -69,6 +70,7 @@ export function StudioPage() {
             <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />
             <CalendarCard key={`calendar ${studio.id}`} studioId={studio.id} />
             <InvoiceDetailsCard key={`invoices ${studio.id}`} studioId={studio.id} />
+            <SignInProviderCard key={`provider ${studio.id}`} studioId={studio.id} />
             <SecondFactorRequirementCard key={`second factor ${studio.id}`} studioId={studio.id} />
             <QuotasCard key={`quotas ${studio.id}`} studioId={studio.id} />
             <EraseCard to={`/erase/studios/${studio.id}`} title="Erase the studio" />

@@ -2,6 +2,13 @@ import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 
 import { guestRoute, shellRoute } from '@/app/roots'
 
+/** What a sign-in provider's redirect carries. */
+interface ProviderRedirectSearch {
+  code?: string
+  state?: string
+  iss?: string
+}
+
 export const accountGuestRoutes = [
   createRoute({
     getParentRoute: () => guestRoute,
@@ -9,6 +16,18 @@ export const accountGuestRoutes = [
     validateSearch: ({ next }: Record<string, unknown>): { next?: string } =>
       typeof next === 'string' ? { next } : {},
     component: lazyRouteComponent(() => import('./SignInPage'), 'SignInPage'),
+  }),
+  createRoute({
+    getParentRoute: () => guestRoute,
+    path: '/sign-in/provider',
+    validateSearch: (search: Record<string, unknown>): ProviderRedirectSearch =>
+      Object.fromEntries(
+        (['code', 'state', 'iss'] as const).flatMap((name) => {
+          const value = search[name] // the router reads a text of digits as a number
+          return typeof value === 'string' || typeof value === 'number' ? [[name, String(value)]] : []
+        }),
+      ),
+    component: lazyRouteComponent(() => import('./ProviderSignInPage'), 'ProviderSignInPage'),
   }),
   createRoute({
     getParentRoute: () => guestRoute,

@@ -56,6 +56,7 @@ export const inWords = (name: string): string => {
 export const PROOF_WORDS = {
   mail: 'verified by email',
   operator: 'verified by a link from the server’s administrator',
+  provider: 'verified by the sign-in provider of a studio',
   none: 'email not verified',
 } as const
 
