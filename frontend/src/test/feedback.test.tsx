@@ -49,7 +49,9 @@ test.each(routes)(
     await waitFor(() => {
       if (!waitsBefore) expect(app.isLoaded(), 'the page itself is there').toBe(true)
       const main = screen.getByRole('main')
-      expect(main.matches('[data-waiting]') || main.querySelector('[aria-busy="true"], button, input')).toBeTruthy()
+      expect(
+        main.matches('[data-waiting]') || main.querySelector('[aria-busy="true"], [role="alert"], button, input'),
+      ).toBeTruthy()
     })
   },
 )
