@@ -17,7 +17,8 @@ export const isCancelled = (error: unknown): boolean => error instanceof DOMExce
 
 const jsonOf = (credential: Credential | null): Record<string, unknown> => {
   if (!(credential instanceof PublicKeyCredential)) throw new Error('The browser gave no passkey.')
-  return credential.toJSON() as unknown as Record<string, unknown>
+  const json: unknown = credential.toJSON()
+  return json as Record<string, unknown>
 }
 
 export const passkeysQuery = queryOptions({
