@@ -45,7 +45,7 @@ def list_my_passkeys(session: DbSession, actor: Actor = allows(Audience.PERSON))
 def begin_my_passkey(
     session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PERSON, recent_sign_in=True)
 ) -> PasskeyOptions:
-    """Return what a browser needs to make a passkey for the caller, within five minutes."""
+    """Return the options by which a browser makes a passkey for the caller, within five minutes."""
     return PasskeyOptions(public_key=passkeys.begin_passkey(session, actor, runtime.settings))
 
 
@@ -81,7 +81,7 @@ def remove_my_passkey(
 
 @_unsaved_router.post("/passkeys/options")
 def begin_passkey_sign_in(runtime: CurrentRuntime, _actor: Actor = allows(Audience.ANYONE)) -> PasskeyOptions:
-    """Return what a browser needs to ask for a passkey of this server, within five minutes."""
+    """Return the options by which a browser asks for a passkey of this server, within five minutes."""
     return PasskeyOptions(public_key=passkeys.sign_in_options(runtime.settings))
 
 

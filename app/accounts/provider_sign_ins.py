@@ -182,7 +182,7 @@ def code_cookie(settings: Settings, person: Person, begun: BegunSignIn, *, has_s
 
 
 def person_to_code(settings: Settings, cookie: str) -> tuple[UUID, UUID | None, str]:
-    """Return who is to give a code, whose provider says that a second factor was used, and the page to go on to."""
+    """Return the person who is to give a code, the studio whose provider saw a second factor, and the next page."""
     kept = _kept(settings, CODE_NEEDED, cookie)
     if clock.now().timestamp() - kept["begun_at_s"] > SIGN_IN_LIFETIME.total_seconds():
         raise refused("the sign-in took longer than ten minutes")

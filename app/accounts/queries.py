@@ -74,7 +74,7 @@ class SignedIn:
 
 
 def actor_for_sign_in(database: Database, secret_sha256: str) -> SignedIn | None:
-    """Return who holds this session cookie, None when it is unknown or over."""
+    """Return the sign-in of a session cookie with its person; None when it is unknown or over."""
     now = clock.now()
     values = {"secret_sha256": secret_sha256, "now": now, "idle_since": now - IDLE_FOR}
     rows = database.read_autocommit(_SIGNED_IN, values)

@@ -93,7 +93,7 @@ def renew_my_recovery_codes(
 def read_second_factor_requirement(
     studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.STUDIO)
 ) -> SecondFactorRequirement:
-    """Return what the studio requires a second factor for."""
+    """Return the acts for which the studio requires a second factor."""
     return SecondFactorRequirement(required_for=second_factor_requirements.requirement(session, actor, studio_id))
 
 

@@ -17,7 +17,7 @@ USE_WORDS = {SecondFactorUse.SIGNING: "who signs its contracts", SecondFactorUse
 
 
 def requirement(session: Session, actor: Actor, studio_id: UUID) -> list[SecondFactorUse]:
-    """Return what the caller's studio requires a second factor for."""
+    """Return the acts for which the caller's studio requires a second factor."""
     ensure_member_of(actor, studio_id)
     return [SecondFactorUse(use) for use in session.get_one(Studio, studio_id).second_factor_for]
 

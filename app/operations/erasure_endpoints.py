@@ -18,7 +18,7 @@ router = APIRouter(prefix="/v1", tags=["erasure"])
 
 @router.get("/me/erasure")
 def read_my_erasure(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> ErasureRead:
-    """Return what the erasure of the caller's account deletes, what stays and why, and what must end first."""
+    """Return the plan of erasing the caller's account: deleted rows, kept rows with reasons, and obstacles."""
     return erasure_requests.read_my_erasure(session, actor)
 
 
@@ -39,7 +39,7 @@ def erase_me(
 
 @router.get("/projects/{project_id}/erasure", responses=problems(ProjectNotFound, ProducerNeeded))
 def read_project_erasure(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> ErasureRead:
-    """Return what the erasure of a project deletes, what stays and why, and whether it was requested."""
+    """Return the plan of erasing a project: deleted rows, kept rows with reasons, obstacles, and its request."""
     return erasure_requests.read_project_erasure(session, actor, project_id)
 
 
@@ -68,7 +68,7 @@ def cancel_project_erasure(project_id: UUID, session: DbSession, actor: Actor = 
 
 @router.get("/studios/{studio_id}/erasure", responses=problems(StudioNotFound, ProducerNeeded))
 def read_studio_erasure(studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> ErasureRead:
-    """Return what the erasure of a studio deletes, what stays and why, and whether it was requested."""
+    """Return the plan of erasing a studio: deleted rows, kept rows with reasons, obstacles, and its request."""
     return erasure_requests.read_studio_erasure(session, actor, studio_id)
 
 

@@ -79,7 +79,7 @@ def signed_contracts(
 
 
 def obstacles_of_person(session: Session, person_id: UUID) -> list[str]:
-    """Return what must end before a person can be erased."""
+    """Return the obstacles to erasing a person."""
     studios = select(Studio.name).join(Membership).where(Membership.person_id == person_id).order_by(Studio.name)
     reasons = [
         f"is a member of {name}: a producer removes them first, or erases the studio"
@@ -106,7 +106,7 @@ class Kept:
 
 
 def kept_of_person(session: Session, person_id: UUID) -> list[Kept]:
-    """Return what of a person stays under the pseudonym, each with its reason."""
+    """Return the rows of a person that stay under the pseudonym, by kind, each with its reason."""
     counts = (
         (
             ContractAcceptance.person_id,

@@ -36,7 +36,7 @@ KEPT_BY_STUDIO = (
 
 
 def read_my_erasure(session: Session, actor: Actor) -> ErasureRead:
-    """Return what the erasure of the caller's account deletes, what stays, and what must end first."""
+    """Return the plan of erasing the caller's account: deleted rows, kept rows and obstacles."""
     person = session.get_one(Person, actor.person)
     with bypass_row_policies(session):  # what stays is in projects that the caller may have left
         obstacles = erasure_queries.obstacles_of_person(session, person.id)
@@ -76,7 +76,7 @@ def erase_me(session: Session, actor: Actor, confirmation: str, *, base_url: str
 
 
 def read_project_erasure(session: Session, actor: Actor, project_id: UUID) -> ErasureRead:
-    """Return what the erasure of a project deletes, what stays, and what stands against it."""
+    """Return the plan of erasing a project: deleted rows, kept rows and obstacles."""
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     project = access.project
@@ -85,7 +85,7 @@ def read_project_erasure(session: Session, actor: Actor, project_id: UUID) -> Er
 
 
 def read_studio_erasure(session: Session, actor: Actor, studio_id: UUID) -> ErasureRead:
-    """Return what the erasure of a studio deletes, what stays, and what stands against it."""
+    """Return the plan of erasing a studio: deleted rows, kept rows and obstacles."""
     studio = ensure_producer_of(session, actor, studio_id)
     obstacle = erasure.obstacle_of_contracts(session, f"The studio {studio.name}", studio_id=studio_id)
     return _plan(session, studio.name, studio_id, None, obstacle)
