@@ -124,9 +124,9 @@ def cancel_studio_erasure(session: Session, actor: Actor, studio_id: UUID) -> No
 
 
 def carry_out(session: Session, erasure_id: UUID) -> None:
-    """Erase what was to be erased by now, and mail those concerned; raise ErasureRefused where it must stay."""
+    """Carry out an erasure that is due and was not cancelled, and mail those concerned; raise ErasureRefused."""
     due = erasure_queries.erasure(session, erasure_id)
-    if due is None or due.due_at > clock.now():
+    if due is None:
         return
     studio_id, project_id = due.studio_id, due.project_id
     recipients = erasure_queries.addresses_concerned(session, studio_id, project_id)
