@@ -120,7 +120,7 @@ class SignUpAdd(_WithPassword):
     email: Email
     name: Line
     password: Password
-    studio_name: Line
+    studio_name: Line | None = Field(None, description="Without one the studio is named after the person.")
     setup_code: SetupCode | None = Field(
         None, description="Printed by `soundlist serve`; for a server's first account."
     )
@@ -140,7 +140,7 @@ class SignUpFinish(_WithPassword):
 
     name: Line
     password: Password
-    studio_name: Line
+    studio_name: Line | None = Field(None, description="Without one the studio is named after the person.")
 
 
 class SignUpShown(Schema):
@@ -229,6 +229,12 @@ class NameChange(Schema):
 
 class StudioAdd(Schema):
     """A new studio."""
+
+    name: Line
+
+
+class StudioChange(Schema):
+    """The new name of a studio."""
 
     name: Line
 

@@ -38,8 +38,9 @@ INVITATION_LIFETIME = timedelta(days=30)
 TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it
 
 
-def sign_up(session: Session, *, email: str, name: str, password: str, studio_name: str) -> Person:
-    """Make an account and the studio it produces for."""
+def sign_up(session: Session, *, email: str, name: str, password: str, studio_name: str | None = None) -> Person:
+    """Make an account and the studio it produces for, named after the person until it gets a name of its own."""
+    studio_name = studio_name or f"{name[:100]}’s studio"
     person = people.create_person(session, email=email, name=name, password=password, studio_name=studio_name)
     create_studio(session, studio_name, person)
     return person
@@ -59,7 +60,7 @@ def sign_up_by_secret(session: Session, secret: str, *, lock: bool = False) -> S
     return begun
 
 
-def finish_sign_up(session: Session, secret: str, *, name: str, password: str, studio_name: str) -> Person:
+def finish_sign_up(session: Session, secret: str, *, name: str, password: str, studio_name: str | None) -> Person:
     """Make the account that a mailed link opens, its address verified by the link, with its studio."""
     begun = sign_up_by_secret(session, secret, lock=True)
     person = sign_up(session, email=begun.email, name=name, password=password, studio_name=studio_name)
@@ -88,6 +89,14 @@ def create_studio(session: Session, name: str, person: Person, *, is_demo: bool 
         session.add(studio)
         session.flush()
         add_member(session, studio.id, person.id, [Role.PRODUCER])
+    return studio
+
+
+def rename_studio(session: Session, actor: Actor, studio_id: UUID, name: str) -> Studio:
+    """Give a studio another name; signed contracts keep the one that they were signed under."""
+    studio = ensure_producer_of(session, actor, studio_id)
+    studio.name = name
+    session.flush()
     return studio
 
 

@@ -44,6 +44,7 @@ from app.accounts.schemas import (
     RolesChange,
     StudioAdd,
     StudioBrief,
+    StudioChange,
     StudioInvitationAdd,
     StudioInvitationRead,
     StudioInvitationShown,
@@ -65,6 +66,14 @@ def create_studio(
         raise NotInDemo("the people of the demo have the demo's studio only")
     service.ensure_may_open_studio(session, person, runtime.settings.studios_per_account)
     return service.create_studio(session, body.name, person)
+
+
+@router.put("/studios/{studio_id}", response_model=StudioBrief, responses=problems(StudioNotFound, ProducerNeeded))
+def rename_studio(
+    studio_id: UUID, body: StudioChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> Studio:
+    """Give the studio another name."""
+    return service.rename_studio(session, actor, studio_id, body.name)
 
 
 def _member(membership: Membership) -> MemberRead:

@@ -10,12 +10,11 @@ export const visit = async (browser: Browser): Promise<Page> =>
 /** A producer whose project asks for some sounds, and its designer at the desk; returns the project's id. */
 export async function atWork(producer: Page, designer: Page, url: string, cues: readonly object[]): Promise<string> {
   await producer.goto(`${url}/sign-up`)
-  await producer.getByLabel('Studio name').fill('Lantern Games')
   await producer.getByLabel('Your name').fill('Producer')
   await producer.getByLabel('Email').fill(addressOf('producer'))
   await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await producer.keyboard.press('Enter')
-  await expect(producer.getByRole('heading', { name: 'New project' })).toBeVisible()
+  await expect(producer.getByRole('heading', { name: 'What is the game called?' })).toBeVisible()
 
   const asProducer = producer.context()
   const { studios } = await ask<{ studios: { id: string }[] }>(asProducer, `${url}/v1/me`)

@@ -48,7 +48,6 @@ async function hire(browser: Browser, url: string): Promise<void> {
 
   await test.step('a producer opens a project and answers the first questions of the brief', async () => {
     await producer.goto(`${url}/sign-up`)
-    await producer.getByLabel('Studio name').fill('Lantern Games')
     await producer.getByLabel('Your name').fill('Producer')
     await producer.getByLabel('Email').fill(addressOf('producer'))
     await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)

@@ -9,12 +9,11 @@ const SOON_MS = 2_000 // a second, and the browser's own time on a busy machine
 
 async function openProject(page: Page, url: string): Promise<string> {
   await page.goto(`${url}/sign-up`)
-  await page.getByLabel('Studio name').fill('Lantern Games')
   await page.getByLabel('Your name').fill('Producer')
   await page.getByLabel('Email').fill(addressOf('producer'))
   await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
-  await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
+  await expect(page.getByRole('heading', { name: 'What is the game called?' })).toBeVisible()
   const me = await ask<{ studios: { id: string }[] }>(page.context(), `${url}/v1/me`)
   const opened = { studio_id: me.studios[0]?.id ?? '', name: 'Deep Field', cue_prefix: 'DF', preset: '44k1' }
   return (await ask<{ id: string }>(page.context(), `${url}/v1/projects`, 'POST', opened)).id

@@ -104,14 +104,14 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
 
   await test.step('the producer opens a studio and a project', async () => {
     await producer.goto('/')
-    await producer.getByRole('link', { name: 'Create a studio' }).click()
-    await producer.getByLabel('Studio name').fill('Lantern Games')
+    await producer.getByRole('link', { name: 'Create an account' }).click()
     await producer.getByLabel('Your name').fill('Producer')
     await producer.getByLabel('Email').fill(addressOf('producer'))
     await producer.getByLabel('Password', { exact: true }).fill(PASSWORD)
     await producer.keyboard.press('Enter')
-    await expect(producer.getByRole('heading', { name: 'New project' })).toBeVisible()
+    await expect(producer.getByRole('heading', { name: 'What is the game called?' })).toBeVisible()
     await producer.getByLabel('Game title').fill('Deep Field')
+    await producer.getByRole('button', { name: 'More options' }).click()
     await producer.getByLabel('Description (optional)').fill('Salvage in deep space, on headphones.')
     await producer.getByRole('radio', { name: 'CD rate: 44.1 kHz / 16 bit' }).check()
     await producer.getByRole('button', { name: 'Create project' }).click()
@@ -144,7 +144,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await approver.goto(await copied(producer))
     await approver.getByLabel('Your name').fill('Audio director')
     await approver.getByLabel('Password', { exact: true }).fill(PASSWORD)
-    await approver.getByRole('button', { name: 'Join Lantern Games' }).click()
+    await approver.getByRole('button', { name: /^Join Producer/ }).click()
     await expect(approver.getByRole('navigation', { name: 'Screens' })).toBeVisible()
 
     await producer.goto(`${project}/people`)

@@ -115,7 +115,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
     case 'guest':
       return [
         { name: 'sign-in', path: '/sign-in', shows: 'Forgot password?' },
-        { name: 'sign-up', path: '/sign-up', shows: 'Create a studio' },
+        { name: 'sign-up', path: '/sign-up', shows: 'Create your account' },
         { name: 'forgotten-password', path: '/forgotten-password', shows: 'Email' },
         { name: 'new-password', path: '/new-password/none', shows: 'New password' },
         { name: 'join', path: await joinPath(context, demo, size), shows: 'Join Shield Wing studio' },

@@ -31,8 +31,7 @@ test('a passkey is added on Account and signs in without password @slow', async 
     await page.getByLabel('Email').fill(EMAIL)
     await page.getByLabel('Your name').fill('Producer')
     await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
-    await page.getByLabel('Studio name').fill('Passkey studio')
-    await page.getByRole('button', { name: 'Create studio' }).click()
+    await page.getByRole('button', { name: 'Create account' }).click()
     await expect(page.getByRole('navigation', { name: 'Screens' })).toBeVisible()
 
     await page.goto(`${server.url}/account`)

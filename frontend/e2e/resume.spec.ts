@@ -29,12 +29,11 @@ async function atDesk(page: Page, url: string, seconds: number): Promise<string>
   const context = page.context()
   const email = addressOf('designer')
   await page.goto(`${url}/sign-up`)
-  await page.getByLabel('Studio name').fill('Lantern Games')
   await page.getByLabel('Your name').fill('Producer')
   await page.getByLabel('Email').fill(addressOf('producer'))
   await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
-  await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
+  await expect(page.getByRole('heading', { name: 'What is the game called?' })).toBeVisible()
 
   const me = await ask<{ studios: { id: string }[] }>(context, `${url}/v1/me`)
   const studioId = me.studios[0]?.id ?? ''

@@ -154,12 +154,11 @@ test('Today asks for no sound before one is played @slow', async ({ demo, contex
 test('small files take one request each, and the lists few @slow', async ({ server, page }, testInfo) => {
   const context = page.context()
   await page.goto(`${server.url}/sign-up`)
-  await page.getByLabel('Studio name').fill('Lantern Games')
   await page.getByLabel('Your name').fill('Producer')
   await page.getByLabel('Email').fill(addressOf('producer'))
   await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.keyboard.press('Enter')
-  await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible()
+  await expect(page.getByRole('heading', { name: 'What is the game called?' })).toBeVisible()
   const me = await ask<{ studios: { id: string }[] }>(context, `${server.url}/v1/me`)
   const opened = { studio_id: me.studios[0]?.id, name: 'Deep Field', cue_prefix: 'DF', preset: '44k1' }
   const { id } = await ask<{ id: string }>(context, `${server.url}/v1/projects`, 'POST', opened)

@@ -222,3 +222,25 @@ def test_one_account_opens_a_bounded_number_of_studios_also_after_leaving_some(s
     assert (refused.status_code, refused.json()["code"]) == (409, "too-many-studios")
     assert f"{most} studios" in refused.json()["detail"]
     assert "SOUNDLIST_STUDIOS_PER_ACCOUNT" in refused.json()["fix"]
+
+
+def test_a_producer_renames_the_studio(world: World) -> None:
+    path = f"/v1/studios/{world.studio_id}"
+    assert world.producer.put(path, json={"name": " Blue Hull "}).json() == {
+        "id": str(world.studio_id),
+        "name": "Blue Hull",
+    }
+    assert world.producer.get("/v1/me").json()["studios"][0]["name"] == "Blue Hull"
+    assert world.producer.put(path, json={"name": "   "}).json()["errors"][0]["where"] == "name"
+    assert world.approver.put(path, json={"name": "Ours"}).json()["code"] == "producer-needed"
+    assert world.stranger.put(path, json={"name": "Ours"}).status_code == 404
+
+
+@pytest.mark.parametrize(("name", "studio"), [("Ada", "Ada’s studio"), ("x" * 120, "x" * 100 + "’s studio")])
+def test_an_account_without_a_studio_name_names_the_studio_after_its_person(
+    server: RunningServer, name: str, studio: str
+) -> None:
+    browser = server.browser()
+    body = {"email": address(), "name": name, "password": PASSWORD}
+    assert browser.post("/v1/sign-up", json=body).status_code == 201
+    assert [each["name"] for each in browser.get("/v1/me").json()["studios"]] == [studio]

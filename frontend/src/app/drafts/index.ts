@@ -1,4 +1,5 @@
 export { DraftNote } from './DraftNote'
+export { formDraft } from './formDraft'
 export { LeaveGuard } from './LeaveGuard'
 export { forgetDrafts, keepDraft, keptDraft, openDraftsOf } from './store'
 export { type Draft, useDraft } from './useDraft'

@@ -1,5 +1,4 @@
 import { useQuery } from '@tanstack/react-query'
-import { useState } from 'react'
 
 import { type Me, meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
@@ -11,7 +10,7 @@ import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api
 import classes from './Account.module.css'
 import { DeskTokensCard } from './DeskTokensCard'
 import { EraseCard } from './EraseCard'
-import { Field, Form } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { PageSkeleton } from '@/ui/Skeleton'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
 import { MailCard } from './MailCard'
@@ -102,17 +101,17 @@ function NameCard({ me }: { me: Me }) {
       <CardHead id="name-card" title="Name" note="shown to others" />
       <div className={classes.inside}>
         <Form
-          action="Save name"
-          busy={rename.isPending}
-          error={rename.error}
-          onSubmit={(value) => {
-            const before = me.person.name
-            rename.mutate(value('name'), {
-              onSuccess: ({ name }) => showToast(`Your name is now ${name}.`, () => rename.mutate(before)),
+          key={me.person.name}
+          initialValues={{ name: me.person.name }}
+          mutation={rename}
+          onSubmit={(values) =>
+            rename.mutate(values.name, {
+              onSuccess: ({ name }) => showToast(`Your name is now ${name}.`, () => rename.mutate(me.person.name)),
             })
-          }}
+          }
         >
-          <Field key={me.person.name} name="name" label="Your name" autoComplete="name" defaultValue={me.person.name} />
+          <Field name="name" label="Your name" autoComplete="name" />
+          <Submit>Save name</Submit>
         </Form>
       </div>
     </Card>
@@ -121,7 +120,6 @@ function NameCard({ me }: { me: Me }) {
 
 function PasswordCard({ demo }: { demo: boolean }) {
   const change = useChangePassword()
-  const [round, setRound] = useState(0)
   if (demo) {
     return (
       <Card aria-labelledby="password-card">
@@ -139,22 +137,16 @@ function PasswordCard({ demo }: { demo: boolean }) {
       />
       <div className={classes.inside}>
         <Form
-          key={round}
-          action="Change password"
-          busy={change.isPending}
-          error={change.error}
-          onSubmit={(value) =>
-            change.mutate(
-              { current: value('current'), new: value('new') },
-              {
-                onSuccess: () => {
-                  setRound(round + 1)
-                  showToast(
-                    'Password changed. You are signed out on your other devices, and your desk tokens have ended.',
-                  )
-                },
-              },
-            )
+          initialValues={{ current: '', new: '' }}
+          mutation={change}
+          resets
+          onSubmit={(values) =>
+            change.mutate(values, {
+              onSuccess: () =>
+                showToast(
+                  'Password changed. You are signed out on your other devices, and your desk tokens have ended.',
+                ),
+            })
           }
         >
           <Field name="current" label="Current password" type="password" autoComplete="current-password" />
@@ -165,6 +157,7 @@ function PasswordCard({ demo }: { demo: boolean }) {
             autoComplete="new-password"
             hint="At least 10 characters. Four unrelated words make a good password."
           />
+          <Submit>Change password</Submit>
         </Form>
       </div>
     </Card>
@@ -173,26 +166,18 @@ function PasswordCard({ demo }: { demo: boolean }) {
 
 function StudioCard() {
   const open = useOpenStudio()
-  const [round, setRound] = useState(0)
   return (
     <Card aria-labelledby="studio-card">
       <CardHead id="studio-card" title="Create a studio" note="you become its producer" />
       <div className={classes.inside}>
         <Form
-          key={round}
-          action="Create studio"
-          busy={open.isPending}
-          error={open.error}
-          onSubmit={(value) =>
-            open.mutate(value('name'), {
-              onSuccess: ({ name }) => {
-                setRound(round + 1)
-                showToast(`${name} created.`)
-              },
-            })
-          }
+          initialValues={{ name: '' }}
+          mutation={open}
+          resets
+          onSubmit={(values) => open.mutate(values.name, { onSuccess: ({ name }) => showToast(`${name} created.`) })}
         >
           <Field name="name" label="Studio name" autoComplete="organization" />
+          <Submit>Create studio</Submit>
         </Form>
       </div>
     </Card>

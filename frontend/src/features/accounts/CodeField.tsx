@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
-import { Field } from '@/app/Form'
+import { Field } from '@/ui/Form'
 
 /** Whether the server has asked for a second factor; once it has, the field stays. */
 export function useSecondFactorAsked(error: unknown): boolean {

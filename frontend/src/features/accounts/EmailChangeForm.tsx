@@ -1,6 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { Field, Form } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 
@@ -17,12 +17,7 @@ export function EmailChangeForm({ email }: { email: string }) {
   if (pending === undefined) return null
   if (pending === null) {
     return (
-      <Form
-        action="Change email"
-        busy={ask.isPending}
-        error={ask.error}
-        onSubmit={(value) => ask.mutate(value('email'))}
-      >
+      <Form initialValues={{ email: '' }} mutation={ask} onSubmit={(values) => ask.mutate(values.email)}>
         <Field
           name="email"
           label="New email"
@@ -30,6 +25,7 @@ export function EmailChangeForm({ email }: { email: string }) {
           autoComplete="email"
           hint="We send a link to both emails. Nothing changes until you have followed both."
         />
+        <Submit>Change email</Submit>
       </Form>
     )
   }

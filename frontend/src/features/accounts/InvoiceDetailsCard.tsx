@@ -1,12 +1,13 @@
 import { TextInput } from '@mantine/core'
 import { useId } from 'react'
 
-import { refusalOf, sentence } from '@/app/Form'
+import { ApiProblem } from '@/api'
+import { sentence } from '@/ui/sentence'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { type InvoiceDetails, useInvoiceDetails, useSaveInvoiceDetails } from './api'
 import classes from './InvoiceDetails.module.css'
@@ -52,7 +53,7 @@ export function InvoiceDetailsCard({ studioId }: { studioId?: string }) {
 function DetailsForm({ studioId, saved }: { studioId?: string; saved: InvoiceDetails }) {
   const save = useSaveInvoiceDetails(studioId)
   const [details, setDetails, typed] = useDraft<InvoiceDetails>(`invoice-details:${studioId ?? 'me'}`, saved)
-  const refusal = refusalOf(save.error)
+  const refusal = save.error instanceof ApiProblem ? save.error : null
   const country = countryOf(details.country_code)
   return (
     <form
@@ -87,12 +88,7 @@ function DetailsForm({ studioId, saved }: { studioId?: string; saved: InvoiceDet
       })}
       <div className={classes.wide}>
         <DraftNote draft={typed} />
-        {save.error !== null && (refusal === null || refusal.errors.length === 0) && (
-          <ProblemNote
-            detail={sentence(refusal?.detail ?? 'Can’t reach Soundlist.')}
-            fix={refusal?.fix ? sentence(refusal.fix) : undefined}
-          />
-        )}
+        {!refusal?.errors.length && <Refusal error={save.error} />}
         <p className="small mid">
           {studioId === undefined
             ? 'Optional. They are on your electronic invoices, and your studios see them nowhere else.'

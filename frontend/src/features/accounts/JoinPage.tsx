@@ -8,7 +8,9 @@ import { day } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 
 import { sessionQuery, studioInvitationQuery, useJoinStudio } from './api'
-import { Field, Form, sentence, Sheet } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
+import { sentence } from '@/ui/sentence'
+import { Sheet } from '@/ui/Sheet'
 import { ROLE_MEANINGS, ROLE_WORDS } from './parts'
 
 /** The page of a mailed link into a studio. */
@@ -49,15 +51,11 @@ export function JoinPage() {
         ))}
       </ul>
       <Form
-        action={`Join ${invitation.studio_name}`}
-        busy={joining.isPending}
-        error={joining.error}
-        onSubmit={(value) =>
+        initialValues={{ name: '', password: '' }}
+        mutation={joining}
+        onSubmit={({ name, password }) =>
           joining.mutate(
-            {
-              name: invitation.has_account ? null : value('name'),
-              password: isThem ? null : value('password'),
-            },
+            { name: invitation.has_account ? null : name, password: isThem ? null : password },
             { onSuccess: () => void router.navigate({ href: '/' }) },
           )
         }
@@ -72,6 +70,7 @@ export function JoinPage() {
             hint={invitation.has_account ? `The password of ${invitation.email}.` : 'At least 10 characters.'}
           />
         )}
+        <Submit>Join {invitation.studio_name}</Submit>
       </Form>
     </Sheet>
   )

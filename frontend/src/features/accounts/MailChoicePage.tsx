@@ -2,7 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
 import { ApiProblem } from '@/api'
-import { Sheet } from '@/app/Form'
+import { Sheet } from '@/ui/Sheet'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 

@@ -1,6 +1,6 @@
-import { refusalOf, sentence } from '@/app/Form'
 import { Button } from '@/ui/Button'
 import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import classes from './Account.module.css'
 import { hasPasskeys, isCancelled, usePasskeySignIn } from './passkeyApi'
@@ -15,17 +15,9 @@ interface PasskeyButtonProps {
 export function PasskeyButton({ action, onSignedIn }: PasskeyButtonProps) {
   const signIn = usePasskeySignIn()
   if (!hasPasskeys()) return null
-  const refusal = refusalOf(signIn.error)
   return (
     <div className={`stack ${classes.passkey}`}>
-      {signIn.error !== null && (
-        <ProblemNote
-          detail={
-            isCancelled(signIn.error) ? 'No passkey was used.' : sentence(refusal?.detail ?? 'Can’t reach Soundlist.')
-          }
-          fix={refusal?.fix ? sentence(refusal.fix) : undefined}
-        />
-      )}
+      {isCancelled(signIn.error) ? <ProblemNote detail="No passkey was used." /> : <Refusal error={signIn.error} />}
       <Button
         aria-busy={signIn.isPending}
         onClick={() => signIn.mutate(undefined, { onSuccess: ({ id }) => onSignedIn(id) })}

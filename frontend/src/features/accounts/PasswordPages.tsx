@@ -4,7 +4,8 @@ import { Link, useParams, useRouter } from '@tanstack/react-router'
 import { useTitle } from '@/app/title'
 
 import { signUpQuery, useAskReset, useNewPassword } from './api'
-import { Field, Form, Sheet } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
+import { Sheet } from '@/ui/Sheet'
 
 /** Ask for a mail with a link; the answer never says whether the address is known. */
 export function ForgottenPasswordPage() {
@@ -48,18 +49,17 @@ export function ForgottenPasswordPage() {
           ? 'We’ll email you a link to set a new one.'
           : 'This server sends no email: its administrator passes you the link to set a new one.'}
       </p>
-      <Form
-        action={sendsMail ? 'Email me a link' : 'Create a link'}
-        busy={asking.isPending}
-        error={asking.error}
-        onSubmit={(value) => asking.mutate(value('email'))}
-        other={
-          <Link className="link small mid" to="/sign-in">
-            Back to sign in
-          </Link>
-        }
-      >
+      <Form initialValues={{ email: '' }} mutation={asking} onSubmit={({ email }) => asking.mutate(email)}>
         <Field name="email" label="Email" type="email" autoComplete="username" />
+        <Submit
+          beside={
+            <Link className="link small mid" to="/sign-in">
+              Back to sign in
+            </Link>
+          }
+        >
+          {sendsMail ? 'Email me a link' : 'Create a link'}
+        </Submit>
       </Form>
     </Sheet>
   )
@@ -75,17 +75,9 @@ export function NewPasswordPage() {
       <h1>New password</h1>
       <p className="mid">You will be signed out everywhere else.</p>
       <Form
-        action="Set password"
-        busy={setting.isPending}
-        error={setting.error}
-        onSubmit={(value) =>
-          setting.mutate(value('password'), { onSuccess: () => void router.navigate({ href: '/' }) })
-        }
-        other={
-          <Link className="link small mid" to="/forgotten-password">
-            Request a new link
-          </Link>
-        }
+        initialValues={{ password: '' }}
+        mutation={setting}
+        onSubmit={({ password }) => setting.mutate(password, { onSuccess: () => void router.navigate({ href: '/' }) })}
       >
         <Field
           name="password"
@@ -94,6 +86,15 @@ export function NewPasswordPage() {
           autoComplete="new-password"
           hint="At least 10 characters."
         />
+        <Submit
+          beside={
+            <Link className="link small mid" to="/forgotten-password">
+              Request a new link
+            </Link>
+          }
+        >
+          Set password
+        </Submit>
       </Form>
     </Sheet>
   )

@@ -1,7 +1,7 @@
 import { Checkbox, Menu } from '@mantine/core'
 import { useState } from 'react'
 
-import { keepDraft } from '@/app/drafts'
+import { formDraft, keepDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -20,7 +20,7 @@ import {
   useSetRoles,
   useWithdraw,
 } from './api'
-import { Field, Form } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { CardProblem } from './CardProblem'
 import { type Departure, DepartureDialog } from './DepartureDialog'
 import { LEAD_ROLES, ROLE_MEANINGS, ROLE_WORDS, ROLES } from './parts'
@@ -179,7 +179,6 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
   const invite = useInvite(studioId)
   const withdraw = useWithdraw(studioId)
   const [roles, setRoles] = useState<Role[]>(['reviewer'])
-  const [round, setRound] = useState(0)
   return (
     <Card aria-labelledby="invite">
       <CardHead id="invite" title="Invite a team member" />
@@ -188,18 +187,15 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
           For the game team. Invite sound designers on the project’s People page.
         </p>
         <Form
-          key={round}
-          draftKey={`invite:${studioId}`}
-          action="Invite"
-          busy={invite.isPending}
-          error={invite.error}
-          onSubmit={(value) =>
+          {...formDraft(`invite:${studioId}`, { email: '' })}
+          mutation={invite}
+          resets
+          onSubmit={(values) =>
             invite.mutate(
-              { email: value('email'), roles },
+              { ...values, roles },
               {
                 onSuccess: ({ email }) => {
                   keepDraft(`invite:${studioId}`, null)
-                  setRound(round + 1)
                   showToast(`${email} is invited.`)
                 },
               },
@@ -220,6 +216,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
               ))}
             </div>
           </Checkbox.Group>
+          <Submit>Invite</Submit>
         </Form>
       </div>
       <CardProblem error={error ?? withdraw.error} />

@@ -1,7 +1,8 @@
 import { Link, useRouter, useSearch } from '@tanstack/react-router'
 import { useEffect, useRef } from 'react'
 
-import { Form, Sheet } from '@/app/Form'
+import { Form, Submit } from '@/ui/Form'
+import { Sheet } from '@/ui/Sheet'
 import { useTitle } from '@/app/title'
 import { ProblemNote } from '@/ui/ProblemNote'
 
@@ -49,12 +50,12 @@ export function ProviderSignInPage() {
       )}
       {data?.second_factor_needed === true && (
         <Form
-          action="Sign in"
-          busy={giveCode.isPending}
-          error={giveCode.error}
-          onSubmit={(value) => giveCode.mutate(value('code'), { onSuccess: goOn })}
+          initialValues={{ code: '' }}
+          mutation={giveCode}
+          onSubmit={({ code: secondFactor }) => giveCode.mutate(secondFactor, { onSuccess: goOn })}
         >
           <CodeField />
+          <Submit>Sign in</Submit>
         </Form>
       )}
       {(isRefused || error !== null) && (

@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { Field, Form } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -133,16 +133,10 @@ function Setup({ setup: { secret, qr_svg }, onCancel, onConfirmed }: SetupProps)
         </CopyButton>
       </p>
       <Form
-        action="Turn on"
-        busy={confirm.isPending}
-        error={confirm.error}
-        onSubmit={(value) =>
-          confirm.mutate(value('code'), { onSuccess: ({ recovery_codes }) => onConfirmed(recovery_codes) })
-        }
-        other={
-          <Button variant="quiet" onClick={onCancel}>
-            Cancel
-          </Button>
+        initialValues={{ code: '' }}
+        mutation={confirm}
+        onSubmit={({ code }) =>
+          confirm.mutate(code, { onSuccess: ({ recovery_codes }) => onConfirmed(recovery_codes) })
         }
       >
         <Field
@@ -151,6 +145,15 @@ function Setup({ setup: { secret, qr_svg }, onCancel, onConfirmed }: SetupProps)
           autoComplete="one-time-code"
           hint="The six digits that the app shows now. Your other browsers are signed out."
         />
+        <Submit
+          beside={
+            <Button variant="quiet" onClick={onCancel}>
+              Cancel
+            </Button>
+          }
+        >
+          Turn on
+        </Submit>
       </Form>
     </>
   )

@@ -3,7 +3,7 @@ import type { Me } from '@/api/me'
 import { Dialog } from '@/app/Dialog'
 import type { OpenedProps } from '@/app/LazyDialog'
 
-import { Field, Form } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 
 import { PasskeyButton } from './PasskeyButton'
 import { ProviderButton } from './ProviderButton'
@@ -31,27 +31,14 @@ export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: S
           : 'Your session has ended. What you typed is kept.'}
       </p>
       <Form
-        action={isRecent ? 'Confirm' : 'Sign in'}
-        busy={signIn.isPending}
-        error={signIn.error}
-        onSubmit={(value) =>
-          signIn.mutate({
-            email: value('email'),
-            password: value('password'),
-            ...(isCodeAsked && { code: value('code') }),
-          })
-        }
+        initialValues={{ email: me.email, password: '', code: '' }}
+        mutation={signIn}
+        onSubmit={({ code, ...values }) => signIn.mutate({ ...values, ...(isCodeAsked && { code }) })}
       >
-        <Field
-          name="email"
-          label="Email"
-          type="email"
-          autoComplete="username"
-          defaultValue={me.email}
-          readOnly={isRecent}
-        />
+        <Field name="email" label="Email" type="email" autoComplete="username" readOnly={isRecent} />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
         {isCodeAsked && <CodeField />}
+        <Submit>{isRecent ? 'Confirm' : 'Sign in'}</Submit>
       </Form>
       <ProviderButton
         verb={isRecent ? 'Confirm' : 'Sign in'}

@@ -8,7 +8,8 @@ import { sessionQuery, signUpQuery, useSignIn } from './api'
 import { CodeField, useSecondFactorAsked } from './CodeField'
 import { PasskeyButton } from './PasskeyButton'
 import { ProviderButton } from './ProviderButton'
-import { Field, Form, Sheet } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
+import { Sheet } from '@/ui/Sheet'
 
 /** An address of this site, whatever was written after `next=`. */
 export const ownPath = (next: string | undefined): string =>
@@ -37,24 +38,27 @@ export function SignInPage() {
         </p>
       )}
       <Form
-        action="Sign in"
-        busy={signIn.isPending}
-        error={signIn.error}
-        onSubmit={(value) =>
+        initialValues={{ email: '', password: '', code: '' }}
+        mutation={signIn}
+        onSubmit={({ code, ...values }) =>
           signIn.mutate(
-            { email: value('email'), password: value('password'), ...(isCodeAsked && { code: value('code') }) },
+            { ...values, ...(isCodeAsked && { code }) },
             { onSuccess: () => void router.navigate({ href: ownPath(next) }) },
           )
-        }
-        other={
-          <Link className="link small mid" to="/forgotten-password">
-            Forgot password?
-          </Link>
         }
       >
         <Field name="email" label="Email" type="email" autoComplete="username" onValue={setEmail} />
         <Field name="password" label="Password" type="password" autoComplete="current-password" />
         {isCodeAsked && <CodeField />}
+        <Submit
+          beside={
+            <Link className="link small mid" to="/forgotten-password">
+              Forgot password?
+            </Link>
+          }
+        >
+          Sign in
+        </Submit>
       </Form>
       <ProviderButton verb="Sign in" email={email} nextPath={ownPath(next)} />
       <PasskeyButton
@@ -71,7 +75,7 @@ export function SignInPage() {
           <>
             New game team?{' '}
             <Link className="link" to="/sign-up">
-              Create a studio
+              Create an account
             </Link>
             .{' '}
           </>

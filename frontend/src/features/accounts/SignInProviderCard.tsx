@@ -1,6 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { Field, Form } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -28,23 +28,14 @@ export function SignInProviderCard({ studioId }: { studioId: string }) {
           </p>
           {provider.issuer === null ? (
             <Form
-              action="Save provider"
-              busy={save.isPending}
-              error={save.error}
-              onSubmit={(value) =>
-                save.mutate(
-                  {
-                    issuer: value('issuer'),
-                    client_id: value('client_id'),
-                    client_secret: value('client_secret'),
-                  },
-                  { onSuccess: () => showToast('Saved.') },
-                )
-              }
+              initialValues={{ issuer: '', client_id: '', client_secret: '' }}
+              mutation={save}
+              onSubmit={(values) => save.mutate(values, { onSuccess: () => showToast('Saved.') })}
             >
               <Field name="issuer" label="Issuer" hint="As the provider writes it: https://login.studio.example" />
               <Field name="client_id" label="Client ID" autoComplete="off" />
               <Field name="client_secret" label="Client secret" type="password" autoComplete="off" />
+              <Submit>Save provider</Submit>
             </Form>
           ) : (
             <>

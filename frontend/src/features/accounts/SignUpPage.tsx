@@ -2,10 +2,11 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams, useRouter } from '@tanstack/react-router'
 
 import { useTitle } from '@/app/title'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 
 import { signUpLinkQuery, signUpQuery, useAskSignUp, useFinishSignUp, useSignUp } from './api'
-import { Field, Form, refusalOf, sentence, Sheet } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
+import { Sheet } from '@/ui/Sheet'
 import { Skeleton } from '@/ui/Skeleton'
 
 const toSignIn = (
@@ -14,20 +15,20 @@ const toSignIn = (
   </Link>
 )
 
-/** The fields of an account besides its address. */
-function AccountFields({ email }: { email?: string }) {
+const NO_CARD = 'No card, no studio details. You can delete the account at any time.'
+
+/** The fields of an account. */
+function AccountFields({ isVerified = false }: { isVerified?: boolean }) {
   return (
     <>
-      <Field name="studio_name" label="Studio name" autoComplete="organization" />
       <Field name="name" label="Your name" autoComplete="name" />
       <Field
         name="email"
-        label="Email"
+        label="Work email"
         type="email"
         autoComplete="username"
-        defaultValue={email}
-        readOnly={email !== undefined}
-        hint={email === undefined ? undefined : 'Verified by the link in your email.'}
+        readOnly={isVerified}
+        hint={isVerified ? 'Verified by the link in your email.' : undefined}
       />
       <Field
         name="password"
@@ -44,7 +45,7 @@ function AccountFields({ email }: { email?: string }) {
 function Opening() {
   return (
     <Sheet>
-      <h1>Create a studio</h1>
+      <h1>Create your account</h1>
       <Skeleton />
     </Sheet>
   )
@@ -52,13 +53,13 @@ function Opening() {
 
 /** Open an account and a studio, in the way that this server takes. */
 export function SignUpPage() {
-  useTitle('Create a studio')
+  useTitle('Create your account')
   const { data: way, error } = useQuery(signUpQuery)
   if (error) {
     return (
       <Sheet>
-        <h1>Create a studio</h1>
-        <ProblemNote detail={sentence(refusalOf(error)?.detail ?? 'Can’t reach Soundlist.')} />
+        <h1>Create your account</h1>
+        <Refusal error={error} />
       </Sheet>
     )
   }
@@ -66,7 +67,7 @@ export function SignUpPage() {
   if (!way.open) {
     return (
       <Sheet>
-        <h1>Create a studio</h1>
+        <h1>Create your account</h1>
         <p className="mid">
           Sign-up is by invitation only. Ask a studio on this server for an invitation, or its administrator to allow
           sign-ups.
@@ -93,28 +94,23 @@ function AtOnce({ setupCode }: { setupCode: boolean }) {
   const signUp = useSignUp()
   return (
     <Sheet>
-      <h1>Create a studio</h1>
-      <p className="mid">You become its producer: you create projects and invite others.</p>
+      <h1>Create your account</h1>
       <Form
-        action="Create studio"
-        busy={signUp.isPending}
-        error={signUp.error}
-        onSubmit={(value) =>
+        initialValues={{ name: '', email: '', password: '', setup_code: '' }}
+        mutation={signUp}
+        onSubmit={({ setup_code, ...values }) =>
           signUp.mutate(
-            {
-              studio_name: value('studio_name'),
-              name: value('name'),
-              email: value('email'),
-              password: value('password'),
-              ...(setupCode && { setup_code: value('setup_code') }),
-            },
-            { onSuccess: () => void router.navigate({ href: '/' }) },
+            { ...values, ...(setupCode && { setup_code }) },
+            { onSuccess: () => void router.navigate({ to: '/projects/new' }) },
           )
         }
-        other={toSignIn}
       >
         {setupCode && setupCodeField}
         <AccountFields />
+        <Submit keys="Enter" beside={toSignIn}>
+          Create account
+        </Submit>
+        <p className="small mid">{NO_CARD}</p>
       </Form>
     </Sheet>
   )
@@ -141,19 +137,19 @@ function AskByMail({ setupCode }: { setupCode: boolean }) {
   }
   return (
     <Sheet>
-      <h1>Create a studio</h1>
-      <p className="mid">You become its producer. We’ll email you a link to continue.</p>
+      <h1>Create your account</h1>
+      <p className="mid">We’ll email you a link to continue.</p>
       <Form
-        action="Email me a link"
-        busy={asking.isPending}
-        error={asking.error}
-        onSubmit={(value) =>
-          asking.mutate({ email: value('email'), ...(setupCode && { setup_code: value('setup_code') }) })
-        }
-        other={toSignIn}
+        initialValues={{ email: '', setup_code: '' }}
+        mutation={asking}
+        onSubmit={({ email, setup_code }) => asking.mutate({ email, ...(setupCode && { setup_code }) })}
       >
         {setupCode && setupCodeField}
-        <Field name="email" label="Email" type="email" autoComplete="username" />
+        <Field name="email" label="Work email" type="email" autoComplete="username" />
+        <Submit keys="Enter" beside={toSignIn}>
+          Email me a link
+        </Submit>
+        <p className="small mid">{NO_CARD}</p>
       </Form>
     </Sheet>
   )
@@ -161,20 +157,16 @@ function AskByMail({ setupCode }: { setupCode: boolean }) {
 
 /** The page of the mailed link that opens an account. */
 export function FinishSignUpPage() {
-  useTitle('Create a studio')
+  useTitle('Create your account')
   const { secret } = useParams({ from: '/guest/sign-up/$secret' })
   const router = useRouter()
   const { data: begun, error } = useQuery(signUpLinkQuery(secret))
   const finish = useFinishSignUp(secret)
   if (error) {
-    const problem = refusalOf(error)
     return (
       <Sheet>
-        <h1>Create a studio</h1>
-        <ProblemNote
-          detail={sentence(problem?.detail ?? 'The link could not be checked.')}
-          fix={sentence(problem?.fix || 'sign up again for a new link')}
-        />
+        <h1>Create your account</h1>
+        <Refusal error={error} />
         <p style={{ marginTop: 'var(--sl-4)' }}>
           <Link className="link" to="/sign-up">
             Sign up again
@@ -186,20 +178,17 @@ export function FinishSignUpPage() {
   if (begun === undefined) return <Opening />
   return (
     <Sheet>
-      <h1>Create a studio</h1>
-      <p className="mid">You become its producer: you create projects and invite others.</p>
+      <h1>Create your account</h1>
       <Form
-        action="Create studio"
-        busy={finish.isPending}
-        error={finish.error}
-        onSubmit={(value) =>
-          finish.mutate(
-            { studio_name: value('studio_name'), name: value('name'), password: value('password') },
-            { onSuccess: () => void router.navigate({ href: '/' }) },
-          )
+        initialValues={{ name: '', email: begun.email, password: '' }}
+        mutation={finish}
+        onSubmit={({ name, password }) =>
+          finish.mutate({ name, password }, { onSuccess: () => void router.navigate({ to: '/projects/new' }) })
         }
       >
-        <AccountFields email={begun.email} />
+        <AccountFields isVerified />
+        <Submit keys="Enter">Create account</Submit>
+        <p className="small mid">{NO_CARD}</p>
       </Form>
     </Sheet>
   )

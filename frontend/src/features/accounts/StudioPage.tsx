@@ -4,10 +4,14 @@ import { useState } from 'react'
 
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
+import { showToast } from '@/app/toast'
+import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Segmented } from '@/ui/Segmented'
 import { PageSkeleton } from '@/ui/Skeleton'
 
+import { useRenameStudio } from './api'
 import { CalendarCard } from './CalendarCard'
 import { EraseCard } from './EraseCard'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
@@ -17,6 +21,28 @@ import { QuotasCard } from './QuotasCard'
 import { SecondFactorRequirementCard } from './SecondFactorRequirementCard'
 import { SignInProviderCard } from './SignInProviderCard'
 import classes from './Studio.module.css'
+
+function StudioNameCard({ studio: { id, name } }: { studio: { id: string; name: string } }) {
+  const rename = useRenameStudio(id)
+  return (
+    <Card aria-labelledby="studio-name">
+      <CardHead id="studio-name" title="Studio name" note="as contracts and invoices show it" />
+      <div className={classes.inside}>
+        <Form
+          key={name}
+          initialValues={{ name }}
+          mutation={rename}
+          onSubmit={(values) =>
+            rename.mutate(values, { onSuccess: (studio) => showToast(`The studio is now called ${studio.name}.`) })
+          }
+        >
+          <Field name="name" label="Studio name" autoComplete="organization" />
+          <Submit>Save studio name</Submit>
+        </Form>
+      </div>
+    </Card>
+  )
+}
 
 /** Who belongs to the studio, who is invited, the mails that wait, and the limits. */
 export function StudioPage() {
@@ -67,6 +93,7 @@ export function StudioPage() {
         </div>
         {isProducer && (
           <div className="stack">
+            <StudioNameCard key={studio.id} studio={studio} />
             <InvitationsCard key={`invitations ${studio.id}`} studioId={studio.id} />
             <CalendarCard key={`calendar ${studio.id}`} studioId={studio.id} />
             <InvoiceDetailsCard key={`invoices ${studio.id}`} studioId={studio.id} />

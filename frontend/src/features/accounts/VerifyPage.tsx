@@ -6,7 +6,7 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 
 import { useVerifyEmail } from './api'
-import { Sheet } from '@/app/Form'
+import { Sheet } from '@/ui/Sheet'
 import { PageSkeleton } from '@/ui/Skeleton'
 import { CardProblem } from './CardProblem'
 

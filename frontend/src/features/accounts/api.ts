@@ -227,6 +227,15 @@ export function useOpenStudio() {
   })
 }
 
+export function useRenameStudio(studioId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['StudioChange']) =>
+      answered(api.PUT('/v1/studios/{studio_id}', { ...inStudio(studioId), body })),
+    onSuccess: () => invalidate(client, queryKeys.me()),
+  })
+}
+
 const inStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
 
 export const usePeople = (studioId: string) =>

@@ -61,7 +61,7 @@ describe('signing up', () => {
   })
 
   test.each([
-    { by_mail: false, action: 'Create studio', path: '/v1/sign-up' },
+    { by_mail: false, action: 'Create account', path: '/v1/sign-up' },
     { by_mail: true, action: 'Email me a link', path: '/v1/sign-ups' },
   ])('the first account of a server needs its set-up code (by mail: $by_mail)', async ({ by_mail, action, path }) => {
     const server = serve({
@@ -92,7 +92,7 @@ describe('signing up', () => {
     })
     const user = userEvent.setup()
     openApp('/sign-up')
-    await user.type(await screen.findByLabelText('Email'), 'p@hull.example')
+    await user.type(await screen.findByLabelText('Work email'), 'p@hull.example')
     await user.click(screen.getByRole('button', { name: 'Email me a link' }))
     expect(await screen.findByRole('heading', { name: 'Check your inbox' })).toBeInTheDocument()
     expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({ email: 'p@hull.example' })
@@ -109,15 +109,13 @@ describe('signing up', () => {
     })
     const user = userEvent.setup()
     const app = openApp('/sign-up/s3cret')
-    expect(await screen.findByLabelText('Email')).toHaveValue('p@hull.example')
-    expect(screen.getByLabelText('Email')).toHaveAttribute('readonly')
-    await user.type(screen.getByLabelText('Studio name'), 'Blue Hull')
+    expect(await screen.findByLabelText('Work email')).toHaveValue('p@hull.example')
+    expect(screen.getByLabelText('Work email')).toHaveAttribute('readonly')
     await user.type(screen.getByLabelText('Your name'), 'Producer')
     await user.type(screen.getByLabelText('Password'), 'four words of music')
-    await user.click(screen.getByRole('button', { name: 'Create studio' }))
+    await user.click(screen.getByRole('button', { name: 'Create account' }))
     await waitFor(() => expect(app.at()).not.toBe('/sign-up/s3cret'))
     expect(server.asked.find(({ method }) => method === 'POST')?.body).toEqual({
-      studio_name: 'Blue Hull',
       name: 'Producer',
       password: 'four words of music',
     })

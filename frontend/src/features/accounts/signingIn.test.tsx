@@ -81,7 +81,7 @@ describe('signing in', () => {
     expect(asked.filter(({ method }) => method === 'POST')).toEqual([])
   })
 
-  test('a weak password of a new studio is said at its field', async () => {
+  test('a weak password of a new account is said at its field', async () => {
     serve({
       'GET /v1/session': NOBODY,
       'GET /v1/sign-up': AT_ONCE,
@@ -91,17 +91,17 @@ describe('signing in', () => {
     })
     const user = userEvent.setup()
     openApp('/sign-up')
-    await user.type(await screen.findByLabelText('Studio name'), 'Blue Hull')
-    await user.type(screen.getByLabelText('Your name'), 'Producer')
-    await user.type(screen.getByLabelText('Email'), 'p@hull.example')
+    await user.type(await screen.findByLabelText('Your name'), 'Producer')
+    await user.type(screen.getByLabelText('Work email'), 'p@hull.example')
     await user.type(screen.getByLabelText('Password'), 'short')
-    await user.click(screen.getByRole('button', { name: 'Create studio' }))
+    await user.click(screen.getByRole('button', { name: 'Create account' }))
     await waitFor(() =>
       expect(screen.getByLabelText('Password')).toHaveAccessibleDescription(
         expect.stringContaining('Choose a password of At least 10 characters.'),
       ),
     )
-    expect(screen.getByLabelText('Studio name')).toHaveValue('Blue Hull')
+    expect(screen.getByLabelText('Work email')).toHaveValue('p@hull.example')
+    expect(screen.getByLabelText('Password')).toHaveFocus()
   })
 
   test.each([

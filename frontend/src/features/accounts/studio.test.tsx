@@ -42,6 +42,15 @@ describe('the studio', () => {
       ...more,
     })
 
+  test('a producer gives the studio its name, which an account without one has from its person', async () => {
+    const { sent } = serve(studio({ 'PUT /v1/studios/s1': { id: 's1', name: 'Blue Hull' } }))
+    openApp('/studio')
+    const name = await screen.findByLabelText('Studio name')
+    await userEvent.clear(name)
+    await userEvent.type(name, 'Blue Hull{Enter}')
+    await waitFor(() => expect(sent('PUT', '/v1/studios/s1')[0]?.body).toEqual({ name: 'Blue Hull' }))
+  })
+
   test('a holiday is added to the calendar, and the others are kept', async () => {
     const { asked } = serve(
       studio({ 'PUT /v1/studios/s1/calendar': { time_zone: 'Europe/Berlin', holidays: [CHRISTMAS] } }),

@@ -3,14 +3,15 @@ import { useParams } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
 import { ApiProblem } from '@/api'
-import { Field, Form, refusalOf, sentence } from '@/app/Form'
+import { Field, Form, Submit } from '@/ui/Form'
+import { sentence } from '@/ui/sentence'
 import { NotFoundPage } from '@/app/NotFoundPage'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day, days } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Erasure, erasureQuery, type Subject, useCancelErasure, useEraseAccount, useRequestErasure } from './api'
@@ -61,7 +62,7 @@ function ErasurePage({ subject, title, children }: ErasurePageProps) {
   return (
     <div className="page">
       <h1>{erasure && subject.kind !== 'account' ? `Erase ${erasure.name}` : title}</h1>
-      {error && <ProblemNote detail={sentence(refusalOf(error)?.detail ?? 'Can’t reach Soundlist.')} />}
+      <Refusal error={error} />
       {erasure && (
         <>
           <div className={classes.lists}>
@@ -117,11 +118,10 @@ function EraseAccount({ erasure }: { erasure: Erasure }) {
       <div className={classes.inside}>
         <p className="mid">What stays names you as a former user, except where a contract or an invoice names you.</p>
         <Form
-          action="Erase account"
-          busy={erase.isPending}
-          error={erase.error}
-          onSubmit={(value) =>
-            erase.mutate(value('confirmation'), { onSuccess: () => globalThis.location.assign('/sign-in') })
+          initialValues={{ confirmation: '' }}
+          mutation={erase}
+          onSubmit={({ confirmation }) =>
+            erase.mutate(confirmation, { onSuccess: () => globalThis.location.assign('/sign-in') })
           }
         >
           <Field
@@ -130,6 +130,7 @@ function EraseAccount({ erasure }: { erasure: Erasure }) {
             type="email"
             autoComplete="off"
           />
+          <Submit>Erase account</Submit>
         </Form>
       </div>
     </Card>
@@ -151,9 +152,7 @@ function EraseThing({ subject, erasure }: { subject: Thing; erasure: Erasure }) 
           >
             Keep {erasure.name}
           </Button>
-          {cancel.error && (
-            <ProblemNote detail={sentence(refusalOf(cancel.error)?.detail ?? 'Can’t reach Soundlist.')} />
-          )}
+          <Refusal error={cancel.error} />
         </div>
       </Card>
     )
@@ -167,12 +166,12 @@ function EraseThing({ subject, erasure }: { subject: Thing; erasure: Erasure }) 
           Everyone in it gets an email with the day. Until then nothing changes, and a producer can cancel it here.
         </p>
         <Form
-          action={`Erase ${subject.kind}`}
-          busy={request.isPending}
-          error={request.error}
-          onSubmit={(value) => request.mutate(value('confirmation'))}
+          initialValues={{ confirmation: '' }}
+          mutation={request}
+          onSubmit={({ confirmation }) => request.mutate(confirmation)}
         >
           <Field name="confirmation" label={`Type ${erasure.confirmation} to confirm`} autoComplete="off" />
+          <Submit>Erase {subject.kind}</Submit>
         </Form>
       </div>
     </Card>

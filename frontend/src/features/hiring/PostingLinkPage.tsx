@@ -2,10 +2,11 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 
 import { visitorQuery } from '@/api/me'
-import { Field, Form } from '@/app/Form'
+import { formDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { PageSkeleton } from '@/ui/Skeleton'
 
@@ -73,15 +74,10 @@ function AccountCard({ secret, email, hasAccount, onSignedIn }: AccountCardProps
           {hasAccount ? `${email} already has an account.` : `For ${email}. The studio sees your name with your bid.`}
         </p>
         <Form
-          draftKey={`posting-account:${secret}`}
-          action={hasAccount ? 'Sign in and bid' : 'Create account and bid'}
-          busy={open.isPending}
-          error={open.error}
-          onSubmit={(value) =>
-            open.mutate(
-              { name: hasAccount ? null : value('name'), password: value('password') },
-              { onSuccess: onSignedIn },
-            )
+          {...formDraft(`posting-account:${secret}`, { name: '', password: '' })}
+          mutation={open}
+          onSubmit={({ name, password }) =>
+            open.mutate({ name: hasAccount ? null : name, password }, { onSuccess: onSignedIn })
           }
         >
           {!hasAccount && <Field name="name" label="Your name" autoComplete="name" />}
@@ -93,6 +89,7 @@ function AccountCard({ secret, email, hasAccount, onSignedIn }: AccountCardProps
             autoComplete={hasAccount ? 'current-password' : 'new-password'}
             hint={hasAccount ? undefined : 'At least 10 characters. Four unrelated words make a good password.'}
           />
+          <Submit>{hasAccount ? 'Sign in and bid' : 'Create account and bid'}</Submit>
         </Form>
       </div>
     </Card>
@@ -126,18 +123,20 @@ function AskCard({ secret, sendsMail }: { secret: string; sendsMail: boolean }) 
                 : 'You bid by a link of your own. This server sends no email: the studio hands it to you.'}
             </p>
             <Form
-              draftKey={`posting-ask:${secret}`}
-              action={sendsMail ? 'Email me a link' : 'Ask for a link'}
-              busy={ask.isPending}
-              error={ask.error}
-              onSubmit={(value) => ask.mutate(value('email'))}
-              other={
-                <Link className="link small mid" to="/sign-in" search={{ next: `/posting/${secret}` }}>
-                  I already have an account
-                </Link>
-              }
+              {...formDraft(`posting-ask:${secret}`, { email: '' })}
+              mutation={ask}
+              onSubmit={({ email }) => ask.mutate(email)}
             >
               <Field name="email" label="Email" type="email" autoComplete="email" />
+              <Submit
+                beside={
+                  <Link className="link small mid" to="/sign-in" search={{ next: `/posting/${secret}` }}>
+                    I already have an account
+                  </Link>
+                }
+              >
+                {sendsMail ? 'Email me a link' : 'Ask for a link'}
+              </Submit>
             </Form>
           </>
         )}

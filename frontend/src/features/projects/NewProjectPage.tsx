@@ -1,16 +1,15 @@
 import { Select, Textarea, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { Link, type LinkProps, useNavigate } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
+import { Link, useNavigate } from '@tanstack/react-router'
+import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { formDraft, keepDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
-import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Form, Submit, useField } from '@/ui/Form'
+import { Sheet } from '@/ui/Sheet'
 import { PageSkeleton } from '@/ui/Skeleton'
 
 import { useOpenProject } from './api'
@@ -35,7 +34,7 @@ const PRESETS: Record<Preset, { head: string; accepts: string; makes: string; wh
   },
 }
 
-/** Open a project: a name, a prefix, what game it is, and the spec to begin from. */
+/** Open a project. */
 export function NewProjectPage() {
   useTitle('New project')
   const { data: me } = useQuery(meQuery)
@@ -68,115 +67,115 @@ interface NewProjectFormProps {
   isFirst: boolean
 }
 
+/** One question. The rest has defaults, which a sentence says and "More options" changes. */
 function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
   const navigate = useNavigate()
   const open = useOpenProject()
-  const [name, setName, nameDraft] = useDraft('new-project:name', '')
-  // Once typed, the prefix follows the name no longer.
-  const [typed, setTyped] = useState<string | null>(null)
-  const [description, setDescription, descriptionDraft] = useDraft('new-project:description', '')
+  const draft = formDraft('new-project', { name: '', description: '' })
+  const [name, setName] = useState(draft.initialValues.name)
+  const [typedPrefix, setTypedPrefix] = useState<string | null>(null) // once typed, it follows the name no longer
   const [preset, setPreset] = useState<Preset>('48k')
   const [studioId, setStudioId] = useState(studios[0]?.id ?? '')
-  const prefix = typed ?? proposedPrefix(name)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (open.isPending) return
-    open.mutate(
-      { studio_id: studioId, name, cue_prefix: prefix, description, preset },
-      {
-        onSuccess: ({ id }) => {
-          nameDraft.discard()
-          descriptionDraft.discard()
-          void navigate({ to: `/projects/${id}/sound-list` as LinkProps['to'] })
-        },
-      },
-    )
-  }
-  const hasFields = open.error instanceof ApiProblem && open.error.errors.length > 0
+  const [showsOptions, setShowsOptions] = useState(false)
+  const prefix = typedPrefix ?? proposedPrefix(name)
+  const isShown = showsOptions || against(open.error, 'cue_prefix') !== undefined
   return (
-    <div className="page">
-      <div className={classes.head}>
-        <h1>New project</h1>
-        <p className="mid">
-          {isFirst
-            ? 'Start with a project. It holds the sound list, the delivery spec and the people who work on it.'
-            : 'It starts with an empty sound list and a standard delivery spec.'}
+    <Sheet wide>
+      <h1>{isFirst ? 'What is the game called?' : 'New project'}</h1>
+      <Form
+        {...draft}
+        mutation={open}
+        onSubmit={(values) =>
+          open.mutate(
+            { ...values, studio_id: studioId, cue_prefix: prefix, preset },
+            {
+              onSuccess: ({ id: projectId }) => {
+                keepDraft('new-project', null)
+                void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
+              },
+            },
+          )
+        }
+      >
+        <Field name="name" label="Game title" autoComplete="off" onValue={setName} />
+        <p className="small mid">
+          {prefix === '' ? 'Cues are numbered by the initials of the title.' : `Cue numbers start with ${prefix}.`}{' '}
+          {PRESETS[preset].accepts} You can change everything later.
         </p>
-      </div>
-      <Card className={classes.card}>
-        <form onSubmit={send} noValidate className={classes.form}>
-          <DraftNote draft={nameDraft} />
-          {studios.length > 1 && (
-            <Select
-              className={classes.whole}
-              label="Studio"
-              data={studios.map(({ id, name: label }) => ({ value: id, label }))}
-              value={studioId}
-              onChange={(value) => setStudioId(value ?? studioId)}
-              allowDeselect={false}
+        {isShown && (
+          <>
+            {studios.length > 1 && (
+              <Select
+                label="Studio"
+                data={studios.map(({ id, name: label }) => ({ value: id, label }))}
+                value={studioId}
+                onChange={(value) => setStudioId(value ?? studioId)}
+                allowDeselect={false}
+              />
+            )}
+            <TextInput
+              label="Cue ID prefix"
+              description="1–8 letters or digits"
+              value={prefix}
+              onChange={({ currentTarget }) => setTypedPrefix(currentTarget.value.toUpperCase())}
+              error={against(open.error, 'cue_prefix')}
             />
-          )}
-          <TextInput
-            label="Game title"
-            value={name}
-            onChange={({ currentTarget }) => setName(currentTarget.value)}
-            error={against(open.error, 'name')}
-          />
-          <TextInput
-            label="Cue ID prefix"
-            value={prefix}
-            onChange={({ currentTarget }) => setTyped(currentTarget.value.toUpperCase())}
-            inputWrapperOrder={['label', 'input', 'description', 'error']}
-            description={prefix === '' ? '1–8 letters or digits' : `Cues are numbered ${prefix}-001, ${prefix}-002 …`}
-            error={against(open.error, 'cue_prefix')}
-          />
-          <Textarea
-            className={classes.whole}
-            label="Description (optional)"
-            inputWrapperOrder={['label', 'input', 'description', 'error']}
-            description="What kind of game is it, and on what will it be played? Designers read this first."
-            rows={2}
-            resize="vertical"
-            value={description}
-            onChange={({ currentTarget }) => setDescription(currentTarget.value)}
-            error={against(open.error, 'description')}
-          />
-          <fieldset className={`${classes.presets} ${classes.whole}`}>
-            <legend>Delivery spec (you can change everything later)</legend>
-            {(Object.keys(PRESETS) as Preset[]).map((key) => {
-              const { head, accepts, makes, when } = PRESETS[key]
-              return (
-                <label key={key} className={classes.preset} data-chosen={preset === key || undefined}>
-                  <input
-                    type="radio"
-                    name="preset"
-                    value={key}
-                    checked={preset === key}
-                    onChange={() => setPreset(key)}
-                    aria-describedby={`preset-${key}`}
-                    aria-label={head}
-                  />
-                  <span>
-                    <span className="strong">{head}</span>
-                    <span id={`preset-${key}`} className={`mid ${classes.facts}`}>
-                      <span>{accepts}</span>
-                      <span>{makes}</span>
-                      <span className="dim">{when}</span>
+            <DescriptionField />
+            <fieldset className={classes.presets}>
+              <legend>Delivery spec</legend>
+              {(Object.keys(PRESETS) as Preset[]).map((key) => {
+                const { head, accepts, makes, when } = PRESETS[key]
+                return (
+                  <label key={key} className={classes.preset} data-chosen={preset === key || undefined}>
+                    <input
+                      type="radio"
+                      name="preset"
+                      value={key}
+                      checked={preset === key}
+                      onChange={() => setPreset(key)}
+                      aria-describedby={`preset-${key}`}
+                      aria-label={head}
+                    />
+                    <span>
+                      <span className="strong">{head}</span>
+                      <span id={`preset-${key}`} className={`mid ${classes.facts}`}>
+                        <span>{accepts}</span>
+                        <span>{makes}</span>
+                        <span className="dim">{when}</span>
+                      </span>
                     </span>
-                  </span>
-                </label>
-              )
-            })}
-          </fieldset>
-          {!hasFields && <Refusal inset error={open.error} />}
-          <div className={`row wrap ${classes.whole}`}>
-            <Button type="submit" variant="primary" aria-busy={open.isPending}>
-              Create project
+                  </label>
+                )
+              })}
+            </fieldset>
+          </>
+        )}
+        <Submit
+          keys="Enter"
+          beside={
+            <Button variant="quiet" aria-expanded={isShown} onClick={() => setShowsOptions(!showsOptions)}>
+              More options
             </Button>
-            <span className="small mid">You are the approver until you name someone else.</span>
-          </div>
-        </form>
-      </Card>
-    </div>
+          }
+        >
+          Create project
+        </Submit>
+        {isFirst && <p className="small mid">Invited to a project? Open the link in the email that invited you.</p>}
+      </Form>
+    </Sheet>
+  )
+}
+
+function DescriptionField() {
+  const { fieldKey, props } = useField('description')
+  return (
+    <Textarea
+      key={fieldKey}
+      {...props}
+      label="Description (optional)"
+      description="What kind of game is it, and on what will it be played? Designers read this first."
+      rows={2}
+      resize="vertical"
+    />
   )
 }

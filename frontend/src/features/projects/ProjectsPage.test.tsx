@@ -18,9 +18,9 @@ describe('projects', () => {
   test('a producer without a project begins by creating one, and sees why', async () => {
     serve(firstTime())
     const { at } = openApp('/projects')
-    expect(await screen.findByRole('heading', { name: 'New project' })).toBeVisible()
+    expect(await screen.findByRole('heading', { name: 'What is the game called?' })).toBeVisible()
     expect(at()).toBe('/projects/new')
-    expect(screen.getByText(/Start with a project/)).toBeVisible()
+    expect(screen.getAllByRole('textbox')).toHaveLength(1)
   })
 
   test('a designer without a project finds the postings that are for them', async () => {
@@ -46,6 +46,8 @@ describe('projects', () => {
     })
     const { at } = openApp('/projects/new')
     await userEvent.type(await screen.findByLabelText('Game title'), 'Deep Field')
+    expect(screen.getByText(/Cue numbers start with DF\./)).toHaveTextContent('Masters: 48 or 96 kHz')
+    await userEvent.click(screen.getByRole('button', { name: 'More options' }))
     expect(screen.getByLabelText('Cue ID prefix')).toHaveValue('DF')
     await userEvent.clear(screen.getByLabelText('Cue ID prefix'))
     await userEvent.type(screen.getByLabelText('Cue ID prefix'), 'dfl')
@@ -70,7 +72,9 @@ describe('projects', () => {
       'POST /v1/projects': refusal(422, 'invalid', 'a field does not match', { errors: [{ where: 'name', message }] }),
     })
     openApp('/projects/new')
-    await userEvent.type(await screen.findByLabelText(/Description/), 'A game of rivers')
+    await userEvent.type(await screen.findByLabelText('Game title'), 'Rivers')
+    await userEvent.click(screen.getByRole('button', { name: 'More options' }))
+    await userEvent.type(screen.getByLabelText(/Description/), 'A game of rivers')
     await userEvent.click(screen.getByRole('button', { name: 'Create project' }))
     expect(await screen.findByText('Must have at least 1 character.')).toBeVisible()
     expect(screen.getByLabelText('Game title')).toHaveAccessibleDescription('Must have at least 1 character.')

@@ -3,7 +3,7 @@ import { useRef } from 'react'
 
 import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
+import { sentence } from '@/ui/sentence'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'

@@ -4,7 +4,7 @@ import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
+import { sentence } from '@/ui/sentence'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ProblemNote } from '@/ui/ProblemNote'

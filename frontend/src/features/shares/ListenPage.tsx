@@ -2,19 +2,21 @@ import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 import { type ReactNode, useState } from 'react'
 
-import { ApiProblem } from '@/api'
+import { ApiProblem, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
-import { useDraft } from '@/app/drafts'
-import { Field, Form, sentence, Sheet } from '@/app/Form'
+import { formDraft, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 // eslint-disable-next-line no-restricted-imports -- the plays of guests are recorded by their link
 import { usePlayer, WaveThumb } from '@/audio'
 import { Button } from '@/ui/Button'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { length, place as placeWords } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { Row, Rows } from '@/ui/Rows'
+import { sentence } from '@/ui/sentence'
+import { Sheet } from '@/ui/Sheet'
 import { PageSkeleton } from '@/ui/Skeleton'
 
 import { doorQuery, type GuestRoom, type GuestSound, openLink, recordPlay, roomQuery, sendGuestComment } from './api'
@@ -65,37 +67,31 @@ function Gone({ problem }: { problem: ApiProblem | null }) {
 function Door({ secret, onOpened }: { secret: string; onOpened: (visit: string) => void }) {
   const client = useQueryClient()
   const door = useQuery(doorQuery(secret))
-  const [busy, setBusy] = useState(false)
-  const [error, setError] = useState<unknown>(null)
-  if (door.error) return <Gone problem={door.error instanceof ApiProblem ? door.error : null} />
-  if (door.data === undefined) return <PageSkeleton />
-  const open = async (name: string, password: string | null) => {
-    setBusy(true)
-    try {
-      const { visit, room } = await openLink(secret, { guest_name: name, password })
+  const open = useMutation({
+    mutationFn: (body: Parameters<typeof openLink>[1]) => openLink(secret, body),
+    onSuccess: ({ visit, room }) => {
       client.setQueryData(queryKeys.guestRoom(visit), room)
       onOpened(visit)
-    } catch (refused) {
-      setError(refused)
-      setBusy(false)
-    }
-  }
+    },
+  })
+  if (door.error) return <Gone problem={door.error instanceof ApiProblem ? door.error : null} />
+  if (door.data === undefined) return <PageSkeleton />
+  const needsPassword = door.data.needs_password
   return (
     <Sheet>
       <div className={classes.body}>
         <h1 className="title">Listen</h1>
         <p className="mid">The person who sent you this link sees the name that you type, and what you play.</p>
         <Form
-          draftKey="guest-name"
-          action="Open"
-          busy={busy}
-          error={error}
-          onSubmit={(value) => void open(value('guest_name'), door.data.needs_password ? value('password') : null)}
+          {...formDraft('guest-name', { guest_name: '', password: '' })}
+          mutation={open}
+          onSubmit={({ guest_name, password }) =>
+            open.mutate({ guest_name, password: needsPassword ? password : null })
+          }
         >
           <Field name="guest_name" label="Your name" autoComplete="name" />
-          {door.data.needs_password && (
-            <Field name="password" label="Password of the link" type="password" autoComplete="off" />
-          )}
+          {needsPassword && <Field name="password" label="Password of the link" type="password" autoComplete="off" />}
+          <Submit>Open</Submit>
         </Form>
       </div>
     </Sheet>

@@ -3,7 +3,7 @@ import { Link } from '@tanstack/react-router'
 
 import { Dialog } from '@/app/Dialog'
 import { DraftNote, useDraft } from '@/app/drafts'
-import { sentence } from '@/app/Form'
+import { sentence } from '@/ui/sentence'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'

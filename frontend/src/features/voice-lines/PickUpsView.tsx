@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
 import { useHotkeys } from '@/app/keys'
-import { sentence } from '@/app/Form'
+import { sentence } from '@/ui/sentence'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { EmptyState } from '@/ui/EmptyState'

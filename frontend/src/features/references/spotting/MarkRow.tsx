@@ -3,7 +3,7 @@ import { useDebouncedValue } from '@mantine/hooks'
 import { useQuery } from '@tanstack/react-query'
 import { type KeyboardEvent, useState } from 'react'
 
-import { sentence } from '@/app/Form'
+import { sentence } from '@/ui/sentence'
 import { Button } from '@/ui/Button'
 
 import { secondsOf } from '../pins'

@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { useRef, useState } from 'react'
 
-import { sentence } from '@/app/Form'
+import { sentence } from '@/ui/sentence'
 import { useHotkeys } from '@/app/keys'
 import { Button } from '@/ui/Button'
 import { ago, length } from '@/ui/format'
