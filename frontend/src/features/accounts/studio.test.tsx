@@ -43,12 +43,12 @@ describe('the studio', () => {
     })
 
   test('a producer gives the studio its name, which an account without one has from its person', async () => {
-    const { sent } = serve(studio({ 'PUT /v1/studios/s1': { id: 's1', name: 'Blue Hull' } }))
+    const { asked } = serve(studio({ 'PUT /v1/studios/s1': { id: 's1', name: 'Blue Hull' } }))
     openApp('/studio')
-    const name = await screen.findByLabelText('Studio name')
+    const name = await screen.findByRole('textbox', { name: 'Studio name' })
     await userEvent.clear(name)
     await userEvent.type(name, 'Blue Hull{Enter}')
-    await waitFor(() => expect(sent('PUT', '/v1/studios/s1')[0]?.body).toEqual({ name: 'Blue Hull' }))
+    await waitFor(() => expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({ name: 'Blue Hull' }))
   })
 
   test('a holiday is added to the calendar, and the others are kept', async () => {
