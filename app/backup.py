@@ -19,15 +19,15 @@ from uuid import UUID
 import sqlalchemy as sa
 from sqlalchemy.engine import URL
 
-from app.kit import clock
-from app.kit.backups import record_backup
-from app.kit.db import Database
-from app.kit.health import NotReady
-from app.kit.plural import counted
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing, FolderStore, Store
+from app.core import clock
+from app.core.backups import record_backup
+from app.core.db import Database
+from app.core.plural import counted
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing, FolderStore, Store
+from app.core.web.health import NotReady
 from app.migrate import CannotUpgrade, ensure_at_head, ensure_upgradable, migrate
-from app.operations import blob_queries
+from app.operations.scrubbing import queries as blob_queries
 from app.row_security import make_request_role
 
 BLOBS = "blobs"

@@ -11,20 +11,21 @@ from fastapi.responses import FileResponse, JSONResponse
 
 from app import rooms
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
-from app.accounts.policies import authenticate, caller_key
-from app.dashboards.watching import GRANTING, sights_of
-from app.deliveries.upload_endpoints import TusHeaders
-from app.kit import error_responses, events, health
-from app.kit.api_document import ApiDocument, Application
-from app.kit.change_feed import ChangeFeed
-from app.kit.changes import forget_old_changes
-from app.kit.compression import PrecompressedFiles
-from app.kit.host_cookies import HostCookies
-from app.kit.http import PROBLEM_TYPE
-from app.kit.idempotency import delete_expired_responses
-from app.kit.response_headers import WithResponseHeaders, security_headers
-from app.kit.runtime import Runtime
-from app.kit.uploads import Uploads
+from app.accounts.web.policies import authenticate, caller_key
+from app.core import events
+from app.core.change_feed import ChangeFeed
+from app.core.changes import forget_old_changes
+from app.core.runtime import Runtime
+from app.core.uploads import Uploads
+from app.core.web import error_responses, health
+from app.core.web.api_document import ApiDocument, Application
+from app.core.web.compression import PrecompressedFiles
+from app.core.web.host_cookies import HostCookies
+from app.core.web.http import PROBLEM_TYPE
+from app.core.web.idempotency import delete_expired_responses
+from app.core.web.response_headers import WithResponseHeaders, security_headers
+from app.dashboards.live_changes.queries import GRANTING, sights_of
+from app.deliveries.uploads.endpoints import TusHeaders
 from app.migrate import ensure_at_head
 from app.operations.figures import web_collectors
 from app.projects.queries import rights_of

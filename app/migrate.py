@@ -11,10 +11,10 @@ from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
 
 from app import tables  # noqa: F401  every model, for the comparison
-from app.kit import queue
-from app.kit.db import Database
-from app.kit.health import NotReady
-from app.kit.runtime import Runtime
+from app.core.db import Database
+from app.core.jobs import queue
+from app.core.runtime import Runtime
+from app.core.web.health import NotReady
 from app.row_security import ensure_rows_are_guarded, guard_rows
 
 MIGRATIONS = Path(__file__).resolve().parent.parent / "migrations"

@@ -2,17 +2,17 @@
 
 from fastapi import APIRouter
 
-from app.accounts.calendar_endpoints import router as calendars
-from app.accounts.email_change_endpoints import router as email_changes
+from app.accounts.calendars.endpoints import router as calendars
+from app.accounts.email_changes.endpoints import router as email_changes
 from app.accounts.endpoints import router as accounts
-from app.accounts.invoice_endpoints import router as invoice_details
+from app.accounts.invoice_details.endpoints import router as invoice_details
 from app.accounts.me_endpoints import router as me
-from app.accounts.passkey_endpoints import router as passkeys
-from app.accounts.picture_endpoints import router as my_picture
-from app.accounts.provider_endpoints import router as sign_in_providers
-from app.accounts.second_factor_endpoints import router as second_factors
-from app.accounts.security_event_endpoints import router as security_events
-from app.accounts.security_log import (
+from app.accounts.passkeys.endpoints import router as passkeys
+from app.accounts.pictures.endpoints import router as my_picture
+from app.accounts.providers.endpoints import router as sign_in_providers
+from app.accounts.second_factors.endpoints import router as second_factors
+from app.accounts.security_log.endpoints import router as security_events
+from app.accounts.security_log.service import (
     record_joining,
     record_member_change,
     record_personal_event,
@@ -21,81 +21,81 @@ from app.accounts.security_log import (
 )
 from app.accounts.sign_up_endpoints import router as sign_up
 from app.accounts.studio_endpoints import router as studios
-from app.agreements.award_endpoints import router as awards
+from app.agreements.clauses.template_endpoints import router as contract_templates
+from app.agreements.drafts.award_endpoints import router as awards
+from app.agreements.drafts.version_endpoints import router as contract_versions
 from app.agreements.endpoints import router as contracts
-from app.agreements.project_changes import record_list_revision, record_spec_version
-from app.agreements.redline_endpoints import router as contract_redlines
-from app.agreements.signing import end_signers_of_member
-from app.agreements.signing_endpoints import router as contract_signing
-from app.agreements.template_endpoints import router as contract_templates
-from app.agreements.verify_endpoints import router as verifying
-from app.agreements.version_endpoints import router as contract_versions
+from app.agreements.record.endpoints import router as verifying
+from app.agreements.record.project_changes import record_list_revision, record_spec_version
+from app.agreements.redlines.endpoints import router as contract_redlines
+from app.agreements.signing.endpoints import router as contract_signing
+from app.agreements.signing.service import end_signers_of_member
 from app.amendments.endpoints import router as amendments
 from app.briefs.endpoints import router as briefs
-from app.builds.audit_endpoints import router as audits
-from app.builds.clearance_endpoints import router as clearance
+from app.builds.audits.endpoints import router as audits
+from app.builds.clearance.endpoints import router as clearance
+from app.builds.contract_archive.endpoints import router as handovers
 from app.builds.endpoints import router as builds
-from app.builds.game_file_endpoints import router as game_files
-from app.builds.handover_endpoints import router as handovers
-from app.builds.library_endpoints import router as sound_libraries
-from app.builds.listening_endpoints import router as listening
-from app.builds.manifest_endpoints import router as manifests
-from app.builds.same_sound_endpoints import router as same_sounds
+from app.builds.game_files.endpoints import router as game_files
+from app.builds.libraries.endpoints import router as sound_libraries
+from app.builds.listening.endpoints import router as listening
+from app.builds.packs.manifest_endpoints import router as manifests
+from app.builds.same_sounds.endpoints import router as same_sounds
 from app.conformance.endpoints import router as conformance
-from app.dashboards.credit_endpoints import router as credit_lists
-from app.dashboards.due_endpoints import router as due_calendars
+from app.core.events import Handler
+from app.dashboards.credits.endpoints import router as credit_lists
+from app.dashboards.due.endpoints import router as due_calendars
 from app.dashboards.endpoints import router as dashboards
-from app.dashboards.event_endpoints import router as events
-from app.dashboards.hours_endpoints import router as project_hours
-from app.dashboards.picture_endpoints import router as pictures
+from app.dashboards.hours.endpoints import router as project_hours
+from app.dashboards.live_changes.endpoints import router as events
+from app.dashboards.pictures.endpoints import router as pictures
 from app.deliveries.endpoints import router as deliveries
-from app.deliveries.sources import ensure_stated_to_invoice
-from app.hiring.bid_endpoints import router as bids
+from app.deliveries.sources.service import ensure_stated_to_invoice
+from app.hiring.bids.endpoints import router as bids
+from app.hiring.bids.sample_endpoints import router as bid_samples
 from app.hiring.endpoints import router as hiring
-from app.hiring.postings import end_links_of_member as revoke_posting_links
-from app.hiring.roster_endpoints import router as roster
-from app.hiring.sample_endpoints import router as bid_samples
-from app.kit.events import Handler
+from app.hiring.postings.service import end_links_of_member as revoke_posting_links
+from app.hiring.roster.endpoints import router as roster
 from app.money.calendar import end_links_of_member as revoke_calendars
-from app.money.electronic_invoice_endpoints import router as electronic_invoices
 from app.money.endpoints import router as money
-from app.money.ledger import charge_deposits
-from app.money.work_endpoints import router as work
+from app.money.invoices.electronic_invoice_endpoints import router as electronic_invoices
+from app.money.ledger.service import charge_deposits
+from app.money.work.endpoints import router as work
 from app.notifications.endpoints import router as notifications
-from app.notifications.notice_endpoints import router as notices
-from app.notifications.preference_endpoints import router as mail_preferences
+from app.notifications.notices.endpoints import router as notices
+from app.notifications.preferences.endpoints import router as mail_preferences
 from app.notifications.service import drop_news_of_member
 from app.operations.endpoints import router as operations
-from app.operations.erasure_endpoints import router as erasures
-from app.projects.approval_endpoints import router as approval
-from app.projects.budget_endpoints import router as budgets
+from app.operations.erasure.endpoints import router as erasures
+from app.projects.approval.endpoints import router as approval
+from app.projects.budgets.endpoints import router as budgets
 from app.projects.endpoints import router as projects
 from app.projects.namings import end_namings
-from app.projects.spec_endpoints import router as specs
+from app.projects.specs.endpoints import router as specs
 from app.references.endpoints import router as references
 from app.references.spotting_endpoints import router as spotting
 from app.renders.endpoints import router as renders
-from app.reviews.adoption_endpoints import router as adoptions
-from app.reviews.checklist_endpoints import router as checklists
+from app.reviews.adoptions.endpoints import router as adoptions
+from app.reviews.checklists.endpoints import router as checklists
 from app.reviews.endpoints import router as reviews
-from app.reviews.heard_endpoints import router as heard_takes
-from app.reviews.reason_endpoints import router as reasons
+from app.reviews.listened.endpoints import router as heard_takes
+from app.reviews.reasons.endpoints import router as reasons
 from app.scenes.endpoints import router as scenes
 from app.shares.guest_endpoints import router as guests
 from app.shares.guest_link_endpoints import router as guest_links
 from app.shares.guest_links import end_links_of_member as revoke_guest_links
 from app.shares.playlist_endpoints import router as playlists
 from app.shares.view_endpoints import router as saved_views
-from app.sound_lists.category_endpoints import router as category_guess
-from app.sound_lists.coverage_endpoints import router as coverage
+from app.sound_lists.categories.endpoints import router as category_guess
+from app.sound_lists.coverage.endpoints import router as coverage
 from app.sound_lists.endpoints import router as sound_lists
-from app.sound_lists.kit_endpoints import router as kits
-from app.sound_lists.matrix_endpoints import router as matrices
-from app.sound_lists.naming_endpoints import router as refused_names
-from app.sound_lists.own_column_endpoints import router as own_columns
-from app.sound_lists.people_endpoints import router as cue_people
-from app.sound_lists.spec_endpoints import router as saved_specs
-from app.sound_lists.spoken_endpoints import router as spoken_placeholders
+from app.sound_lists.kits.endpoints import router as kits
+from app.sound_lists.matrix.endpoints import router as matrices
+from app.sound_lists.names.endpoints import router as refused_names
+from app.sound_lists.names.spec_endpoints import router as saved_specs
+from app.sound_lists.own_columns.endpoints import router as own_columns
+from app.sound_lists.people.endpoints import router as cue_people
+from app.sound_lists.spoken_placeholders.endpoints import router as spoken_placeholders
 from app.voice_lines.endpoints import router as voice_lines
 from app.voice_lines.release_endpoints import router as voice_releases
 from app.webhooks.endpoints import router as webhooks
@@ -191,17 +191,17 @@ JOB_MODULES = (
     "app.deliveries.jobs",
     "app.conformance.jobs",
     "app.renders.take_jobs",
-    "app.renders.batch_jobs",
-    "app.renders.export_jobs",
-    "app.renders.reel_jobs",
-    "app.renders.timbre_jobs",
+    "app.renders.batches.jobs",
+    "app.renders.master_exports.jobs",
+    "app.renders.reels.jobs",
+    "app.renders.timbre.jobs",
     "app.reviews.jobs",
     "app.shares.jobs",
     "app.scenes.jobs",
     "app.builds.jobs",
-    "app.builds.library_jobs",
-    "app.builds.same_sound_jobs",
-    "app.agreements.jobs",
+    "app.builds.libraries.jobs",
+    "app.builds.same_sounds.jobs",
+    "app.agreements.signing.jobs",
     "app.money.jobs",
     "app.amendments.jobs",
     "app.notifications.contract_jobs",
@@ -210,24 +210,24 @@ JOB_MODULES = (
     "app.notifications.hiring_jobs",
     "app.notifications.jobs",
     "app.notifications.mail_jobs",
-    "app.notifications.notice_jobs",
+    "app.notifications.notices.jobs",
     "app.notifications.security_jobs",
     "app.webhooks.jobs",
     "app.operations.jobs",
 )
 PARSERS = (
-    "app.accounts.picture_drawing",
+    "app.accounts.pictures.drawing",
     "PIL.ImageOps",
-    "app.deliveries.game_projects",
-    "app.sound_lists.sheets",
-    "app.sound_lists.spoken_rules",
+    "app.deliveries.adoptions.game_projects",
+    "app.sound_lists.sheets.rules",
+    "app.sound_lists.spoken_placeholders.rules",
     "audio_checks.placeholders.recorded",
     "app.voice_lines.script_text",
-    "app.hiring.roster_files",
-    "app.agreements.template_files",
-    "app.agreements.seal_files",
-    "app.agreements.word_file",
-    "app.builds.library_sheet",
+    "app.hiring.roster.files",
+    "app.agreements.clauses.template_files",
+    "app.agreements.signing.seal_files",
+    "app.agreements.word.file",
+    "app.builds.libraries.sheet",
     "audio_checks.audit.same_sound",
     "audio_checks.spec.delivery_spec",
 )  # of what strangers send

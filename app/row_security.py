@@ -1,7 +1,7 @@
 """Row policies on PostgreSQL, the second line of defence: a request's transaction sees its own tenants' rows only.
 
 The first is the caller's reach in every WHERE. Each policy follows from the columns of its table, so a
-new table has one, or fails to migrate. Requests run as a role that owns nothing (app/kit/db.py); jobs,
+new table has one, or fails to migrate. Requests run as a role that owns nothing (app/core/db.py); jobs,
 migrations and backups run as the owner of the tables, to whom policies do not apply.
 """
 
@@ -13,9 +13,9 @@ from psycopg import errors
 from sqlalchemy.exc import ProgrammingError
 
 from app import tables  # noqa: F401  every model, for its policy
-from app.kit.db import PERSON, PROJECT, REQUEST_ROLE, SET_REACH, Base, Database
-from app.kit.health import NotReady
-from app.kit.runtime import Runtime
+from app.core.db import PERSON, PROJECT, REQUEST_ROLE, SET_REACH, Base, Database
+from app.core.runtime import Runtime
+from app.core.web.health import NotReady
 
 POLICY = "within_reach"
 WRITING = ("insert", "update", "delete")  # each has a separate policy where fewer rows are writable than readable

@@ -1,21 +1,21 @@
 """Every table of every room, imported once for migrations and tests."""
 
 from app.accounts import models as _accounts
-from app.accounts import security_event_models as _security_events
+from app.accounts.security_log import models as _security_events
 from app.agreements import models as _agreements
 from app.amendments import models as _amendments
 from app.briefs import models as _briefs
-from app.builds import audit_models as _audits
-from app.builds import library_models as _sound_libraries
 from app.builds import models as _builds
-from app.builds import same_sound_models as _same_sounds
+from app.builds.audits import models as _audits
+from app.builds.libraries import models as _sound_libraries
+from app.builds.same_sounds import models as _same_sounds
 from app.conformance import models as _conformance
+from app.core import backups as _backups
+from app.core import changes as _changes
+from app.core.db import Base
+from app.core.web import http as _http
 from app.deliveries import models as _deliveries
 from app.hiring import models as _hiring
-from app.kit import backups as _backups
-from app.kit import changes as _changes
-from app.kit import http as _http
-from app.kit.db import Base
 from app.money import models as _money
 from app.notifications import models as _notifications
 from app.operations import models as _operations

@@ -10,12 +10,13 @@ import structlog
 from sqlalchemy.exc import SQLAlchemyError
 
 from app import rooms
-from app.accounts import rate_limits, security_log
-from app.kit import clock, events
-from app.kit.queue import Payload, job, job_names
-from app.kit.runtime import Runtime
-from app.kit.uploads import Uploads
-from app.kit.workers import Worker
+from app.accounts import rate_limits
+from app.accounts.security_log import service as security_log
+from app.core import clock, events
+from app.core.jobs.queue import Payload, job, job_names
+from app.core.jobs.workers import Worker
+from app.core.runtime import Runtime
+from app.core.uploads import Uploads
 from app.notifications.mail_jobs import send_pending
 
 CHORES_EVERY_S = 300

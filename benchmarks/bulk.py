@@ -10,7 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.schema import AddConstraint, CreateIndex, DropConstraint, DropIndex
 
-from app.kit.db import BEGIN, Base, Database
+from app.core.db import BEGIN, Base, Database
 
 ROWS_AT_ONCE = 20_000
 CACHE_KB = 1_000_000  # of SQLite's pages: keys in no order would be read from the disk again and again

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-from app.sound_lists.clarity_rules import lexicon, questions
+from app.sound_lists.clarity.rules import lexicon, questions
 
 CUES = 20_000
 

@@ -25,10 +25,10 @@ import sqlalchemy as sa
 
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
+from app.core.db import new_id
+from app.core.runtime import Runtime
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
-from app.kit.runtime import Runtime
 from benchmarks.asking import Answer, Broken, Client
 from benchmarks.bulk import analyse, filling
 from benchmarks.load import P95_MS, WEB_PROCESSES

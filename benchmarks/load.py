@@ -32,9 +32,9 @@ from uuid import UUID
 import sqlalchemy as sa
 
 from app.conformance.models import CheckRun
+from app.core.runtime import Runtime
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.runtime import Runtime
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 from benchmarks.asking import Answer, Broken, Client, Refused

@@ -10,7 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 
 import app.tables  # noqa: F401  every model, for its indexes
-from app.kit.db import Base
+from app.core.db import Base
 
 Statement = tuple[str, Any]
 INDEX = re.compile(r"(?:USING (?:COVERING )?INDEX|Scan(?: Backward)? using|Bitmap Index Scan on) (\w+)")

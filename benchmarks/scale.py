@@ -29,8 +29,8 @@ import sqlalchemy as sa
 from fastapi.testclient import TestClient
 
 from app import logs
-from app.kit import clock
-from app.kit.db import Base
+from app.core import clock
+from app.core.db import Base
 from app.main import create_app
 from app.row_security import condition
 from benchmarks.bulk import analyse, bare, filling

@@ -15,7 +15,7 @@ from pathlib import Path
 import httpx
 
 from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, csrf_token
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
 

@@ -15,18 +15,18 @@ from app.accounts.authentication import sha256_of
 from app.accounts.models import Membership, Person, SignIn, Studio
 from app.accounts.rules import Role
 from app.conformance.models import CheckRun
-from app.deliveries.cue_sums import views_of
+from app.core import clock
+from app.core.db import new_id
+from app.deliveries.cue_counts.rules import TakeForSums
+from app.deliveries.cue_counts.service import views_of
 from app.deliveries.models import CueSums, Delivery, Take
 from app.deliveries.rules import TakeState
-from app.deliveries.sum_rules import TakeForSums
-from app.kit import clock
-from app.kit.db import new_id
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, Spec
 from app.projects.rules import EngagementKind
 from app.renders.models import Picture, Render, RenderSet
 from app.renders.rules import RENDERED_STATES, RenderState, recipes
 from app.reviews.models import ChangeRequest, Comment, Feedback, GivenReason, Round, Verdict
-from app.reviews.reason_rules import OURS, ReasonKind
+from app.reviews.reasons.rules import OURS, ReasonKind
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import Cue, Question, Revision, Stem
 from app.sound_lists.rules import CueState

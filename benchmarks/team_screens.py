@@ -22,10 +22,10 @@ import httpx
 from app import logs
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
+from app.core import clock
+from app.core.db import new_id
 from app.hiring.models import Bid, BusyRange, Candidate, Posting, RosterEntry, Score
 from app.hiring.rules import DEFAULT_HEADINGS, AskedScope, BidState, PostingPhase, PostingState
-from app.kit import clock
-from app.kit.db import new_id
 from app.references.models import Reference, ReferenceOpening, ReferenceVersion
 from app.references.rules import PreviewState, ReferenceKind
 from benchmarks.bulk import Bulk, bare, filling

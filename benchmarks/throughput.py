@@ -28,12 +28,12 @@ import numpy as np
 from sqlalchemy.orm import joinedload
 
 from app import rooms
+from app.core import events
+from app.core.db import new_id
+from app.core.runtime import Runtime
 from app.deliveries import service
 from app.deliveries.models import Delivery
 from app.deliveries.service import Origin
-from app.kit import events
-from app.kit.db import new_id
-from app.kit.runtime import Runtime
 from app.projects.models import Project
 from app.renders.models import RenderSet
 from app.sound_lists.models import Cue, Stem

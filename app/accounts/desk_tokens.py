@@ -11,8 +11,8 @@ from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import DeskTokenNotFound, NotInDemo, TooManyDeskTokens
 from app.accounts.models import DeskToken, Person
 from app.accounts.rules import MAX_TOKEN_DAYS, Actor
-from app.kit import clock
-from app.kit.events import publish
+from app.core import clock
+from app.core.events import publish
 
 PREFIX = "sld_"  # secret scanners find a leaked token by it
 MAX_TOKENS = 20

@@ -3,13 +3,12 @@
 import structlog
 from fastapi import APIRouter, Request, Response
 
-from app.accounts import authentication, people, second_factors, sign_ins
+from app.accounts import authentication, people, sign_ins
 from app.accounts.authentication import (
     DEMO_PARTS,
     SESSION_COOKIE,
     sha256_of,
 )
-from app.accounts.browser_sign_ins import give_csrf_token, sign_in_browser
 from app.accounts.errors import (
     DemoUnavailable,
     SecondFactorNeeded,
@@ -18,24 +17,26 @@ from app.accounts.errors import (
     WrongSignIn,
 )
 from app.accounts.models import Person
-from app.accounts.policies import allows, authenticate, demo_part_of
-from app.accounts.request_limits import (
+from app.accounts.rules import Actor, Audience, normalised_email
+from app.accounts.schemas import DemoPart, PersonBrief, PersonRead, SessionRead, SignInAdd
+from app.accounts.second_factors import service as second_factors
+from app.accounts.web.browser_sign_ins import give_csrf_token, sign_in_browser
+from app.accounts.web.policies import allows, authenticate, demo_part_of
+from app.accounts.web.request_limits import (
     DeferredSession,
     ensure_second_factor_allowed,
     ensure_sign_in_allowed,
     network_of,
     reset_attempts,
 )
-from app.accounts.rules import Actor, Audience, normalised_email
-from app.accounts.schemas import DemoPart, PersonBrief, PersonRead, SessionRead, SignInAdd
-from app.kit.db import widen_reach
-from app.kit.http import (
+from app.core.db import widen_reach
+from app.core.reach import Reach
+from app.core.web.http import (
     CurrentRuntime,
     DbSession,
     problems,
 )
-from app.kit.idempotency import UNSAVED
-from app.kit.reach import Reach
+from app.core.web.idempotency import UNSAVED
 
 router = APIRouter(prefix="/v1", tags=["accounts"])
 _unsaved_router = APIRouter(dependencies=UNSAVED)

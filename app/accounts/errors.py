@@ -2,7 +2,7 @@
 
 from typing import ClassVar
 
-from app.kit.errors import Conflict, Forbidden, Invalid, NotFound, Refused
+from app.core.errors import Conflict, Forbidden, Invalid, NotFound, Refused
 
 
 class NotSignedIn(Refused):

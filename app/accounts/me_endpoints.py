@@ -20,12 +20,6 @@ from app.accounts.errors import (
     WrongPassword,
 )
 from app.accounts.models import DeskToken, Person
-from app.accounts.policies import allows
-from app.accounts.request_limits import (
-    DeferredSession,
-    ensure_mail_allowed,
-    ensure_sign_in_allowed,
-)
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import (
     DeskTokenAdd,
@@ -36,8 +30,14 @@ from app.accounts.schemas import (
     PersonRead,
     SignInRead,
 )
-from app.kit.http import DbSession, problems
-from app.kit.idempotency import UNSAVED
+from app.accounts.web.policies import allows
+from app.accounts.web.request_limits import (
+    DeferredSession,
+    ensure_mail_allowed,
+    ensure_sign_in_allowed,
+)
+from app.core.web.http import DbSession, problems
+from app.core.web.idempotency import UNSAVED
 
 router = APIRouter(prefix="/v1", tags=["accounts"])
 _unsaved_router = APIRouter(dependencies=UNSAVED)

@@ -2,11 +2,12 @@
 
 from sqlalchemy.orm import Session
 
-from app.accounts import people, queries, second_factors, service
+from app.accounts import people, queries, service
 from app.accounts.errors import AddressNotVerified, OperatorNotFound
 from app.accounts.models import Operator, Person
 from app.accounts.rules import normalised_email
-from app.kit.db import insert_if_absent
+from app.accounts.second_factors import service as second_factors
+from app.core.db import insert_if_absent
 
 
 def add_operator(session: Session, address: str) -> Person:

@@ -4,16 +4,17 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts import passwords, queries, second_factor_queries
+from app.accounts import passwords, queries
 from app.accounts.addresses import account_proof, verify
 from app.accounts.authentication import sha256_of
 from app.accounts.errors import AddressTaken, NameNeeded, NotInDemo, ResetNotFound, SignInNeeded, WrongPassword
 from app.accounts.models import MailedLink, Person
 from app.accounts.rules import Actor, AddressProof, ensure_address, ensure_strong_password, normalised_email
-from app.kit import clock
-from app.kit.db import Database, bypass_row_policies, widen_reach
-from app.kit.events import publish
-from app.kit.reach import Reach
+from app.accounts.second_factors import queries as second_factor_queries
+from app.core import clock
+from app.core.db import Database, bypass_row_policies, widen_reach
+from app.core.events import publish
+from app.core.reach import Reach
 
 
 def create_person(

@@ -25,9 +25,9 @@ from app.accounts.models import (
     Token,
 )
 from app.accounts.rules import Actor, Role, Scope, SecondFactorUse
-from app.accounts.second_factor_queries import second_factor_exists
-from app.kit import clock
-from app.kit.db import Database, UtcDateTime
+from app.accounts.second_factors.queries import second_factor_exists
+from app.core import clock
+from app.core.db import Database, UtcDateTime
 
 TOKEN_USE_RECORDED_EVERY = timedelta(minutes=1)
 SEEN_RECORDED_EVERY = timedelta(minutes=10)

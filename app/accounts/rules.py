@@ -11,7 +11,7 @@ from uuid import UUID
 
 from app.accounts.common_passwords import is_common
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak, PersonNeeded
-from app.kit.reach import Reach
+from app.core.reach import Reach
 
 
 class Role(StrEnum):

@@ -7,7 +7,7 @@ from uuid import UUID
 from pydantic import ConfigDict, Field, StringConstraints
 
 from app.accounts.rules import MAX_ADDRESS_LENGTH, MAX_PASSWORD_LENGTH, MAX_TOKEN_DAYS, Role
-from app.kit.http import Schema
+from app.core.web.http import Schema
 
 # One line, without control characters or marks that turn the direction of writing: it appears in mails and lists.
 _ONE_LINE = "^[^\\x00-\\x1f\\x7f-\\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]*$"

@@ -6,7 +6,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts import addresses, people, queries, quota_queries
+from app.accounts import addresses, people, queries
 from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import (
     AlreadyMember,
@@ -18,8 +18,9 @@ from app.accounts.errors import (
     TooManyStudios,
 )
 from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvitation, Token
-from app.accounts.quota_queries import people_in, tokens_of
-from app.accounts.quotas import QuotaKind, ensure_room
+from app.accounts.quotas import queries as quota_queries
+from app.accounts.quotas.queries import people_in, tokens_of
+from app.accounts.quotas.service import QuotaKind, ensure_room
 from app.accounts.rules import (
     MAX_TOKEN_DAYS,
     AccessKind,
@@ -29,10 +30,10 @@ from app.accounts.rules import (
     ensure_address,
     ensure_producer_remains,
 )
-from app.kit import clock
-from app.kit.db import bypass_row_policies
-from app.kit.events import publish
-from app.kit.plural import counted
+from app.core import clock
+from app.core.db import bypass_row_policies
+from app.core.events import publish
+from app.core.plural import counted
 
 INVITATION_LIFETIME = timedelta(days=30)
 TOKEN_PREFIX = "slt_"  # noqa: S105  secret scanners find a leaked token by it

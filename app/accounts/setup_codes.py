@@ -7,8 +7,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts import queries
 from app.accounts.errors import SetupCodeNeeded, SignUpClosed
-from app.accounts.second_factor_rules import plain_code
-from app.kit.server_keys import derived
+from app.accounts.second_factors.rules import plain_code
+from app.core.server_keys import derived
 from app.settings import Settings
 
 CODE_BYTES = 10  # 80 bits, in 16 characters of base32

@@ -11,9 +11,9 @@ from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.errors import SignInNotFound
 from app.accounts.models import SignIn
 from app.accounts.rules import Actor
-from app.kit import clock
-from app.kit.db import bypass_row_policies, widen_reach
-from app.kit.reach import Reach
+from app.core import clock
+from app.core.db import bypass_row_policies, widen_reach
+from app.core.reach import Reach
 
 SIGN_IN_LIFETIME = timedelta(days=30)
 

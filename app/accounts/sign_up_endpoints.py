@@ -3,7 +3,6 @@
 from fastapi import APIRouter, Request, Response
 
 from app.accounts import people, queries, rate_limits, service, setup_codes
-from app.accounts.browser_sign_ins import sign_in_browser
 from app.accounts.errors import (
     AddressTaken,
     BadAddress,
@@ -17,13 +16,6 @@ from app.accounts.errors import (
     VerificationNeeded,
 )
 from app.accounts.models import Person
-from app.accounts.policies import allows
-from app.accounts.request_limits import (
-    DeferredSession,
-    ensure_mail_allowed,
-    ensure_within_limits,
-    network_of,
-)
 from app.accounts.rules import Actor, Audience, normalised_email
 from app.accounts.schemas import (
     NewPassword,
@@ -35,8 +27,16 @@ from app.accounts.schemas import (
     SignUpRequest,
     SignUpShown,
 )
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.idempotency import UNSAVED
+from app.accounts.web.browser_sign_ins import sign_in_browser
+from app.accounts.web.policies import allows
+from app.accounts.web.request_limits import (
+    DeferredSession,
+    ensure_mail_allowed,
+    ensure_within_limits,
+    network_of,
+)
+from app.core.web.http import CurrentRuntime, DbSession, problems
+from app.core.web.idempotency import UNSAVED
 
 router = APIRouter(prefix="/v1", tags=["accounts"])
 _unsaved_router = APIRouter(dependencies=UNSAVED)

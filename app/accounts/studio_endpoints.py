@@ -8,7 +8,6 @@ from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts import queries, service
 from app.accounts.authentication import sha256_of
-from app.accounts.browser_sign_ins import sign_in_browser
 from app.accounts.errors import (
     AlreadyMember,
     BadAddress,
@@ -28,12 +27,6 @@ from app.accounts.errors import (
     TooManyStudios,
 )
 from app.accounts.models import Membership, Person, Studio, StudioInvitation
-from app.accounts.policies import allows, ensure_recent_sign_in
-from app.accounts.request_limits import (
-    DeferredSession,
-    ensure_invitation_allowed,
-    ensure_sign_in_allowed,
-)
 from app.accounts.rules import AccessKind, Actor, Audience, Role
 from app.accounts.schemas import (
     InvitationAccept,
@@ -49,8 +42,15 @@ from app.accounts.schemas import (
     StudioInvitationRead,
     StudioInvitationShown,
 )
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.idempotency import UNSAVED
+from app.accounts.web.browser_sign_ins import sign_in_browser
+from app.accounts.web.policies import allows, ensure_recent_sign_in
+from app.accounts.web.request_limits import (
+    DeferredSession,
+    ensure_invitation_allowed,
+    ensure_sign_in_allowed,
+)
+from app.core.web.http import CurrentRuntime, DbSession, problems
+from app.core.web.idempotency import UNSAVED
 
 router = APIRouter(prefix="/v1", tags=["accounts"])
 _unsaved_router = APIRouter(dependencies=UNSAVED)

@@ -8,12 +8,17 @@ from uuid import UUID
 from fastapi import APIRouter, Depends, Request
 from starlette.concurrency import run_in_threadpool
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
-from app.agreements import lifecycle, queries, redlines, schemas, signing, versions
+from app.accounts.web.policies import allows
+from app.agreements import queries, schemas
 from app.agreements.access import party_of, visible_contract
-from app.agreements.documents import TextPdf
+from app.agreements.clauses.template_endpoints import clauses_of
+from app.agreements.clauses.text import blocks_of
+from app.agreements.drafts import lifecycle, versions
+from app.agreements.drafts.documents import TextPdf
+from app.agreements.drafts.previous_contract import last_contract
+from app.agreements.drafts.version_endpoints import blocks_read, version_read
 from app.agreements.errors import (
     AmountsNeeded,
     BadDraft,
@@ -31,17 +36,15 @@ from app.agreements.errors import (
     TooManySigners,
     WrongState,
 )
-from app.agreements.last_contract import last_contract
 from app.agreements.models import Contract, ContractEvent, ContractVersion
-from app.agreements.redline_rules import TURNS
+from app.agreements.redlines import service as redlines
+from app.agreements.redlines.rules import TURNS
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party
-from app.agreements.signing_endpoints import SIGNING, signature_sent
-from app.agreements.template_endpoints import clauses_of
-from app.agreements.text import blocks_of
-from app.agreements.version_endpoints import blocks_read, version_read
-from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
+from app.agreements.signing import service as signing
+from app.agreements.signing.endpoints import SIGNING, signature_sent
+from app.core.typesetting import DocumentTooLarge, TypesettingBusy
+from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.projects.errors import EngagementNotFound, ProducerNeeded, ProjectNotFound, TeamNeeded
 
 router = APIRouter(prefix="/v1", tags=["contracts"])

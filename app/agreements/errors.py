@@ -1,6 +1,6 @@
 """What this room refuses, each named after the fact."""
 
-from app.kit.errors import Conflict, Forbidden, Invalid, NotFound
+from app.core.errors import Conflict, Forbidden, Invalid, NotFound
 
 
 class ContractNotFound(NotFound):

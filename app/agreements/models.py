@@ -10,10 +10,10 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 from app.accounts.models import Person
 from app.accounts.rules import AddressProof
 from app.agreements.rules import AcceptedBy, ContractKind, ContractState, Party, ReleaseClause, WorkState
-from app.kit import clock
-from app.kit.db import Base, new_id
-from app.kit.record import START
-from app.kit.recorded_rows import declare
+from app.core import clock
+from app.core.db import Base, new_id
+from app.core.record import START
+from app.core.recorded_rows import declare
 from app.projects.models import Engagement, Project
 from app.sound_lists.models import Cue
 

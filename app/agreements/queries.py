@@ -23,9 +23,9 @@ from app.agreements.models import (
     SigningCode,
 )
 from app.agreements.rules import ORDERS, ContractKind, ContractState
-from app.agreements.signing_rules import SigningOrder, Turn, Yes
-from app.kit.db import Base
-from app.kit.recorded_rows import declare
+from app.agreements.signing.rules import SigningOrder, Turn, Yes
+from app.core.db import Base
+from app.core.recorded_rows import declare
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, Spec
 
 WHOLE = (joinedload(Contract.project).joinedload(Project.studio), joinedload(Contract.designer))

@@ -5,9 +5,9 @@ from datetime import date
 
 from sqlalchemy.orm import Session
 
+from app.agreements.clauses.named_days import NamedDay, named_days
+from app.agreements.clauses.named_term_queries import named_terms
 from app.agreements.models import Contract
-from app.agreements.named_days import NamedDay, named_days
-from app.agreements.named_terms import named_terms
 
 
 def near_days(session: Session, contracts: Collection[Contract], today: date) -> list[tuple[Contract, NamedDay]]:

@@ -8,9 +8,9 @@ from pydantic import ConfigDict, Field, StringConstraints
 
 from app.accounts.rules import AddressProof
 from app.accounts.schemas import Line, PersonBrief, Prose
-from app.agreements.drawn_names import DRAWING, WIDTH
 from app.agreements.rules import ContractKind, ContractState, Party, ReleaseClause
-from app.kit.http import LARGEST_NUMBER, Schema
+from app.agreements.signing.drawn_signatures import DRAWING, WIDTH
+from app.core.web.http import LARGEST_NUMBER, Schema
 
 Coordinate = Annotated[int, Field(strict=True, ge=0, le=WIDTH)]
 Stroke = list[Annotated[list[Coordinate], Field(min_length=2, max_length=2)]]

@@ -2,29 +2,27 @@
 
 from uuid import UUID
 
-from pydantic import TypeAdapter
 from sqlalchemy.orm import Session
 
-from app.agreements import record
 from app.agreements.models import ContractCue
-from app.agreements.plan import record_plan
+from app.agreements.plan.service import record_plan
+from app.agreements.record import service as record
 from app.amendments import schemas
 from app.amendments.change_order_review import Review, Reviewer
 from app.amendments.models import ChangeOrder
 from app.amendments.rules import ChangeOrderState
 from app.amendments.work import work_states
-from app.kit import clock
-from app.kit.events import publish
+from app.core import clock
+from app.core.events import publish
 from app.money import queries as money_queries
-from app.money.ledger import write
-from app.money.ledger_book import CLAUSES, Entry
-from app.money.rules import LineKind
+from app.money.ledger.book import CLAUSES, Entry
+from app.money.ledger.rules import LineKind
+from app.money.ledger.service import write
 from app.money.settlement import add_round, charge_round, settle, take_out
-from app.reviews.clock_pauses import end_pause
 from app.reviews.queries import round_counts
+from app.reviews.verdicts.clock_pauses import end_pause
 
 PLANNED = ("add_cue", "reprice_cue", "move_date")  # what milestones and prices follow
-CHANGES: TypeAdapter[list[schemas.Change]] = TypeAdapter(list[schemas.Change])
 
 
 def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Review, *, person_id: UUID) -> None:
@@ -32,7 +30,7 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
     contract = reviewer.contract
     order.state, order.closed_at = ChangeOrderState.AGREED, clock.now()
     session.flush()
-    changes = CHANGES.validate_python(order.changes)
+    changes = schemas.CHANGES.validate_python(order.changes)
     terms = {name: cap for one in changes if one.kind == "set_caps" for name, cap in one.terms.items()}
     contract.changed_terms = contract.changed_terms | terms
     facts = {

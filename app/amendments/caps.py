@@ -5,16 +5,16 @@ from dataclasses import dataclass
 
 from sqlalchemy.orm import Session
 
+from app.agreements.clauses.terms import MoneyTerms, PriceMode
 from app.agreements.models import Contract
-from app.agreements.plan_queries import milestones_of
-from app.agreements.terms import MoneyTerms, PriceMode
+from app.agreements.plan.queries import milestones_of
 from app.amendments.schemas import OrderCaps, SetCaps
-from app.kit.money import money
-from app.money.days import day_rate_read
-from app.money.hours import MINUTES
-from app.money.ledger import load_ledger_book
-from app.money.rules import hours_in_words
-from app.money.worked_hours import HourBook
+from app.core.money import money
+from app.money.ledger.rules import hours_in_words
+from app.money.ledger.service import load_ledger_book
+from app.money.work.rules import MINUTES
+from app.money.work.service import day_rate_read
+from app.money.work.worked_hours import HourBook
 
 UNITS = {"hours_cap": "hour", "hours_month_cap": "hour", "days_cap": "day"}
 

@@ -7,23 +7,23 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements import plan_queries
-from app.agreements.facts import in_words
-from app.agreements.figures import faults_of_prose, other_amounts
+from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.figures import faults_of_prose, other_amounts
+from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract, ContractCue, Milestone
-from app.agreements.plan_check import check_plan, resolved, worsened
-from app.agreements.plan_queries import agreed_terms, terms_of
-from app.agreements.terms import MoneyTerms
+from app.agreements.plan import queries as plan_queries
+from app.agreements.plan.queries import agreed_terms, terms_of
+from app.agreements.plan.validation import check_plan, resolved, worsened
 from app.amendments import schemas
 from app.amendments.caps import Caps
 from app.amendments.rules import Difference, Planned, changed_plan, warnings_of
 from app.amendments.work import work_states
-from app.kit import clock
-from app.kit.money import money, part_of
-from app.kit.plural import day_in_words
+from app.core import clock
+from app.core.money import money, part_of
+from app.core.plural import day_in_words
 from app.money import overview
-from app.money.ledger import called, load_ledger_book, priced
-from app.money.ledger_book import price_of_round
+from app.money.ledger.book import price_of_round
+from app.money.ledger.service import called, load_ledger_book, priced
 from app.money.schemas import AdviceRead
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import cues_of as listed_cues

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from datetime import date, datetime
 
-from app.agreements.facts import in_words
+from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.text import literal
 from app.agreements.rules import Party
-from app.agreements.text import literal
 from app.amendments.schemas import ChangedMilestone
-from app.kit.money import money
+from app.core.money import money
 
 PARTY_WORDS = {Party.STUDIO: "the studio", Party.DESIGNER: "the designer"}
 

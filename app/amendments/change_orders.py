@@ -7,20 +7,21 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
 from app.accounts.rules import Actor
-from app.agreements import plan_queries, record
 from app.agreements.access import party_of, visible_contract
-from app.agreements.certificates import signatures_page, studio_zone
-from app.agreements.documents import TextPdf, sha256_of
+from app.agreements.clauses.figures import faults_of_prose
+from app.agreements.clauses.text import blocks_of
+from app.agreements.drafts.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
-from app.agreements.figures import faults_of_prose
 from app.agreements.models import Contract
+from app.agreements.plan import queries as plan_queries
 from app.agreements.queries import newest_version
+from app.agreements.record import service as record
 from app.agreements.rules import ORDERS, ContractKind, ContractState, Party, way_on
 from app.agreements.schemas import BlockRead
-from app.agreements.signing import Signature
-from app.agreements.text import blocks_of
+from app.agreements.signing.certificates import signatures_page, studio_zone
+from app.agreements.signing.service import Signature
 from app.amendments import offers, queries, schemas
-from app.amendments.agreed_changes import CHANGES, apply
+from app.amendments.agreed_changes import apply
 from app.amendments.change_order_review import Review, Reviewer
 from app.amendments.change_order_text import change_order_text, change_order_title
 from app.amendments.errors import (
@@ -35,11 +36,11 @@ from app.amendments.errors import (
 from app.amendments.models import ChangeOrder
 from app.amendments.rules import ChangeOrderState
 from app.amendments.signing import locked_for_party, sign, signatures
-from app.kit import clock
-from app.kit.errors import FieldProblem
-from app.kit.events import publish
+from app.core import clock
+from app.core.errors import FieldProblem
+from app.core.events import publish
 from app.money import overview
-from app.reviews.clock_pauses import begin_pause, end_pause
+from app.reviews.verdicts.clock_pauses import begin_pause, end_pause
 from app.sound_lists.rules import CueState
 
 
@@ -122,7 +123,7 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
         proposed_at=clock.now(),
         reason=order.reason,
         begins_at_once=order.begins_at_once,
-        changes=CHANGES.dump_python(list(order.changes), mode="json"),
+        changes=schemas.CHANGES.dump_python(list(order.changes), mode="json"),
         text="",
         text_sha256="",
         proposer=session.get_one(Person, actor.person),
@@ -167,7 +168,7 @@ def accept(
     contract, party = locked_for_party(session, actor, contract_id)
     order = _open(session, contract, number)
     reviewer = Reviewer(session, contract)
-    review = reviewer.review(CHANGES.validate_python(order.changes))
+    review = reviewer.review(schemas.CHANGES.validate_python(order.changes))
     if review.problems or _text(reviewer, order, review) != order.text:
         why = review.problems[0] if review.problems else "the plan that it changes is another one now"
         raise ChangeOrderStale(
@@ -285,7 +286,7 @@ def _read(
     session: Session, reviewer: Reviewer, order: ChangeOrder, actor: Actor, party: Party | None
 ) -> schemas.ChangeOrderRead:
     is_open = order.state is ChangeOrderState.PROPOSED
-    review = reviewer.review(CHANGES.validate_python(order.changes)) if is_open else Review()
+    review = reviewer.review(schemas.CHANGES.validate_python(order.changes)) if is_open else Review()
     given = queries.acceptances_of(session, reviewer.contract.id, order.text_sha256)
     is_party = is_open and party is not None
     standing = signatures(session, reviewer.contract, given, actor.person_id, party)

@@ -8,17 +8,19 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.agreements import lifecycle, plan_queries, record
 from app.agreements.access import party_of, visible_contract
-from app.agreements.certificates import signatures_page, studio_zone
-from app.agreements.documents import TextPdf, sha256_of
+from app.agreements.clauses.terms import MoneyTerms, PriceMode
+from app.agreements.drafts import lifecycle
+from app.agreements.drafts.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
-from app.agreements.plan_queries import terms_of
+from app.agreements.plan import queries as plan_queries
+from app.agreements.plan.queries import terms_of
 from app.agreements.queries import NOTICE_GIVEN, NOTICE_WITHDRAWN, lock_contract
+from app.agreements.record import service as record
 from app.agreements.rules import ORDERS, ContractState, Party, way_on
-from app.agreements.signing import Signature
-from app.agreements.terms import MoneyTerms, PriceMode
+from app.agreements.signing.certificates import signatures_page, studio_zone
+from app.agreements.signing.service import Signature
 from app.amendments import queries, schemas
 from app.amendments.change_orders import lapse_open
 from app.amendments.ending_text import statement_text, statement_title
@@ -27,17 +29,17 @@ from app.amendments.models import Notice
 from app.amendments.rules import end_of_notice, is_over
 from app.amendments.signing import locked_for_party, sign, signatures
 from app.amendments.work import work_states
-from app.kit import clock
-from app.kit.events import publish
-from app.kit.money import money
-from app.kit.plural import day_in_words
+from app.core import clock
+from app.core.events import publish
+from app.core.money import money
+from app.core.plural import day_in_words
 from app.money import overview
 from app.money import queries as money_queries
-from app.money.days import price_of
-from app.money.ledger import called, load_ledger_book
-from app.money.ledger_book import price_of_round
+from app.money.ledger.book import price_of_round
+from app.money.ledger.service import called, load_ledger_book
 from app.money.schemas import FiguresRead
 from app.money.settlement import end_statement, open_cues, settle_end
+from app.money.work.service import price_of
 
 
 def ending(session: Session, actor: Actor, contract_id: UUID) -> schemas.EndingRead:

@@ -2,12 +2,12 @@
 
 from collections.abc import Collection
 
-from app.agreements.facts import in_words
+from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.terms import DepositAtEnd
+from app.agreements.clauses.text import literal
 from app.agreements.rules import WORK_STATE_WORDS, Party, WorkState
-from app.agreements.terms import DepositAtEnd
-from app.agreements.text import literal
 from app.amendments.schemas import EndingRead, StatedCueRead
-from app.kit.money import money, percent
+from app.core.money import money, percent
 
 STATE_WORDS = {
     WorkState.NOT_BEGUN: "not begun",

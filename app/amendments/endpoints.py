@@ -5,16 +5,16 @@ from uuid import UUID
 
 from fastapi import APIRouter, Depends, Path, Response
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.agreements.documents import PDF
+from app.accounts.web.policies import allows
+from app.agreements.clauses.template_endpoints import attachment
+from app.agreements.drafts.documents import PDF
 from app.agreements.errors import (
     ContractNotFound,
     NotYourContract,
 )
-from app.agreements.signing import Signature
-from app.agreements.signing_endpoints import SIGNING, signature_sent
-from app.agreements.template_endpoints import attachment
+from app.agreements.signing.endpoints import SIGNING, signature_sent
+from app.agreements.signing.service import Signature
 from app.amendments import change_orders, ending, schemas
 from app.amendments.errors import (
     AlreadyEnded,
@@ -30,8 +30,8 @@ from app.amendments.errors import (
     OfferSettled,
     OwnChangeOrder,
 )
-from app.kit.http import DbSession, problems
-from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
+from app.core.typesetting import DocumentTooLarge, TypesettingBusy
+from app.core.web.http import DbSession, problems
 
 router = APIRouter(prefix="/v1", tags=["amendments"])
 PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {PDF: {}}, "description": "The text as PDF"}}

@@ -1,9 +1,9 @@
 """The jobs of this room: contracts whose last day has passed."""
 
 from app.amendments import ending, queries
-from app.kit import clock
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
+from app.core import clock
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
 
 
 @job("amendments.settle_ended")

@@ -11,9 +11,9 @@ from app.accounts.models import Person
 from app.accounts.rules import AddressProof
 from app.agreements.rules import Party
 from app.amendments.rules import ChangeOrderState
-from app.kit import clock
-from app.kit.db import Base, new_id
-from app.kit.recorded_rows import declare
+from app.core import clock
+from app.core.db import Base, new_id
+from app.core.recorded_rows import declare
 
 
 class Notice(Base):

@@ -8,9 +8,9 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements.facts import in_words
+from app.agreements.clauses.facts import in_words
 from app.agreements.models import ContractCue
-from app.agreements.plan_queries import agreed_terms, covered_elsewhere
+from app.agreements.plan.queries import agreed_terms, covered_elsewhere
 from app.agreements.rules import WorkState
 from app.amendments import offer_queries, schemas
 from app.amendments.change_order_review import Reviewer
@@ -28,9 +28,9 @@ from app.amendments.offer_rules import (
 )
 from app.amendments.rules import ChangeOrderState
 from app.money import queries as money_queries
-from app.money.ledger import called
+from app.money.ledger.service import called
 from app.projects.models import Spec
-from app.projects.specs import read_spec
+from app.projects.specs.service import read_spec
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 

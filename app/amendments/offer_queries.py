@@ -10,8 +10,8 @@ from sqlalchemy.orm import Session, contains_eager, joinedload
 from app.accounts.models import Person
 from app.agreements.models import Contract
 from app.amendments.offer_rules import ListChange
+from app.core.in_array import in_array
 from app.deliveries.models import Take
-from app.kit.in_array import in_array
 from app.money.models import WorkLog
 from app.projects.models import Spec
 from app.references.models import Reference, ReferenceVersion

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.agreements import record
 from app.agreements.queries import events_of_kinds
+from app.agreements.record import service as record
 from app.agreements.rules import Party
 from app.amendments import queries, schemas
 from app.amendments.change_order_review import Reviewer

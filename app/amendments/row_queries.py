@@ -11,9 +11,9 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
 from app.agreements.models import Contract, ContractEvent, Milestone
-from app.kit.db import Base
-from app.kit.in_array import in_array
-from app.kit.recorded_rows import NAMES, RecordedTable
+from app.core.db import Base
+from app.core.in_array import in_array
+from app.core.recorded_rows import NAMES, RecordedTable
 from app.money.models import Invoice, InvoiceLine
 from app.projects.models import ApproverChange, CategoryApprover, Deputy
 from app.sound_lists.models import Cue

@@ -12,7 +12,7 @@ from app.agreements.rules import ORDERS, ContractState
 from app.amendments import row_queries
 from app.amendments.entries import DRAFTS, Entry, state_after
 from app.amendments.row_queries import UNREADABLE, StoredRows, first_line
-from app.kit.recorded_rows import NAMES, RecordedTable
+from app.core.recorded_rows import NAMES, RecordedTable
 from app.projects.models import Deputy
 
 TITLES = ("title", "full_number", "reference", "name", "file_name", "kind", "number")  # what tells rows apart

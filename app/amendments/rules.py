@@ -6,11 +6,11 @@ from datetime import date, timedelta
 from enum import StrEnum
 from uuid import UUID
 
-from app.agreements.deemed_acceptance import working_days
-from app.agreements.plan_check import Advice, PlannedPayment
+from app.agreements.clauses.deemed_acceptance import working_days
+from app.agreements.plan.validation import Advice, PlannedPayment
 from app.amendments.errors import NoticeTooShort
-from app.kit.money import percent
-from app.kit.plural import counted, day_in_words
+from app.core.money import percent
+from app.core.plural import counted, day_in_words
 
 
 class ChangeOrderState(StrEnum):

@@ -4,15 +4,15 @@ from datetime import date, datetime
 from typing import Annotated, Literal, Self
 from uuid import UUID
 
-from pydantic import Field, StringConstraints, model_validator
+from pydantic import Field, StringConstraints, TypeAdapter, model_validator
 
 from app.accounts.schemas import PersonBrief
+from app.agreements.clauses.terms import DepositAtEnd
 from app.agreements.rules import Party, WorkState
 from app.agreements.schemas import BlockRead, Reason, Stroke
-from app.agreements.terms import DepositAtEnd
 from app.amendments.offer_rules import OfferKind
 from app.amendments.rules import ChangeOrderState
-from app.kit.http import Schema
+from app.core.web.http import Schema
 from app.money.schemas import LARGEST_MINOR, AdviceRead, ContractedCue, FiguresRead, Minor
 
 ShortProse = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=200)]
@@ -161,7 +161,7 @@ class SetCaps(Schema):
 
 
 Change = Annotated[AddCue | CutCue | RepriceCue | AddRound | MoveDate | AddWork | SetCaps, Field(discriminator="kind")]
-
+CHANGES: TypeAdapter[list[Change]] = TypeAdapter(list[Change])
 
 OfferKey = Annotated[str, StringConstraints(min_length=1, max_length=120, pattern="^[a-z0-9:-]+$")]
 

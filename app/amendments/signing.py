@@ -9,18 +9,18 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
 from app.accounts.rules import Actor, SecondFactorUse
-from app.accounts.second_factor_requirements import ensure_second_factor_for
-from app.agreements import record
+from app.accounts.second_factors.requirements import ensure_second_factor_for
 from app.agreements.access import party_of, visible_contract
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
+from app.agreements.record import service as record
 from app.agreements.rules import Party, ensure_another_person, ensure_same_text
-from app.agreements.signing import Signature, amendment_order_of, facts_of_signature, proof_of
-from app.agreements.signing_rules import Yes
+from app.agreements.signing.rules import Yes
+from app.agreements.signing.service import Signature, amendment_order_of, facts_of_signature, proof_of
 from app.amendments import queries
 from app.amendments.models import AmendmentAcceptance
-from app.kit.events import publish
+from app.core.events import publish
 
 
 def locked_for_party(session: Session, actor: Actor, contract_id: UUID) -> tuple[Contract, Party]:

@@ -8,17 +8,17 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements import record
 from app.agreements.models import Contract, ContractEvent
 from app.agreements.queries import contract_by_id, contract_ids, events_of
-from app.agreements.redline_rules import faults_of_sent
-from app.agreements.redlines import rounds, texts_of
+from app.agreements.record import service as record
+from app.agreements.redlines.rules import faults_of_sent
+from app.agreements.redlines.service import rounds, texts_of
 from app.amendments.entries import Entry, state_after
 from app.amendments.row_queries import first_line, id_of, is_id, orphans
 from app.amendments.row_verification import row_faults
 from app.amendments.work_verification import work_faults
-from app.kit.db import Database
-from app.kit.storage import Store
+from app.core.db import Database
+from app.core.storage import Store
 
 
 @dataclass(frozen=True)

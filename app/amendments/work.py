@@ -4,10 +4,10 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements import plan_queries
 from app.agreements.models import Contract
+from app.agreements.plan import queries as plan_queries
 from app.agreements.rules import WorkState
-from app.reviews import settlement
+from app.reviews.verdicts import settlement
 
 
 def work_states(session: Session, contract: Contract) -> dict[UUID, WorkState]:

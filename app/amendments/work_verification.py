@@ -8,8 +8,8 @@ from sqlalchemy.orm import Session
 
 from app.agreements.models import Contract
 from app.agreements.queries import versions_of
+from app.agreements.record.sealed_facts import sealed
 from app.agreements.rules import ContractState
-from app.agreements.sealed_facts import sealed
 from app.amendments import work_queries
 from app.amendments.entries import Entry, state_after
 from app.deliveries.rules import TakeState

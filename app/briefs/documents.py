@@ -24,7 +24,7 @@ from app.briefs.schemas import (
     BriefVersionRead,
     BriefVersionSummary,
 )
-from app.kit.plural import counted
+from app.core.plural import counted
 from app.projects.service import ProjectAccess
 
 

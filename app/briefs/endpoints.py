@@ -5,9 +5,9 @@ from uuid import UUID
 
 from fastapi import APIRouter, Path, Query
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
+from app.accounts.web.policies import allows
 from app.briefs import follow_ups, queries, service, spec_answers
 from app.briefs.documents import document_of, version_brief, version_read
 from app.briefs.errors import (
@@ -37,7 +37,7 @@ from app.briefs.schemas import (
     SpecProposal,
     SpecProposalApply,
 )
-from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, cursor_of, number_cursor, problems
+from app.core.web.http import LARGEST_NUMBER, BadCursor, DbSession, Page, cursor_of, number_cursor, problems
 from app.projects.errors import BadSpec, DesignerNeeded, ProjectNotFound, SpecChanged, TeamNeeded
 from app.projects.service import project_access
 

@@ -11,7 +11,7 @@ from app.briefs.errors import FollowUpAnswered, FollowUpNotFound
 from app.briefs.models import FollowUp
 from app.briefs.rules import question_of, tidy_text
 from app.briefs.schemas import FollowUpRead
-from app.kit import clock
+from app.core import clock
 from app.projects.errors import ProjectNotFound
 from app.projects.queries import lock_project
 from app.projects.service import ProjectAccess, project_access

@@ -8,8 +8,8 @@ from sqlalchemy import ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.kit import clock
-from app.kit.db import Base, new_id
+from app.core import clock
+from app.core.db import Base, new_id
 
 
 class Brief(Base):

@@ -7,7 +7,7 @@ from typing import Any
 
 from app.briefs.errors import AnswerInvalid, QuestionUnknown
 from app.briefs.questions import BY_KEY, EVERYTHING, QUESTIONS, AnswerKind, Question
-from app.kit.errors import FieldProblem
+from app.core.errors import FieldProblem
 
 Answer = Mapping[str, Any]  # value, is_unknown, note, revision, answered_by, answered_at
 Answers = Mapping[str, Answer]

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field
 
 from app.accounts.schemas import PersonBrief, Prose
 from app.briefs.questions import AnswerKind
-from app.kit.http import LARGEST_NUMBER, Schema
+from app.core.web.http import LARGEST_NUMBER, Schema
 
 Asked = Annotated[str, Field(min_length=1, max_length=2000, pattern="^[^\\x00]*$")]
 Number = Annotated[int, Field(ge=0, le=LARGEST_NUMBER)]

@@ -14,8 +14,8 @@ from app.briefs.errors import AnswerChanged, BriefVersionNotFound, NothingToPubl
 from app.briefs.models import Brief, BriefRead, BriefVersion
 from app.briefs.questions import BY_KEY
 from app.briefs.rules import completeness, differences, fitted, is_same, number_of, question_of, tidy_text
-from app.kit import clock
-from app.kit.errors import FieldProblem
+from app.core import clock
+from app.core.errors import FieldProblem
 from app.projects.models import Engagement
 from app.projects.queries import engagements_of, lock_project
 from app.projects.service import ProjectAccess, project_access

@@ -15,7 +15,7 @@ from app.projects.errors import BadSpec
 from app.projects.models import Spec
 from app.projects.queries import current_spec, lock_project
 from app.projects.service import project_access, save_spec
-from app.projects.specs import read_spec, toml_of_form
+from app.projects.specs.service import read_spec, toml_of_form
 
 
 def proposed_spec(session: Session, actor: Actor, project_id: UUID) -> SpecProposal:

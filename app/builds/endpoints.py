@@ -8,10 +8,12 @@ from uuid import UUID
 from fastapi import APIRouter, Query, Response
 from fastapi.responses import StreamingResponse
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
-from app.builds import audits, handed_cues, packs, placeholders, sealing, service, targets
-from app.builds.documentation_key import key_csv, key_xlsx
+from app.accounts.web.policies import allows
+from app.builds import service
+from app.builds.audits import service as audits
+from app.builds.engine_export import exported_cues as handed_cues
+from app.builds.engine_export.cues import Handoff
 from app.builds.errors import (
     BlobDamaged,
     BuildNotFound,
@@ -22,8 +24,11 @@ from app.builds.errors import (
     PlaceholderAccepted,
     ReportInvalid,
 )
-from app.builds.handoff.cues import Handoff
-from app.builds.key_pdf import key_pdf
+from app.builds.packs import placeholders, sealing, targets
+from app.builds.packs import service as packs
+from app.builds.packs.documentation_key import key_csv, key_xlsx
+from app.builds.packs.key_pdf import key_pdf
+from app.builds.packs.zip_stream import Entry, zip_bytes, zip_length
 from app.builds.rules import ci_command, ci_lines
 from app.builds.schemas import (
     Baseline,
@@ -40,11 +45,10 @@ from app.builds.schemas import (
     SealedPackSummary,
     TargetsRead,
 )
-from app.builds.zip_stream import Entry, zip_bytes, zip_length
-from app.kit.bodies import REPORT_BODY_BYTES, accepts_body
-from app.kit.fair_share import FairShare, TooManyAtOnce
-from app.kit.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
+from app.core.typesetting import DocumentTooLarge, TypesettingBusy
+from app.core.web.bodies import REPORT_BODY_BYTES, accepts_body
+from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
+from app.core.web.per_user_limit import FairShare, TooManyAtOnce
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 

@@ -7,14 +7,17 @@ from uuid import UUID
 
 import structlog
 
-from app.builds import handed_cues, manifests, packs, placeholders, queries, sealing
+from app.builds import queries
+from app.builds.engine_export import exported_cues as handed_cues
+from app.builds.packs import manifests, placeholders, sealing
+from app.builds.packs import service as packs
 from app.builds.rules import FileKind, PackState
 from app.conformance import checking
-from app.kit import kill_points
-from app.kit.errors import Refused
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
+from app.core import kill_points
+from app.core.errors import Refused
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing
 from app.projects.models import Project
 from audio_checks import (
     FingerprintedFile,

@@ -8,10 +8,10 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.builds.handoff.cues import Handoff
+from app.builds.engine_export.cues import Handoff
 from app.builds.rules import FileKind, PackState
-from app.kit import clock
-from app.kit.db import Base, new_id
+from app.core import clock
+from app.core.db import Base, new_id
 
 
 class Build(Base):

@@ -15,9 +15,9 @@ from app.agreements.models import Contract, ContractCue
 from app.builds.models import Build, Fingerprint, PackedFile, PlaceholderFile, SealedPack
 from app.builds.rules import FileKind, PackState
 from app.conformance.models import CheckRun
+from app.core.in_array import in_array
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
 from app.renders.models import Render

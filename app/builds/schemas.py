@@ -6,9 +6,9 @@ from uuid import UUID
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from app.builds.handoff.cues import Handoff
+from app.builds.engine_export.cues import Handoff
 from app.builds.rules import PackState
-from app.kit.http import Schema
+from app.core.web.http import Schema
 
 
 class MissingFile(Schema):

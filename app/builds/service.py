@@ -10,14 +10,14 @@ from app.accounts.rules import Actor
 from app.builds import queries
 from app.builds.errors import BuildNotFound
 from app.builds.models import Build
-from app.builds.packs import ensure_team_or_build
+from app.builds.packs.service import ensure_team_or_build
 from app.builds.rules import ensure_storable, is_refused, warnings_in
 from app.builds.schemas import WaivedSound
 from app.conformance.models import CheckRun
 from app.conformance.queries import runs_of, waivers_in
 from app.conformance.set_findings import findings_of_sets
+from app.core.events import publish
 from app.deliveries.models import Take
-from app.kit.events import publish
 from app.projects.errors import ProjectNotFound
 from app.projects.queries import current_spec
 from app.projects.service import project_access

@@ -13,7 +13,7 @@ from app.cli import (  # noqa: F401  each adds its commands
 )
 from app.cli.command_tree import PROGRAM
 from app.cli.groups import cli
-from app.kit.permissions import keep_new_files_private
+from app.core.permissions import keep_new_files_private
 
 
 def main() -> None:

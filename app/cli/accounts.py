@@ -10,7 +10,7 @@ from rich.table import Table
 
 from app.cli.groups import accounts_cli, cli, console, operators_cli
 from app.cli.opening import opened, read_settings_or_exit, refusal
-from app.kit.errors import Refused
+from app.core.errors import Refused
 
 if TYPE_CHECKING:
     from sqlalchemy.orm import Session
@@ -44,7 +44,7 @@ def quota(
     ] = None,
 ) -> None:
     """Show what a studio uses of its limits, and set them."""
-    from app.accounts.quotas import QuotaKind, set_limit
+    from app.accounts.quotas.service import QuotaKind, set_limit
     from app.operations.quotas import quotas_of
 
     runtime = opened(read_settings_or_exit())
@@ -121,7 +121,7 @@ def bind_domain(
     domain: Annotated[str, typer.Argument(help="What follows the @ of its addresses.")],
 ) -> None:
     """Let a studio's sign-in provider sign in whoever it says has an address of a domain."""
-    from app.accounts import providers
+    from app.accounts.providers import service as providers
 
     def bind(session: "Session") -> str:
         bound_to = providers.bind_domain(session, studio, domain)
@@ -133,7 +133,7 @@ def bind_domain(
 @accounts_cli.command("unbind-domain")
 def unbind_domain(domain: Annotated[str, typer.Argument(help="The domain.")]) -> None:
     """End what bind-domain began; sign-ins that are open stay open."""
-    from app.accounts import providers
+    from app.accounts.providers import service as providers
 
     def unbind(session: "Session") -> str:
         providers.unbind_domain(session, domain)

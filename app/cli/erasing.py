@@ -9,10 +9,10 @@ from sqlalchemy.orm import Session
 
 from app.cli.groups import erase_cli
 from app.cli.opening import opened, read_settings_or_exit, refusal
-from app.kit.errors import Refused
+from app.core.errors import Refused
 
 if TYPE_CHECKING:
-    from app.operations.erasure import Erased
+    from app.operations.erasure.service import Erased
 
 Yes = Annotated[bool, typer.Option("--yes", help="Erase without asking.")]
 
@@ -20,7 +20,7 @@ Yes = Annotated[bool, typer.Option("--yes", help="Erase without asking.")]
 @erase_cli.command("person")
 def erase_person(address: Annotated[str, typer.Argument(help="The address of an account.")], yes: Yes = False) -> None:
     """Delete an account; what law and contracts require stays under a pseudonym, and is listed."""
-    from app.operations import erasure
+    from app.operations.erasure import service as erasure
 
     _erase(address, lambda session: erasure.erase_person(session, address), yes=yes)
 
@@ -28,7 +28,7 @@ def erase_person(address: Annotated[str, typer.Argument(help="The address of an 
 @erase_cli.command("project")
 def erase_project(project_id: Annotated[UUID, typer.Argument(help="Id of the project.")], yes: Yes = False) -> None:
     """Delete a project without signed contracts: its list, sounds and reviews."""
-    from app.operations import erasure
+    from app.operations.erasure import service as erasure
 
     _erase(f"the project {project_id}", lambda session: erasure.erase_project(session, project_id), yes=yes)
 
@@ -36,7 +36,7 @@ def erase_project(project_id: Annotated[UUID, typer.Argument(help="Id of the pro
 @erase_cli.command("studio")
 def erase_studio(studio_id: Annotated[UUID, typer.Argument(help="Id of the studio.")], yes: Yes = False) -> None:
     """Delete a studio without signed contracts, with all its projects."""
-    from app.operations import erasure
+    from app.operations.erasure import service as erasure
 
     _erase(f"the studio {studio_id}", lambda session: erasure.erase_studio(session, studio_id), yes=yes)
 

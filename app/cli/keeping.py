@@ -7,7 +7,7 @@ import typer
 
 from app.cli.groups import cli
 from app.cli.opening import opened, read_settings_or_exit, refusal, tighten_permissions
-from app.kit.errors import Refused
+from app.core.errors import Refused
 
 if TYPE_CHECKING:
     from app.backup import Copied
@@ -86,7 +86,7 @@ def scrub(
     ] = False,
 ) -> None:
     """Read every stored file, compare it with its hash, and name what is missing, altered or orphaned."""
-    from app.operations import scrubbing
+    from app.operations.scrubbing import service as scrubbing
 
     runtime = opened(read_settings_or_exit())
     try:

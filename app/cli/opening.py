@@ -5,8 +5,8 @@ from pathlib import Path
 
 import typer
 
-from app.kit.permissions import tighten
-from app.kit.runtime import Runtime
+from app.core.permissions import tighten
+from app.core.runtime import Runtime
 from app.settings import Settings, SettingsWrong, read_settings
 
 
@@ -47,7 +47,7 @@ def opened(settings: Settings, *, engine_connections: int = 0) -> Runtime:
 
 def ready_to_serve(settings: Settings, *, engine_connections: int = 0) -> Runtime:
     """Return an open runtime whose database and store can be used; leave with everything that is wrong otherwise."""
-    from app.kit import health
+    from app.core.web import health
     from app.migrate import ensure_at_head
 
     runtime = opened(settings, engine_connections=engine_connections)

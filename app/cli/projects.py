@@ -46,7 +46,8 @@ def brief(
 @cli.command()
 def postings(project: Annotated[UUID, typer.Argument(help="Id of the project.")]) -> None:
     """Print a project's postings and the bids on them, as Markdown."""
-    from app.hiring import documents, queries
+    from app.hiring import queries
+    from app.hiring.postings import documents
     from app.projects.queries import project_by_id
 
     runtime = opened(read_settings_or_exit())
@@ -66,7 +67,7 @@ def kits(
     kit: Annotated[str, typer.Argument(help="A kit, to print its cues as CSV; left out: all kits.")] = "",
 ) -> None:
     """List the kinds of game that a sound list can be started from, or print the cues of one as CSV."""
-    from app.sound_lists.kits import all_kits, csv_of, kit_of
+    from app.sound_lists.kits.rules import all_kits, csv_of, kit_of
 
     if not kit:
         table = Table("kit", "cues", "usual cues", "usual hours", "usual MB", "about")

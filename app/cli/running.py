@@ -18,7 +18,7 @@ import typer
 from app import logs
 from app.cli.groups import cli
 from app.cli.opening import opened, read_settings_or_exit, ready_to_serve, refusal
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 from app.settings import Settings
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def serve(
     if stop_with_input:
         stop_when_input_ends()
     from app import main  # noqa: F401  before processes are forked, so that they share what it loads
-    from app.kit import serving
+    from app.core.web import serving
 
     settings = read_settings_or_exit(serving=True)
     logs.configure(settings.log_level)
@@ -63,7 +63,7 @@ def serve(
 
 def _try_to_open() -> tuple[int, str, str]:
     """Open what a web process uses, and close it; return an exit code and what was printed."""
-    from app.kit import metrics
+    from app.core import metrics
 
     code, printed, reasons = 0, io.StringIO(), io.StringIO()
     with redirect_stdout(printed), redirect_stderr(reasons):
@@ -94,7 +94,8 @@ def _print_setup_code(runtime: Runtime) -> None:
 
 def web_application() -> "ASGIApp":
     """Return the application of one web process, by the settings of its environment."""
-    from app.kit import metrics, serving
+    from app.core import metrics
+    from app.core.web import serving
     from app.main import create_app
     from app.operations.figures import web_collectors
 
@@ -124,11 +125,11 @@ def stop_when_input_ends() -> None:
 @cli.command()
 def worker(stop_with_input: StopWithInput = False) -> None:
     """Run jobs until stopped."""
-    from app.kit import metrics
+    from app.core import metrics
 
     if stop_with_input:
         stop_when_input_ends()
-    from app.kit.workers import engine_connections
+    from app.core.jobs.workers import engine_connections
     from app.operations.figures import process_collectors
     from app.worker import run
 

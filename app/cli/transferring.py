@@ -11,8 +11,8 @@ from pydantic import ValidationError
 
 from app.cli.groups import cli
 from app.cli.opening import opened, read_settings_or_exit, refusal
-from app.kit.errors import Refused
-from app.kit.runtime import Runtime
+from app.core.errors import Refused
+from app.core.runtime import Runtime
 from app.settings import Settings
 
 if TYPE_CHECKING:
@@ -79,8 +79,8 @@ def export_studio(
     file: Annotated[Path, typer.Argument(help="The ZIP to write.")],
 ) -> None:
     """Write everything of a studio into one ZIP: sounds, lists, contracts, ledger and records."""
-    from app.accounts.security_event_rules import SecurityEventKind
-    from app.accounts.security_log import record
+    from app.accounts.security_log.rules import SecurityEventKind
+    from app.accounts.security_log.service import record
     from app.transfers.studio_files import export_studio as write_studio
 
     runtime = opened(read_settings_or_exit())

@@ -6,11 +6,13 @@ from pathlib import Path
 import typer
 from sqlalchemy.orm import Session
 
-from app.agreements import heads, record, seals
 from app.agreements.errors import BadHead
-from app.agreements.seal_files import PDF_BEGINS, SealRead, marks_of, read_seal
+from app.agreements.record import service as record
+from app.agreements.record import signed_checkpoints as heads
+from app.agreements.signing import seals
+from app.agreements.signing.seal_files import PDF_BEGINS, SealRead, marks_of, read_seal
 from app.amendments import verification
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 
 
 def report_all(runtime: Runtime, copies: Sequence[Path], kept_heads: Sequence[Path]) -> int:

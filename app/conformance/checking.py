@@ -12,10 +12,10 @@ from app.conformance import fixes, queries, service
 from app.conformance.rules import TRIES, Report, awaits_check, unjudged, with_reverb_before, with_stem
 from app.conformance.service import CheckOrder, ComparedStem
 from app.conformance.workspaces import TakeWorkspace
+from app.core import kill_points
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing
 from app.deliveries.rules import TakeState
-from app.kit import kill_points
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
 
 log = structlog.get_logger(__name__)
 BASE_TIME_S = 60

@@ -6,8 +6,8 @@ from uuid import UUID
 from fastapi import APIRouter, Response
 
 import audio_checks
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
+from app.accounts.web.policies import allows
 from app.conformance import fixes, previews, service
 from app.conformance.errors import CheckNotFound, FixNotReady, NothingToFix, NothingToWaive
 from app.conformance.schemas import (
@@ -19,10 +19,10 @@ from app.conformance.schemas import (
     FixRead,
     WaiverAdd,
 )
+from app.core.web.http import DbSession, problems
 from app.deliveries.errors import OwnDesignerNeeded, TakeNotFound, VariationUnknown, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
-from app.kit.http import DbSession, problems
 from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import CueNotFound
 

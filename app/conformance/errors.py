@@ -1,6 +1,6 @@
 """Errors of this room, each named after the fact."""
 
-from app.kit.errors import Conflict, NotFound
+from app.core.errors import Conflict, NotFound
 
 
 class CheckNotFound(NotFound):

@@ -16,13 +16,13 @@ from app.conformance.models import CheckRun, Fix
 from app.conformance.rules import FIXABLE_STATES, FixState, fix_offers, is_enough
 from app.conformance.schemas import FixedFrom, FixOffer, FixRead, LeftRead, RepairRead, SpotRead
 from app.conformance.service import resolved_spec
+from app.core import clock
+from app.core.events import publish
 from app.deliveries import queries as deliveries
 from app.deliveries.dry_stems import copy_to_fix
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
 from app.deliveries.service import add_fixed_take, check_name, ensure_own_designer, take_for
-from app.kit import clock
-from app.kit.events import publish
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.rules import label
 from app.sound_lists.service import cue_facts

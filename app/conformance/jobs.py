@@ -10,11 +10,11 @@ import structlog
 import audio_checks
 from app.conformance import checking, fixes, fixing, queries, service
 from app.conformance.rules import TRIES
+from app.core import kill_points
+from app.core.jobs.queue import NORMAL, Payload, job
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing, StoredBlob
 from app.deliveries import queries as deliveries
-from app.kit import kill_points
-from app.kit.queue import NORMAL, Payload, job
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing, StoredBlob
 
 log = structlog.get_logger(__name__)
 FIX_PASSES = 4  # a fix checks the master, writes the copy and checks that; now and then twice

@@ -26,8 +26,8 @@ from app.deliveries.schemas import CueBrief
 from app.deliveries.slots import Slot, slot_given, slot_named, stems_of_slots
 from app.projects.queries import current_spec
 from app.projects.service import ProjectAccess, project_access
-from app.sound_lists.matching import ListNames, MatchedCue, list_names
 from app.sound_lists.models import Cue
+from app.sound_lists.names.matching import ListNames, MatchedCue, list_names
 from app.sound_lists.rules import label
 from app.sound_lists.service import cue_facts
 

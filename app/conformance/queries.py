@@ -28,9 +28,9 @@ from sqlalchemy.sql.functions import aggregate_strings
 import audio_checks
 from app.conformance.models import CheckRun, Fix, Waiver
 from app.conformance.rules import FIXABLE_STATES
+from app.core.in_array import in_array
 from app.deliveries.models import DryStem, Take
 from app.deliveries.rules import CHECKABLE, TakeState
-from app.kit.in_array import in_array
 from app.projects.models import Spec
 from app.sound_lists.models import Cue, Stem
 

@@ -7,9 +7,9 @@ from uuid import UUID
 from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import PersonBrief
+from app.core.web.http import Schema
 from app.deliveries.rules import TakeState
 from app.deliveries.schemas import CueBrief, GivenName, ShownName
-from app.kit.http import Schema
 from app.projects.schemas import AcceptRead, LimitsRead
 
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=5000, pattern="^[^\\x00]*$")]

@@ -29,15 +29,15 @@ from app.conformance.rules import (
 )
 from app.conformance.schemas import CheckRead, ComparedStemRead, FindingRead, WaiverRead
 from app.conformance.set_findings import findings_of_sets, same_sounds, with_set_finding
+from app.core import clock
+from app.core.events import publish
+from app.core.jobs.queue import BULK
 from app.deliveries import queries as deliveries
 from app.deliveries.models import Take
 from app.deliveries.rules import CHECKABLE, TakeState, base_name, shown_name
 from app.deliveries.service import name_checked, take_for
 from app.deliveries.take_states import change_state, note_take, start_recheck
-from app.kit import clock
-from app.kit.events import publish
-from app.kit.queue import BULK
-from app.projects.approval import ensure_may_approve
+from app.projects.approval.service import ensure_may_approve
 from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.sound_lists.models import Cue

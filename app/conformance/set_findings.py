@@ -10,9 +10,9 @@ import audio_checks
 from app.conformance import queries
 from app.conformance.queries import AnalysedTake
 from app.conformance.rules import MemberFact, Report, members_of_set, parsed_spec
+from app.core.lru_cache import LRUCache
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.lru_cache import LRUCache
 from app.projects.models import Spec
 from app.sound_lists.models import Cue
 from app.sound_lists.service import cue_facts

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Self
 from uuid import UUID
 
-from app.kit.storage import Store
+from app.core.storage import Store
 from audio_checks import Sandbox, SandboxChild
 
 IDLE_S = 3.0  # a child that waits for its delivery's next take holds memory; it waits for twice as long at most

@@ -5,20 +5,24 @@ from uuid import UUID
 
 from fastapi import APIRouter, Query, Response
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.dashboards import finding, finding_schemas, money, next_steps, progress, schemas, service
-from app.dashboards.designer_work import own_work, work_of_entry
-from app.dashboards.desk import Desk
-from app.dashboards.own_desk import own_desk
-from app.dashboards.own_desk_schemas import OwnDesk
-from app.dashboards.pace import pace
-from app.dashboards.pace_schemas import Pace
-from app.dashboards.reaper import reaper_project_of
-from app.dashboards.step_schemas import NextSteps
-from app.dashboards.work_schemas import WorkFigures
+from app.accounts.web.policies import allows
+from app.core.web.http import BadCursor, DbSession, Page, problems
+from app.dashboards import money, schemas, service
+from app.dashboards.desk.own_desk import own_desk
+from app.dashboards.desk.own_desk_schemas import OwnDesk
+from app.dashboards.desk.reaper_project import reaper_project_of
+from app.dashboards.desk.service import Desk
+from app.dashboards.progress import service as progress
+from app.dashboards.search import schemas as finding_schemas
+from app.dashboards.search import service as finding
+from app.dashboards.steps import service as next_steps
+from app.dashboards.steps.schemas import NextSteps
+from app.dashboards.track_record.schemas import WorkFigures
+from app.dashboards.track_record.service import own_work, work_of_entry
+from app.dashboards.velocity.schemas import Pace
+from app.dashboards.velocity.service import pace
 from app.hiring.errors import RosterEntryNotFound
-from app.kit.http import BadCursor, DbSession, Page, problems
 from app.money.errors import MilestoneNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength

@@ -10,24 +10,24 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.agreements import plan_queries
 from app.agreements.access import party_of
 from app.agreements.models import Contract
-from app.agreements.plan_queries import terms_of
+from app.agreements.plan import queries as plan_queries
+from app.agreements.plan.queries import terms_of
 from app.agreements.queries import agreed_in, contract_for
+from app.core import clock
 from app.dashboards import queries, schemas
-from app.dashboards.progress import Statuses
-from app.kit import clock
+from app.dashboards.progress.service import Statuses
 from app.money import queries as money_queries
-from app.money.days import day_rate_read
 from app.money.errors import MilestoneNotFound
-from app.money.estimates import estimates_of
-from app.money.invoices import invoice_read
-from app.money.ledger import load_ledger_book
+from app.money.estimates.service import estimates_of
+from app.money.invoices.service import invoice_read
+from app.money.ledger.service import load_ledger_book
 from app.money.overview import extra_round_read, figures, ledger_lines, milestones_read, priced_by_cue
 from app.money.schedule_slip import Holder, Turn, growth_days, schedule_slip_of
 from app.money.schemas import FiguresRead, InvoiceRead, MilestoneRead
-from app.money.worked_hours import HourBook
+from app.money.work.service import day_rate_read
+from app.money.work.worked_hours import HourBook
 from app.projects.service import project_access
 
 

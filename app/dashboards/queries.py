@@ -11,10 +11,10 @@ from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import LEAD_ROLES, Actor
 from app.builds.models import Build
 from app.conformance.models import CheckRun
+from app.core.in_array import in_array
 from app.deliveries.models import CueSums, Delivery, Take
 from app.deliveries.queries import in_tray
 from app.deliveries.rules import TakeState
-from app.kit.in_array import in_array
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Liaison, Project
 from app.projects.rules import ApprovalScope

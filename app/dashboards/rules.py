@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from enum import StrEnum
 from functools import lru_cache
 
+from app.deliveries.cue_counts.rules import VariationFact
 from app.deliveries.rules import TakeState
-from app.deliveries.sum_rules import VariationFact
 from app.sound_lists.rules import CueState
 
 

@@ -8,11 +8,11 @@ from pydantic import Field
 
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
-from app.agreements.deemed_acceptance import PausedBy
+from app.agreements.clauses.deemed_acceptance import PausedBy
 from app.agreements.rules import ContractState, ReleaseClause
+from app.core.web.http import Schema
 from app.dashboards.rules import CueStatus
 from app.deliveries.schemas import CueBrief
-from app.kit.http import Schema
 from app.money.schemas import (
     EstimatesRead,
     ExtraRoundRead,
@@ -22,7 +22,7 @@ from app.money.schemas import (
     MilestoneCueRead,
     MilestoneRead,
 )
-from app.money.work_schemas import DayRateRead, HoursRead
+from app.money.work.schemas import DayRateRead, HoursRead
 from app.projects.rules import EngagementKind
 from app.reviews.schemas import CommentRead
 from app.sound_lists.rules import Need

@@ -8,25 +8,26 @@ from sqlalchemy import and_
 from sqlalchemy.orm import Session
 
 from app.accounts import queries as accounts
-from app.accounts import second_factor_queries
 from app.accounts.models import Person
 from app.accounts.rules import Actor, Role
 from app.accounts.schemas import PersonBrief
+from app.accounts.second_factors import queries as second_factor_queries
 from app.builds.models import Build
 from app.conformance.models import CheckRun
-from app.dashboards import progress_queries, queries, schemas
-from app.dashboards.progress import completion, counted, preview_url, status_of, viewer_of, worst_in
-from app.dashboards.questions import asked_questions, brief
+from app.dashboards import queries, schemas
+from app.dashboards.progress import queries as progress_queries
+from app.dashboards.progress.service import completion, counted, preview_url, status_of, viewer_of, worst_in
 from app.dashboards.rules import CueStatus
+from app.dashboards.steps.questions import asked_questions, brief
 from app.deliveries.models import Take
 from app.deliveries.schemas import CueBrief
-from app.projects.approval import approval_rights_of
+from app.projects.approval.service import approval_rights_of
 from app.projects.models import Project
 from app.projects.queries import approvers_of
 from app.projects.rules import EVERY_CUE
 from app.projects.service import ProjectAccess, project_access
 from app.projects.visibility import nda_is_pending
-from app.renders.thumbs import thumbs
+from app.renders.thumb_queries import thumbs
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 

@@ -6,6 +6,9 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.core import clock
+from app.core.events import publish
+from app.core.uploads import FinishedUpload, finished_upload
 from app.deliveries import queries
 from app.deliveries.errors import DryStemNotFound
 from app.deliveries.models import Delivery, DryStem, Take
@@ -13,9 +16,6 @@ from app.deliveries.rules import dry_stem_for, ensure_no_verdict, stem_of, store
 from app.deliveries.schemas import DryStemRead
 from app.deliveries.service import Origin, ensure_own_designer, own_delivery, take_for, uploader
 from app.deliveries.slots import slot_of_stem
-from app.kit import clock
-from app.kit.events import publish
-from app.kit.uploads import FinishedUpload, finished_upload
 from app.money.downloads import ensure_open
 
 

@@ -6,9 +6,21 @@ from uuid import UUID
 from fastapi import APIRouter, Query, Request, Response
 from sqlalchemy.orm import Session
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
 from app.accounts.schemas import PersonBrief
+from app.accounts.web.policies import allows
+from app.core.storage import BlobMissing
+from app.core.uploads import UploadNotFound, UploadUnfinished, finished_upload
+from app.core.web.blob_response import blob_response
+from app.core.web.http import (
+    CurrentRuntime,
+    DbSession,
+    Page,
+    UploadSession,
+    cursor_of,
+    problems,
+    uuid_cursor,
+)
 from app.deliveries import dry_stems, labels, queries, service
 from app.deliveries.errors import (
     DeliveryNotFound,
@@ -19,8 +31,6 @@ from app.deliveries.errors import (
     VariationUnknown,
     WrongState,
 )
-from app.deliveries.file_endpoints import router as files_router
-from app.deliveries.file_endpoints import take_of
 from app.deliveries.models import Archive, Delivery
 from app.deliveries.rules import TakeState, base_name, shown_name
 from app.deliveries.schemas import (
@@ -40,21 +50,11 @@ from app.deliveries.schemas import (
     TakeMatch,
     TakeRead,
 )
-from app.deliveries.source_endpoints import router as sources_router
-from app.deliveries.tray_endpoints import router as tray_router
-from app.deliveries.upload_endpoints import router as uploads_router
-from app.kit.blob_response import blob_response
-from app.kit.http import (
-    CurrentRuntime,
-    DbSession,
-    Page,
-    UploadSession,
-    cursor_of,
-    problems,
-    uuid_cursor,
-)
-from app.kit.storage import BlobMissing
-from app.kit.uploads import UploadNotFound, UploadUnfinished, finished_upload
+from app.deliveries.sources.endpoints import router as sources_router
+from app.deliveries.tray.endpoints import router as tray_router
+from app.deliveries.uploads.endpoints import router as uploads_router
+from app.deliveries.uploads.file_endpoints import router as files_router
+from app.deliveries.uploads.file_endpoints import take_of
 from app.money.downloads import ensure_open
 from app.money.errors import DownloadUnpaid
 from app.projects.errors import DesignerNeeded, ProjectNotFound

@@ -3,15 +3,16 @@
 from typing import Any
 from uuid import UUID
 
-from app.deliveries import dry_stems, queries, service, unzip
+from app.core import kill_points
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.core.uploads import Upload
+from app.deliveries import dry_stems, queries, service
 from app.deliveries.errors import ArchiveRefused
 from app.deliveries.models import Archive
 from app.deliveries.rules import ArchiveState, shown_name
 from app.deliveries.service import Origin
-from app.kit import kill_points
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.kit.uploads import Upload
+from app.deliveries.uploads import unzip
 
 
 @job("deliveries.unpack_archive")

@@ -7,10 +7,10 @@ from sqlalchemy.orm import Session
 from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
+from app.core import clock
 from app.deliveries.models import Take
 from app.deliveries.schemas import TakeLabelRead
 from app.deliveries.service import take_for
-from app.kit import clock
 
 
 def set_label(session: Session, actor: Actor, take_id: UUID, label: str | None) -> TakeLabelRead:

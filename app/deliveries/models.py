@@ -8,11 +8,11 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, ForeignKeyConstr
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
+from app.core import clock
+from app.core.db import Base, new_id
+from app.core.recorded_rows import declare
+from app.core.uploads import Upload
 from app.deliveries.rules import ArchiveState, TakeState, TrayActionKind
-from app.kit import clock
-from app.kit.db import Base, new_id
-from app.kit.recorded_rows import declare
-from app.kit.uploads import Upload
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 

@@ -9,12 +9,12 @@ from sqlalchemy import ColumnElement, Select, and_, bindparam, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
-from app.accounts.quota_queries import Usage
+from app.accounts.quotas.queries import Usage
+from app.core.in_array import in_array
+from app.core.uploads import Upload
 from app.deliveries.models import Archive, Delivery, DryStem, Take, TrayAction
 from app.deliveries.rules import OPEN_STATES, TakeState
 from app.deliveries.rules import stem_of as stem_of_name
-from app.kit.in_array import in_array
-from app.kit.uploads import Upload
 from app.projects.models import Engagement, Project
 from app.projects.queries import AccessFacts, access_facts_query
 from app.projects.rules import EngagementKind

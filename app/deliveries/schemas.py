@@ -7,8 +7,8 @@ from uuid import UUID
 from pydantic import BeforeValidator, Field, StringConstraints
 
 from app.accounts.schemas import Line, PersonBrief, Prose
+from app.core.web.http import Schema, Whole
 from app.deliveries.rules import ArchiveState, TakeState, TrayActionKind, shown_name
-from app.kit.http import Schema, Whole
 
 GivenName = Annotated[
     str,

@@ -8,8 +8,11 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.core import clock
+from app.core.events import publish
+from app.core.uploads import FinishedUpload
 from app.deliveries import queries
-from app.deliveries.cue_sums import update_cue_sums
+from app.deliveries.cue_counts.service import update_cue_sums
 from app.deliveries.errors import (
     DeliveryClosed,
     DeliveryNotFound,
@@ -29,9 +32,6 @@ from app.deliveries.rules import (
 from app.deliveries.schemas import CueBrief, TakeAdded, TakeDetail, TakeRead
 from app.deliveries.slots import Matching, Slot, guess_of, matching_for, slot_given, slot_named
 from app.deliveries.take_states import note_delivered, place_take
-from app.kit import clock
-from app.kit.events import publish
-from app.kit.uploads import FinishedUpload
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
 from app.projects.service import ProjectAccess, access_from_facts, project_access

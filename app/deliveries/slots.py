@@ -13,8 +13,8 @@ from app.deliveries.rules import alternate_of, base_name, ensure_variation, name
 from app.deliveries.schemas import CueGuess
 from app.projects.service import ProjectAccess
 from app.sound_lists import service as sound_lists
-from app.sound_lists.matching import ListNames, MatchedCue, list_names
 from app.sound_lists.models import Cue
+from app.sound_lists.names.matching import ListNames, MatchedCue, list_names
 
 
 @dataclass(frozen=True)

@@ -6,15 +6,15 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.core import clock
+from app.core.events import publish
+from app.core.jobs.queue import NORMAL
+from app.core.recorded_rows import RowChanges
 from app.deliveries import queries
-from app.deliveries.cue_sums import update_cue_sums
+from app.deliveries.cue_counts.service import update_cue_sums
 from app.deliveries.models import Take
 from app.deliveries.rules import ReviewClock, TakeState, ensure_may_become
 from app.deliveries.slots import Slot
-from app.kit import clock
-from app.kit.events import publish
-from app.kit.queue import NORMAL
-from app.kit.recorded_rows import RowChanges
 from app.money.settlement import record_work
 
 

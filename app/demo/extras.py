@@ -4,9 +4,9 @@ from datetime import timedelta
 from typing import Any
 from uuid import NAMESPACE_URL, uuid5
 
+from app.core import clock
 from app.demo import cues
 from app.demo.visitors import Visitor
-from app.kit import clock
 
 PLAYLIST = "Palette, for the kick-off"
 BED, BED_LEVEL_DB = "amb_bridge_loop", -12.0

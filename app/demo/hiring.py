@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 from datetime import timedelta
 from typing import Any
 
+from app.core import clock
 from app.demo.visitors import Visitor
-from app.kit import clock
 
 TITLE = "Effects"
 TEXT = "Every effect of the game but music, for headphones and small speakers. Six palette sounds first."

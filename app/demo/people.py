@@ -4,7 +4,7 @@ from sqlalchemy import select
 
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import Role
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 
 SECOND_DESIGNER = "Second designer"  # who bids too, and is not chosen
 PEOPLE: tuple[tuple[str | None, str, list[Role]], ...] = (

@@ -9,6 +9,8 @@ from typing import Any, Self
 import httpx
 
 from app.accounts.rules import Scope
+from app.core import clock
+from app.core.runtime import Runtime
 from app.demo import brief, cues, extras, voice
 from app.demo.game_ci import GameCi
 from app.demo.hiring import Hiring
@@ -18,8 +20,6 @@ from app.demo.references import demo_references
 from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
 from app.demo.visitors import Visitor, signed_in_visitor
 from app.demo.whole_files import write_whole
-from app.kit import clock
-from app.kit.runtime import Runtime
 from app.settings import Settings
 
 CHECKED_WITHIN_S = 600.0  # seconds on a free machine

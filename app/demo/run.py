@@ -8,16 +8,16 @@ from pathlib import Path
 import httpx
 import typer
 
+from app.core import clock
+from app.core.db import Database
+from app.core.permissions import tighten
+from app.core.runtime import Runtime
+from app.core.web.serving import PortTaken, ensure_port_free
 from app.demo.data_lock import DataLock, InUse
 from app.demo.process_tree import ProcessTree
 from app.demo.progress import Progress
 from app.demo.project import DemoIncomplete, make_demo_project
 from app.demo.whole_files import write_whole
-from app.kit import clock
-from app.kit.db import Database
-from app.kit.permissions import tighten
-from app.kit.runtime import Runtime
-from app.kit.serving import PortTaken, ensure_port_free
 from app.migrate import CannotUpgrade, MadeBeforeRelease, current_revision, ensure_upgradable, migrate
 from app.settings import Settings
 

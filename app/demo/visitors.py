@@ -7,8 +7,8 @@ import httpx
 
 from app.accounts.authentication import CSRF_HEADER, DEMO_COOKIE, DEMO_SECRET, SESSION_COOKIE, csrf_token
 from app.accounts.sign_ins import start_sign_in
+from app.core.runtime import Runtime
 from app.demo.references import DemoReference
-from app.kit.runtime import Runtime
 from app.settings import Settings
 
 

@@ -5,7 +5,6 @@ from uuid import UUID
 from fastapi import APIRouter, Request, Response
 
 from app.accounts.authentication import sha256_of
-from app.accounts.browser_sign_ins import sign_in_browser
 from app.accounts.errors import (
     BadAddress,
     NameNeeded,
@@ -15,16 +14,19 @@ from app.accounts.errors import (
     TooManyAttempts,
 )
 from app.accounts.models import Person
-from app.accounts.policies import allows
-from app.accounts.request_limits import (
+from app.accounts.rules import Actor, Audience, normalised_email
+from app.accounts.schemas import InvitationAccept, PersonRead
+from app.accounts.web.browser_sign_ins import sign_in_browser
+from app.accounts.web.policies import allows
+from app.accounts.web.request_limits import (
     DeferredSession,
     ensure_invitation_allowed,
     ensure_mail_allowed,
     ensure_sign_in_allowed,
 )
-from app.accounts.rules import Actor, Audience, normalised_email
-from app.accounts.schemas import InvitationAccept, PersonRead
-from app.hiring import links, postings, queries
+from app.core.web.http import CurrentRuntime, DbSession, problems
+from app.core.web.idempotency import UNSAVED
+from app.hiring import queries
 from app.hiring.errors import (
     CandidateNotFound,
     LinkTaken,
@@ -36,7 +38,9 @@ from app.hiring.errors import (
     PostingNotFound,
     WrongPostingState,
 )
-from app.hiring.posting_reads import posting_read, preview, summary
+from app.hiring.postings import links
+from app.hiring.postings import service as postings
+from app.hiring.postings.reads import posting_read, preview, summary
 from app.hiring.schemas import (
     AskedCue,
     CandidateAdd,
@@ -48,8 +52,6 @@ from app.hiring.schemas import (
     PostingRead,
     PostingSummary,
 )
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.idempotency import UNSAVED
 from app.projects.errors import NdaNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.rules import CueState
 

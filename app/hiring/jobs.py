@@ -7,11 +7,11 @@ from uuid import UUID
 import structlog
 
 import audio_checks
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing
 from app.hiring.models import Sample
 from app.hiring.rules import SampleState
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
 from app.projects.queries import current_spec
 
 TIMEOUT_S = 60.0

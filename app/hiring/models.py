@@ -8,10 +8,10 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import MailedLink, Person
-from app.hiring.roster_rules import BusyKind, Exclusivity, RateUnit
+from app.core import clock
+from app.core.db import Base, new_id
+from app.hiring.roster.rules import BusyKind, Exclusivity, RateUnit
 from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
-from app.kit import clock
-from app.kit.db import Base, new_id
 from app.projects.models import Project
 
 

@@ -9,9 +9,9 @@ from sqlalchemy import exists, func, or_, select, true
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.rules import Actor
+from app.core import clock
 from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Sample, Score
 from app.hiring.rules import BidState, CountedCue, PostingState
-from app.kit import clock
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState

@@ -6,8 +6,8 @@ from datetime import date, datetime, timedelta
 from enum import StrEnum
 from typing import Any
 
+from app.core.errors import FieldProblem
 from app.hiring.errors import BidInvalid, PostingClosed, PostingInvalid, ScoresInvalid, WrongPostingState
-from app.kit.errors import FieldProblem
 
 HUNDREDTHS = 100
 DEFAULT_HEADINGS = ("Quality of work", "Shared vision", "Reliability", "Communication", "Fit with the team")

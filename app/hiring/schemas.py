@@ -7,7 +7,8 @@ from uuid import UUID
 from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import Email, Line, PersonBrief, Prose
-from app.hiring.roster_rules import BusyKind
+from app.core.web.http import LARGEST_NUMBER, Schema
+from app.hiring.roster.rules import BusyKind
 from app.hiring.rules import (
     DEFAULT_HEADINGS,
     AskedScope,
@@ -18,7 +19,6 @@ from app.hiring.rules import (
     PostingState,
     SampleState,
 )
-from app.kit.http import LARGEST_NUMBER, Schema
 
 Currency = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z]{3}$")]
 Minor = Annotated[int, Field(ge=0, le=10**10)]  # of one line; its amount stays a whole number in every reader

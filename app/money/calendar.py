@@ -9,8 +9,8 @@ from sqlalchemy.orm import Session
 from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.queries import actor_for_person
 from app.accounts.rules import Actor, MemberChange
-from app.kit import clock
-from app.kit.db import bypass_row_policies, widen_reach
+from app.core import clock
+from app.core.db import bypass_row_policies, widen_reach
 from app.money import queries
 from app.money.errors import CalendarNotFound
 from app.money.models import CalendarLink

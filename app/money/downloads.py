@@ -6,16 +6,16 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.agreements import plan_queries
+from app.agreements.clauses.terms import DownloadsOpen
 from app.agreements.models import Contract
-from app.agreements.plan_queries import terms_of
+from app.agreements.plan import queries as plan_queries
+from app.agreements.plan.queries import terms_of
 from app.agreements.queries import contract_for
-from app.agreements.terms import DownloadsOpen
-from app.kit.money import money
+from app.core.money import money
 from app.money import queries
 from app.money.errors import DownloadUnpaid
-from app.money.ledger import load_ledger_book, priced
-from app.money.ledger_book import LedgerBook, Line, PricedCue, open_lines
+from app.money.ledger.book import LedgerBook, Line, PricedCue, open_lines
+from app.money.ledger.service import load_ledger_book, priced
 
 Work = tuple[UUID, UUID]  # a cue, and the designer whose takes of it are meant
 UNPAID = "its files open by payment, and it is not paid yet"

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from uuid import UUID, uuid4
 
 from app.agreements.rules import WorkState
-from app.kit.money import BASIS_POINTS
+from app.core.money import BASIS_POINTS
 from app.money.figures import Figures, figures_of
-from app.money.ledger_book import CLAUSES, Entry, LedgerBook, Line, PayRules, PricedCue, reverse, settle_shares
-from app.money.rules import LineKind
+from app.money.ledger.book import CLAUSES, Entry, LedgerBook, Line, PayRules, PricedCue, reverse, settle_shares
+from app.money.ledger.rules import LineKind
 
 CLAUSE = "termination"  # its key in the library
 

@@ -6,26 +6,18 @@ from uuid import UUID
 from fastapi import APIRouter, Response
 
 from app.accounts.errors import RecentSignInNeeded, SecondFactorRequired
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.agreements import documents, plan
+from app.accounts.web.policies import allows
+from app.agreements.drafts import documents
 from app.agreements.errors import BadPlan, ContractNotFound, PlanLocked
-from app.agreements.plan import PlannedCue, PlannedMilestone
-from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.idempotency import UNSAVED
-from app.kit.typesetting import DocumentTooLarge, TypesettingBusy
-from app.money import (
-    calendar,
-    estimates,
-    invoice_text,
-    invoices,
-    overview,
-    payments,
-    schemas,
-    settlement,
-    shipping,
-)
+from app.agreements.plan import service as plan
+from app.agreements.plan.service import PlannedCue, PlannedMilestone
+from app.core.typesetting import DocumentTooLarge, TypesettingBusy
+from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.http import CurrentRuntime, DbSession, problems
+from app.core.web.idempotency import UNSAVED
+from app.money import calendar, overview, payments, schemas, settlement
+from app.money.bonuses import shipping
 from app.money.errors import (
     CueNotInContract,
     DayInFuture,
@@ -42,7 +34,10 @@ from app.money.errors import (
     RefundTooLarge,
     RoundAlreadySettled,
 )
-from app.money.invoice_numbers import file_part
+from app.money.estimates import service as estimates
+from app.money.invoices import service as invoices
+from app.money.invoices import text as invoice_text
+from app.money.invoices.numbers import file_part
 from app.projects.errors import ProducerNeeded, ProjectNotFound
 from app.sound_lists.errors import CueNotFound
 

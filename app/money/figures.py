@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.money.ledger_book import LedgerBook, PricedCue
-from app.money.rules import LineKind
+from app.money.ledger.book import LedgerBook, PricedCue
+from app.money.ledger.rules import LineKind
 
 EXTRAS = frozenset(  # due since, and in no plan
     {LineKind.EXTRA_ROUND, LineKind.EXTRA_WORK, LineKind.LATE_INTEREST, LineKind.BONUS}

@@ -1,9 +1,9 @@
 """The jobs of this room: months of retainers."""
 
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
 from app.money import queries
-from app.money.retainers import charge_retainer
+from app.money.work.retainers import charge_retainer
 
 
 @job("money.charge_retainers")

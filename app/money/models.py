@@ -7,10 +7,10 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.kit import clock
-from app.kit.db import Base, new_id
-from app.kit.recorded_rows import declare
-from app.money.rules import LineKind
+from app.core import clock
+from app.core.db import Base, new_id
+from app.core.recorded_rows import declare
+from app.money.ledger.rules import LineKind
 from app.sound_lists.models import Cue
 
 

@@ -8,22 +8,22 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.agreements import plan_queries
 from app.agreements.access import visible_contract
-from app.agreements.authorship import SERVER
+from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract, ContractCue, Milestone
-from app.agreements.plan import advice_on, concepts_of, payments_of, price_of
-from app.agreements.plan_queries import terms_of
+from app.agreements.plan import queries as plan_queries
+from app.agreements.plan.queries import terms_of
+from app.agreements.plan.service import advice_on, concepts_of, payments_of, price_of
 from app.agreements.queries import contract_for
+from app.agreements.record.authorship import SERVER
 from app.agreements.rules import ContractState
-from app.agreements.terms import MoneyTerms
 from app.money import queries, schemas
-from app.money.bonuses import bonus_of
+from app.money.bonuses.service import bonus_of
 from app.money.figures import Figures, figures_of, open_tax_minor, tax_minor
-from app.money.ledger import load_ledger_book, priced, rules_of
-from app.money.ledger_book import LedgerBook, PricedCue, price_of_round, settle_shares
+from app.money.ledger.book import LedgerBook, PricedCue, price_of_round, settle_shares
+from app.money.ledger.rules import LineKind
+from app.money.ledger.service import load_ledger_book, priced, rules_of
 from app.money.models import ExtraRound
-from app.money.rules import LineKind
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label

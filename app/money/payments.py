@@ -6,18 +6,18 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor, Role, SecondFactorUse
-from app.accounts.second_factor_requirements import ensure_second_factor_for
+from app.accounts.second_factors.requirements import ensure_second_factor_for
 from app.agreements.models import Contract
-from app.agreements.plan_queries import today_of
+from app.agreements.plan.queries import today_of
 from app.agreements.queries import lock_contract
-from app.kit.events import publish
+from app.core.events import publish
 from app.money import queries
 from app.money.errors import InvoiceNotFound, PaymentNotFound
-from app.money.invoices import visible_invoice
-from app.money.ledger import load_ledger_book, write
-from app.money.ledger_book import Entry, allocate, refund
+from app.money.invoices.service import visible_invoice
+from app.money.ledger.book import Entry, allocate, refund
+from app.money.ledger.rules import ensure_not_ahead
+from app.money.ledger.service import load_ledger_book, write
 from app.money.models import Invoice, Payment
-from app.money.rules import ensure_not_ahead
 from app.projects.errors import ProducerNeeded
 
 

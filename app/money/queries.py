@@ -12,9 +12,9 @@ from sqlalchemy.orm import Session, aliased, joinedload
 from app.accounts.models import Person
 from app.agreements.models import Contract, ContractCue, ContractVersion
 from app.agreements.rules import ContractState
-from app.kit.in_array import in_array
+from app.core.in_array import in_array
+from app.money.ledger.rules import LineKind
 from app.money.models import CalendarLink, ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay, WorkLog
-from app.money.rules import LineKind
 from app.projects.models import Engagement
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import UTC, date, datetime, time, timedelta
 from enum import StrEnum
 
-from app.agreements.amounts import split
+from app.agreements.plan.amounts import split
 
 
 class Holder(StrEnum):

@@ -7,12 +7,12 @@ from uuid import UUID
 
 from pydantic import Field, StringConstraints
 
+from app.agreements.clauses.terms import BonusWhen
 from app.agreements.rules import ContractState, WorkState
-from app.agreements.terms import BonusWhen
-from app.kit.http import Schema
-from app.money.bonus import BonusState
-from app.money.estimating import Habit
-from app.money.rules import LineKind
+from app.core.web.http import Schema
+from app.money.bonuses.rules import BonusState
+from app.money.estimates.rules import Habit
+from app.money.ledger.rules import LineKind
 
 LARGEST_MINOR = 10**12
 Minor = Annotated[int, Field(ge=0, le=LARGEST_MINOR)]

@@ -8,27 +8,28 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
 from app.accounts.rules import Actor, Role, SecondFactorUse
-from app.accounts.second_factor_requirements import ensure_second_factor_for
-from app.agreements import plan_queries, record
-from app.agreements.deemed_acceptance import CLAUSE as SILENCE
+from app.accounts.second_factors.requirements import ensure_second_factor_for
+from app.agreements.clauses.deemed_acceptance import CLAUSE as SILENCE
+from app.agreements.clauses.terms import DepositAtEnd
 from app.agreements.models import Contract, ContractCue
-from app.agreements.plan_queries import terms_of
+from app.agreements.plan import queries as plan_queries
+from app.agreements.plan.queries import terms_of
 from app.agreements.queries import contract_for, lock_contract
+from app.agreements.record import service as record
 from app.agreements.rules import AcceptedBy, ContractState, WorkState
-from app.agreements.terms import DepositAtEnd
-from app.kit import clock
-from app.kit.recorded_rows import RowChanges
+from app.core import clock
+from app.core.recorded_rows import RowChanges
 from app.money import queries
-from app.money.bonus import BonusState
-from app.money.bonuses import bonus_status
-from app.money.days import mark_agreed
+from app.money.bonuses.rules import BonusState
+from app.money.bonuses.service import bonus_status
 from app.money.ending import Statement, statement_of
 from app.money.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled
-from app.money.ledger import called, load_ledger_book, priced, rules_of, write
-from app.money.ledger_book import CLAUSES, Entry, PricedCue, price_of_round, settle_bonus, settle_shares
+from app.money.ledger.book import CLAUSES, Entry, PricedCue, price_of_round, settle_bonus, settle_shares
+from app.money.ledger.rules import LineKind
+from app.money.ledger.service import called, load_ledger_book, priced, rules_of, write
 from app.money.models import ExtraRound
-from app.money.rules import LineKind
-from app.money.worked_hours import HourBook
+from app.money.work.service import mark_agreed
+from app.money.work.worked_hours import HourBook
 from app.projects.errors import ProducerNeeded
 from app.projects.models import Project
 

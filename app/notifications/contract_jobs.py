@@ -7,19 +7,19 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.agreements import heads
-from app.agreements.facts import in_words
+from app.agreements.clauses.facts import in_words
 from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
+from app.agreements.record import signed_checkpoints as heads
 from app.agreements.rules import ContractState, Party
-from app.agreements.signing import people_to_sign
-from app.kit import clock
-from app.kit.money import money
-from app.kit.plural import counted
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.money.days import called_work
+from app.agreements.signing.service import people_to_sign
+from app.core import clock
+from app.core.jobs.queue import Payload, job
+from app.core.money import money
+from app.core.plural import counted
+from app.core.runtime import Runtime
 from app.money.models import Invoice, WorkedDay
+from app.money.work.service import called_work
 from app.notifications import queries
 from app.notifications.notifier import Notifier, cue_label
 from app.projects.models import Project

@@ -1,13 +1,13 @@
 """Mails about the days that contracts name."""
 
-from app.agreements.facts import in_words
+from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.named_term_queries import contracts_with_days
 from app.agreements.models import DateReminder
-from app.agreements.named_terms import contracts_with_days
 from app.agreements.reminders import near_days
-from app.kit import clock
-from app.kit.db import insert_if_absent
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
+from app.core import clock
+from app.core.db import insert_if_absent
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
 from app.notifications import queries
 from app.notifications.notifier import Notifier
 

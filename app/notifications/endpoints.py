@@ -5,9 +5,9 @@ from uuid import UUID
 from fastapi import APIRouter
 
 from app.accounts.errors import ProducerNeeded, StudioNotFound
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import CurrentRuntime, DbSession, problems
+from app.accounts.web.policies import allows
+from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.notifications import links, service
 from app.notifications.errors import MailNotFailed, MailNotFound
 from app.notifications.models import Mail

@@ -2,11 +2,11 @@
 
 from uuid import UUID
 
-from app.builds.audit_models import BuildAudit, GameTask
-from app.builds.audit_rules import TaskKind, TaskRole
-from app.kit.plural import counted
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
+from app.builds.audits.models import BuildAudit, GameTask
+from app.builds.audits.rules import TaskKind, TaskRole
+from app.core.jobs.queue import Payload, job
+from app.core.plural import counted
+from app.core.runtime import Runtime
 from app.notifications import queries
 from app.notifications.notifier import Notifier, cue_label
 from app.projects.models import Project

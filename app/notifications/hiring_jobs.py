@@ -5,10 +5,10 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, Studio
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
 from app.hiring.models import Bid, Posting, PostingQuestion
 from app.hiring.queries import candidates_of, sent_bids
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
 from app.notifications import queries, service
 from app.notifications.notifier import Notifier
 from app.projects.models import Project

@@ -10,17 +10,17 @@ from app.accounts.models import Person
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.conformance.queries import mark_notified, projects_to_notify, runs_of
+from app.core import clock
+from app.core.db import new_id
+from app.core.jobs.queue import Payload, job
+from app.core.plural import counted
+from app.core.runtime import Runtime
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit import clock
-from app.kit.db import new_id
-from app.kit.plural import counted
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
 from app.notifications import queries
+from app.notifications.audio_excerpts.rules import SpotLine, spot_of
 from app.notifications.notifier import Notifier, cue_label
 from app.notifications.rules import finding_line
-from app.notifications.spot_rules import SpotLine, spot_of
 from app.projects.models import Engagement, Project
 from app.projects.visibility import nda_is_pending
 from app.reviews.models import Comment, Feedback

@@ -15,11 +15,11 @@ from sqlalchemy.orm import Session
 from app.accounts import addresses
 from app.accounts.models import EmailChange, EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
 from app.accounts.rules import Actor, Role
-from app.agreements import signing_codes
 from app.agreements.models import SigningCode
+from app.agreements.signing import codes as signing_codes
+from app.core import clock
+from app.core.jobs.queue import Payload
 from app.hiring.models import Candidate
-from app.kit import clock
-from app.kit.queue import Payload
 from app.notifications import queries, service
 from app.notifications.errors import MailNotFailed, MailNotFound
 from app.notifications.models import Mail

@@ -4,15 +4,17 @@ from uuid import UUID
 
 import aiosmtplib
 
-from app.kit import clock, mail
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.notifications import links, preferences, queries, service, spots
+from app.core import clock, mail
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.notifications import links, queries, service
+from app.notifications.audio_excerpts import service as spots
+from app.notifications.audio_excerpts.rules import html_of
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail
-from app.notifications.preference_rules import ALWAYS_MAILED
+from app.notifications.preferences import service as preferences
+from app.notifications.preferences.rules import ALWAYS_MAILED
 from app.notifications.rules import text_of
-from app.notifications.spot_rules import html_of
 
 
 @job("notifications.send_mail")

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 from sqlalchemy.orm import Session
 
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 from app.notifications import service
+from app.notifications.audio_excerpts.rules import SpotLine
 from app.notifications.rules import Fold
-from app.notifications.spot_rules import SpotLine
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label

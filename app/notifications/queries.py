@@ -10,14 +10,14 @@ from sqlalchemy.orm import InstrumentedAttribute, Session
 from app.accounts.models import Membership, Person, StudioInvitation
 from app.accounts.rules import Role
 from app.agreements.models import Contract, Milestone
+from app.core import clock
+from app.core.db import bypass_row_policies
+from app.core.in_array import in_array
 from app.deliveries.models import Take
 from app.hiring.models import Candidate
-from app.kit import clock
-from app.kit.db import bypass_row_policies
-from app.kit.in_array import in_array
 from app.notifications.models import Mail, MailPreferences, Notice
 from app.notifications.rules import SECURITY_TOPICS
-from app.projects.approval import approval_rights
+from app.projects.approval.service import approval_rights
 from app.projects.models import Engagement, Project, ProjectInvitation
 from app.projects.queries import liaisons_of
 from app.projects.visibility import engaged_with_nda_accepted

@@ -6,7 +6,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
-from app.kit.plural import counted
+from app.core.plural import counted
 
 FOOTER = "Please answer in Soundlist, not to this email."
 SECURITY_TOPICS = (

@@ -5,8 +5,8 @@ from uuid import UUID
 
 from pydantic import Field
 
-from app.kit.http import Schema
-from app.notifications.preference_rules import Cadence, News
+from app.core.web.http import Schema
+from app.notifications.preferences.rules import Cadence, News
 from app.notifications.rules import MailState
 
 

@@ -8,11 +8,12 @@ from sqlalchemy.orm import Session
 from app.accounts.models import DeskToken, Person, Studio, Token
 from app.accounts.queries import tokens_that_end_before
 from app.accounts.rules import TOKEN_WARNED_BEFORE, is_end_near
-from app.kit import clock
-from app.kit.plural import day_in_words
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.notifications import notices, queries, service
+from app.core import clock
+from app.core.jobs.queue import Payload, job
+from app.core.plural import day_in_words
+from app.core.runtime import Runtime
+from app.notifications import queries, service
+from app.notifications.notices import service as notices
 from app.projects.models import Project
 
 NOT_YOU = "If it was not you, set a new password now: that signs out every browser and ends every desk token."

@@ -10,15 +10,17 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor, MemberChange, Role
 from app.accounts.service import ensure_producer_of
-from app.kit import clock
-from app.kit.db import insert_if_absent, new_id
-from app.kit.events import publish
-from app.notifications import notices, preferences, queries
+from app.core import clock
+from app.core.db import insert_if_absent, new_id
+from app.core.events import publish
+from app.notifications import queries
+from app.notifications.audio_excerpts.rules import SpotLine
 from app.notifications.errors import MailBusy, MailNotFound
 from app.notifications.models import Mail
-from app.notifications.preference_rules import Cadence, news_of
+from app.notifications.notices import service as notices
+from app.notifications.preferences import service as preferences
+from app.notifications.preferences.rules import Cadence, news_of
 from app.notifications.rules import DigestPart, Fold
-from app.notifications.spot_rules import SpotLine
 from app.projects.service import project_access
 
 # Longer than the server is given to take a mail; a worker that died sending leaves it to the next after that.

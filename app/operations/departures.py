@@ -9,7 +9,7 @@ from app.accounts.errors import MemberNotFound
 from app.accounts.queries import live_tokens_of, membership, studio_invitations
 from app.accounts.rules import Actor, Role
 from app.accounts.service import ensure_producer_of
-from app.agreements.signing import contracts_to_sign
+from app.agreements.signing.service import contracts_to_sign
 from app.hiring.queries import postings_linked_by
 from app.operations import queries
 from app.operations.schemas import DepartureItem, DepartureKind

@@ -6,10 +6,10 @@ from uuid import UUID
 from fastapi import APIRouter, Query
 
 from app.accounts.errors import MemberNotFound, OperatorNeeded, ProducerNeeded, StudioNotFound
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Role
-from app.kit.health import WORKER_SILENT_AFTER
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, problems
+from app.accounts.web.policies import allows
+from app.core.web.health import WORKER_SILENT_AFTER
+from app.core.web.http import BadCursor, CurrentRuntime, DbSession, Page, problems
 from app.operations import departures, quotas, service
 from app.operations.errors import JobNotFound, JobNotParked
 from app.operations.schemas import (

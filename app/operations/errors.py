@@ -1,6 +1,6 @@
 """Refusals of this room."""
 
-from app.kit.errors import Conflict, Invalid, NotFound
+from app.core.errors import Conflict, Invalid, NotFound
 
 
 class JobNotFound(NotFound):

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from prometheus_client.core import GaugeMetricFamily
 from prometheus_client.registry import Collector
 
-from app.kit import clock
-from app.kit.backups import newest_backup
-from app.kit.metrics import PoolFigures, ServerFigures
-from app.kit.runtime import Runtime
+from app.core import clock
+from app.core.backups import newest_backup
+from app.core.metrics import PoolFigures, ServerFigures
+from app.core.runtime import Runtime
 from app.notifications.queries import unsent_mails
-from app.operations import blob_queries
 from app.operations.models import BlobState
+from app.operations.scrubbing import queries as blob_queries
 
 
 class OutboxFigures(Collector):

@@ -4,11 +4,14 @@ from datetime import timedelta
 
 import structlog
 
-from app.kit import clock
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.operations import blob_queries, erasure_queries, erasure_requests, scrubbing
+from app.core import clock
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.operations.erasure import queries as erasure_queries
+from app.operations.erasure import requests as erasure_requests
 from app.operations.errors import ErasureRefused
+from app.operations.scrubbing import queries as blob_queries
+from app.operations.scrubbing import service as scrubbing
 
 SCRUB_EVERY = timedelta(days=1)
 SCRUB_BYTES = 2 << 30  # each five minutes, so 560 GiB a day

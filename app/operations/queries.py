@@ -12,9 +12,9 @@ from app.accounts.models import Studio
 from app.agreements.models import ContractVersion, Seal
 from app.builds.models import PackedFile, PlaceholderFile
 from app.conformance.models import Fix
+from app.core.db import Base
 from app.deliveries.models import Archive, DryStem, Take
 from app.hiring.models import ReelSound, Sample
-from app.kit.db import Base
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
 from app.projects.models import Engagement, Project
 from app.references.models import ReferenceVersion

@@ -6,14 +6,14 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.quota_queries import Usage, own_limits, people_in, tokens_of
-from app.accounts.quotas import DEFAULTS, QuotaKind, with_defaults
+from app.accounts.quotas.queries import Usage, own_limits, people_in, tokens_of
+from app.accounts.quotas.service import DEFAULTS, QuotaKind, with_defaults
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
+from app.core.db import bypass_row_policies
+from app.core.web.http import Page, cursor_of, number_cursor
 from app.deliveries.queries import kept_master_bytes, open_uploads
-from app.hiring.roster_queries import kept_reel_bytes
-from app.kit.db import bypass_row_policies
-from app.kit.http import Page, cursor_of, number_cursor
+from app.hiring.roster.queries import kept_reel_bytes
 from app.operations import queries
 from app.operations.schemas import QuotaRead, StudioQuotas
 from app.projects.queries import projects_count

@@ -6,8 +6,8 @@ from uuid import UUID
 
 from pydantic import Field
 
-from app.accounts.quotas import QuotaKind
-from app.kit.http import Schema
+from app.accounts.quotas.service import QuotaKind
+from app.core.web.http import Schema
 
 
 class JobState(StrEnum):

@@ -8,12 +8,12 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
-from app.kit.bodies import LARGEST_INTEGER
-from app.kit.db import bypass_row_policies
-from app.kit.http import Page, bad_cursor, number_in
-from app.kit.queue import JobCount, JobQueue, Lane, UnfinishedJob
-from app.kit.storage import Store
-from app.operations import blob_queries, queries
+from app.core.db import bypass_row_policies
+from app.core.jobs.queue import JobCount, JobQueue, Lane, UnfinishedJob
+from app.core.storage import Store
+from app.core.web.bodies import LARGEST_INTEGER
+from app.core.web.http import Page, bad_cursor, number_in
+from app.operations import queries
 from app.operations.errors import JobNotFound, JobNotParked
 from app.operations.models import Scrub
 from app.operations.schemas import (
@@ -29,6 +29,7 @@ from app.operations.schemas import (
     Urgency,
     WorkerRead,
 )
+from app.operations.scrubbing import queries as blob_queries
 
 WORKERS_SHOWN = timedelta(hours=1)
 LANES_SHOWN = 50

@@ -7,8 +7,7 @@ from uuid import UUID
 from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts.authentication import sha256_of
-from app.accounts.browser_sign_ins import sign_in_browser
-from app.accounts.calendars import calendar_of
+from app.accounts.calendars.service import calendar_of
 from app.accounts.errors import (
     BadAddress,
     NameNeeded,
@@ -19,15 +18,16 @@ from app.accounts.errors import (
     TooManyAttempts,
 )
 from app.accounts.models import Person, Token
-from app.accounts.policies import allows
-from app.accounts.request_limits import (
+from app.accounts.rules import Actor, Audience
+from app.accounts.schemas import CalendarRead, InvitationAccept, PersonBrief, PersonRead, StudioBrief
+from app.accounts.web.browser_sign_ins import sign_in_browser
+from app.accounts.web.policies import allows
+from app.accounts.web.request_limits import (
     DeferredSession,
     ensure_invitation_allowed,
     ensure_sign_in_allowed,
 )
-from app.accounts.rules import Actor, Audience
-from app.accounts.schemas import CalendarRead, InvitationAccept, PersonBrief, PersonRead, StudioBrief
-from app.kit.http import (
+from app.core.web.http import (
     CurrentRuntime,
     DbSession,
     Page,
@@ -35,8 +35,9 @@ from app.kit.http import (
     problems,
     uuid_cursor,
 )
-from app.kit.idempotency import UNSAVED
-from app.projects import approvers, engagements, overviews, queries, schemas, service, tokens
+from app.core.web.idempotency import UNSAVED
+from app.projects import engagements, overviews, queries, schemas, service, tokens
+from app.projects.approval import approvers
 from app.projects.errors import (
     AlreadyEngaged,
     CannotApprove,

@@ -9,9 +9,9 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Person
 from app.accounts.people import person_by_link
 from app.accounts.rules import Actor, ensure_address
-from app.kit import clock
-from app.kit.db import bypass_row_policies
-from app.kit.events import publish
+from app.core import clock
+from app.core.db import bypass_row_policies
+from app.core.events import publish
 from app.projects import queries
 from app.projects.errors import AlreadyEngaged, EngagementNotFound, InvitationNotFound
 from app.projects.models import Engagement, ProjectInvitation

@@ -2,9 +2,9 @@
 
 from uuid import UUID
 
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.projects import approvers
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.projects.approval import approvers
 
 
 @job("projects.name_invited_approver")

@@ -12,9 +12,10 @@ from sqlalchemy.orm import Session
 from app.accounts.errors import CannotTakeOver, HandOverNeeded
 from app.accounts.queries import membership, people_by_id
 from app.accounts.rules import LEAD_ROLES, MemberChange, Role
-from app.kit import clock
-from app.kit.errors import FieldProblem
-from app.projects import approval_queries, queries
+from app.core import clock
+from app.core.errors import FieldProblem
+from app.projects import queries
+from app.projects.approval import queries as approval_queries
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, ProjectInvitation
 
 A_DAY = timedelta(days=1)  # somewhere it is still yesterday, counted from UTC

@@ -11,7 +11,7 @@ from app.accounts.models import Person
 from app.accounts.queries import people_by_id
 from app.accounts.rules import Actor, Role
 from app.projects import queries
-from app.projects.approval import approval_rights_of
+from app.projects.approval.service import approval_rights_of
 from app.projects.models import Engagement, Project
 from app.projects.rules import ApprovalRights
 from app.projects.service import project_access

@@ -9,10 +9,10 @@ from sqlalchemy import ColumnElement, ScalarSelect, Select, Uuid, and_, bindpara
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, Person
-from app.accounts.quota_queries import Usage
+from app.accounts.quotas.queries import Usage
 from app.accounts.rules import LEAD_ROLES, Actor, Role
-from app.kit import clock
-from app.kit.db import bypass_row_policies
+from app.core import clock
+from app.core.db import bypass_row_policies
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
 
 

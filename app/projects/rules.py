@@ -7,7 +7,7 @@ from enum import StrEnum
 from typing import Any
 from uuid import UUID
 
-from app.kit.errors import FieldProblem
+from app.core.errors import FieldProblem
 from app.projects.errors import BadDeputy, CannotApprove
 
 

@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, StringConstraints, model_validator
 
 from app.accounts.rules import MAX_TOKEN_DAYS, Scope
 from app.accounts.schemas import Email, Line, MaybeLine, PersonBrief, PersonRead, Prose, StudioBrief
-from app.kit.http import LARGEST_NUMBER, Schema
+from app.core.web.http import LARGEST_NUMBER, Schema
 from app.projects.rules import DesignersHear, EngagementKind
 
 CuePrefix = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-Z][A-Z0-9]{0,7}$")]

@@ -9,14 +9,15 @@ from sqlalchemy.orm import Session
 import audio_checks
 from app.accounts.authentication import sha256_of
 from app.accounts.queries import membership, studio_locked
-from app.accounts.quotas import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_room
 from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.accounts.service import ensure_producer_of
-from app.kit import clock
-from app.kit.db import bypass_row_policies, widen_reach
-from app.kit.events import publish
-from app.kit.reach import Reach
-from app.projects import approval_queries, queries
+from app.core import clock
+from app.core.db import bypass_row_policies, widen_reach
+from app.core.events import publish
+from app.core.reach import Reach
+from app.projects import queries
+from app.projects.approval import queries as approval_queries
 from app.projects.errors import (
     DesignerNeeded,
     InvitationNotFound,
@@ -31,7 +32,7 @@ from app.projects.errors import (
 )
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
 from app.projects.rules import DesignersHear, ensure_can_approve
-from app.projects.specs import add_version, read_spec
+from app.projects.specs.service import add_version, read_spec
 from app.projects.visibility import nda_is_pending
 
 

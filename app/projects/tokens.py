@@ -8,10 +8,10 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Token
 from app.accounts.queries import project_token, project_tokens
 from app.accounts.rules import MAX_TOKEN_DAYS, Actor, Scope
-from app.accounts.security_event_rules import SecurityEventKind
-from app.accounts.security_log import record
+from app.accounts.security_log.rules import SecurityEventKind
+from app.accounts.security_log.service import record
 from app.accounts.service import add_token
-from app.kit import clock
+from app.core import clock
 from app.projects import queries
 from app.projects.errors import (
     ProjectNotFound,

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TypedDict
 
-from app.kit.pictures import PictureLimits, PictureProblem, decode
+from app.core.pictures import PictureLimits, PictureProblem, decode
 
 FORMATS = ("PNG", "JPEG", "GIF", "WEBP")
 MAX_PIXELS = 64_000_000

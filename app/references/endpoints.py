@@ -5,12 +5,12 @@ from uuid import UUID
 
 from fastapi import APIRouter, Query, Request, Response
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.kit.storage import BlobMissing
-from app.kit.uploads import UploadNotFound, UploadUnfinished
+from app.accounts.web.policies import allows
+from app.core.storage import BlobMissing
+from app.core.uploads import UploadNotFound, UploadUnfinished
+from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.references import service, spotting
 from app.references.drawing import MEDIA_TYPE

@@ -5,9 +5,9 @@ from uuid import UUID
 
 import structlog
 
-from app.kit import pictures
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
+from app.core import pictures
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
 from app.references import drawing
 from app.references.models import ReferenceVersion
 from app.references.rules import PreviewState

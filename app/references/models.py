@@ -7,8 +7,8 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.kit import clock
-from app.kit.db import Base, new_id
+from app.core import clock
+from app.core.db import Base, new_id
 from app.references.rules import PreviewState, ReferenceKind
 
 

@@ -8,7 +8,7 @@ from uuid import UUID
 from sqlalchemy import Select, func, or_, select
 from sqlalchemy.orm import Session, contains_eager, joinedload
 
-from app.accounts.quota_queries import Usage
+from app.accounts.quotas.queries import Usage
 from app.references.models import Reference, ReferenceOpening, ReferenceVersion
 from app.sound_lists.models import Cue
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from urllib.parse import urlsplit
 
-from app.kit.errors import FieldProblem
+from app.core.errors import FieldProblem
 from app.references.errors import ReferenceInvalid
 
 HEAD_BYTES = 1 << 16  # of a file, by which its kind is known

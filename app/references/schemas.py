@@ -7,7 +7,7 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
-from app.kit.http import Schema
+from app.core.web.http import Schema
 from app.references.rules import MAX_RANGE_S, MAX_URL_CHARS, PreviewState, ReferenceKind
 
 MAX_CAPTION_CHARS = 500

@@ -8,13 +8,13 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.quotas import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_room
 from app.accounts.rules import Actor
-from app.kit import clock
-from app.kit.errors import FieldProblem
-from app.kit.events import publish
-from app.kit.storage import Store
-from app.kit.uploads import FinishedUpload, finished_upload
+from app.core import clock
+from app.core.errors import FieldProblem
+from app.core.events import publish
+from app.core.storage import Store
+from app.core.uploads import FinishedUpload, finished_upload
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.references import queries

@@ -8,8 +8,8 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.kit.db import new_id
-from app.kit.errors import FieldProblem
+from app.core.db import new_id
+from app.core.errors import FieldProblem
 from app.projects.service import ProjectAccess
 from app.references import queries
 from app.references.errors import ReferenceInvalid

@@ -4,15 +4,15 @@ from uuid import UUID
 
 from fastapi import APIRouter
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, problems
+from app.accounts.web.policies import allows
+from app.core.web.http import DbSession, problems
 from app.projects.errors import TeamNeeded
 from app.references import spotting
 from app.references.errors import ReferenceInvalid, ReferenceNotFound
 from app.references.schemas import SpottedMarks
 from app.sound_lists.errors import AdditionInUse, RowsInvalid
-from app.sound_lists.kit_schemas import AdditionUndo
+from app.sound_lists.kits.schemas import AdditionUndo
 from app.sound_lists.queries import cues_by_id
 from app.sound_lists.schemas import CueRead
 from app.sound_lists.service import cue_read

@@ -4,15 +4,16 @@ from uuid import UUID
 
 from fastapi import APIRouter, Request, Response
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
+from app.accounts.web.policies import allows
+from app.core.storage import BlobMissing
+from app.core.web.blob_response import blob_response
+from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.deliveries.errors import TakeNotFound
-from app.kit.blob_response import blob_response
-from app.kit.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.kit.storage import BlobMissing
 from app.money.errors import DownloadUnpaid
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
-from app.renders import batches, master_exports, other_sounds, reels, service
+from app.renders import service
+from app.renders.batches import service as batches
 from app.renders.errors import (
     BatchEnded,
     BatchNotFound,
@@ -31,6 +32,9 @@ from app.renders.errors import (
     TakesBeingDrawn,
     TargetUnknown,
 )
+from app.renders.master_exports import service as master_exports
+from app.renders.other_sounds import service as other_sounds
+from app.renders.reels import service as reels
 from app.renders.rules import MEDIA_TYPES, media_type_of
 from app.renders.schemas import (
     BatchAdd,

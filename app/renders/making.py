@@ -9,8 +9,8 @@ import structlog
 from prometheus_client import Counter
 
 from app.conformance.workspaces import TakeWorkspace
-from app.kit.runtime import Runtime
-from app.kit.storage import StoredBlob
+from app.core.runtime import Runtime
+from app.core.storage import StoredBlob
 from app.renders import drawing, service
 from app.renders.children import TIMEOUT_S, retried
 from app.renders.models import Picture, Render

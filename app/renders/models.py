@@ -7,8 +7,8 @@ from uuid import UUID
 from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column
 
-from app.kit import clock
-from app.kit.db import Base, new_id
+from app.core import clock
+from app.core.db import Base, new_id
 from app.renders.rules import BatchState, ItemState, RenderState
 
 

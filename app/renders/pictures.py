@@ -3,8 +3,8 @@
 from pathlib import Path
 from uuid import UUID
 
-from app.kit.runtime import Runtime
-from app.kit.storage import StoredBlob
+from app.core.runtime import Runtime
+from app.core.storage import StoredBlob
 from app.renders import drawing
 from app.renders.models import Picture
 

@@ -12,12 +12,12 @@ from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, contains_eag
 import audio_checks
 from app.accounts.rules import Actor
 from app.conformance.models import Fix
+from app.core.in_array import in_array
 from app.deliveries.models import Take
-from app.kit.in_array import in_array
 from app.projects.models import Spec
 from app.projects.visibility import visible_work
 from app.renders.models import Batch, BatchItem, MasterExport, Picture, Reel, Render, Timbre
-from app.renders.other_sound_queries import opened_takes
+from app.renders.other_sounds.queries import opened_takes
 from app.renders.rules import OPEN_BATCHES, RENDERED_STATES, BatchState, ItemState, Recipe, RenderState, recipes
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState

@@ -6,8 +6,8 @@ from uuid import UUID
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from app.core.web.http import Schema
 from app.deliveries.schemas import CueBrief
-from app.kit.http import Schema
 from app.renders.rules import BatchState, RenderState
 
 

@@ -9,12 +9,12 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.conformance.models import Fix
 from app.conformance.queries import made_fix_of
+from app.core.db import insert_all_if_absent, insert_if_absent, row_of
+from app.core.events import publish
+from app.core.jobs.queue import BULK
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_with_cue
 from app.deliveries.service import take_for
-from app.kit.db import insert_all_if_absent, insert_if_absent, row_of
-from app.kit.events import publish
-from app.kit.queue import BULK
 from app.money.downloads import closed_to, ensure_open
 from app.projects.queries import current_spec
 from app.renders import queries
@@ -22,8 +22,8 @@ from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNot
 from app.renders.models import Picture, Render, RenderSet, Timbre
 from app.renders.rules import RENDERED_STATES, Recipe, ending_of
 from app.renders.schemas import LossRead, MasterSoundRead, RenderSoundRead, SoundBrief, TakeSoundsRead
-from app.renders.shown_renders import ShownPicture
-from app.renders.thumbs import Thumb
+from app.renders.shown_render_queries import ShownPicture
+from app.renders.thumb_queries import Thumb
 
 Made = list[tuple[Render, Picture | None]]  # game files, each with its picture where there is a file
 

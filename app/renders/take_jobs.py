@@ -7,11 +7,12 @@ import structlog
 from app.conformance.checking import check_take
 from app.conformance.queries import fix_by_id
 from app.conformance.workspaces import TakeWorkspace
+from app.core import kill_points
+from app.core.jobs.queue import BULK, Payload, job
+from app.core.runtime import Runtime
 from app.deliveries.queries import take_with_cue
-from app.kit import kill_points
-from app.kit.queue import BULK, Payload, job
-from app.kit.runtime import Runtime
-from app.renders import batches, drawing, queries, service
+from app.renders import drawing, queries, service
+from app.renders.batches import service as batches
 from app.renders.children import children, in_child, retried, sandbox
 from app.renders.making import RENDERS, make_missing
 from app.renders.models import Picture

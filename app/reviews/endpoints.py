@@ -6,13 +6,12 @@ from uuid import UUID
 
 from fastapi import APIRouter, Depends, Query
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
+from app.accounts.web.policies import allows
+from app.core.web.http import BadCursor, DbSession, Page, problems
 from app.deliveries.errors import DeliveryNotFound, TakeNotFound, WrongState
-from app.kit.http import BadCursor, DbSession, Page, problems
 from app.projects.errors import ApproverNeeded, ProducerNeeded, ProjectNotFound, TeamNeeded
-from app.reviews import carried_notes, comments, feedback, fit, review_room, service, take_history
 from app.reviews.errors import (
     AcknowledgementNotDue,
     AlreadyAccepted,
@@ -35,7 +34,11 @@ from app.reviews.errors import (
     VerdictSince,
     VersionsUndecided,
 )
-from app.reviews.fit_schemas import DeliveryFitRead, TakeFitRead
+from app.reviews.palette_fit import service as fit
+from app.reviews.palette_fit.schemas import DeliveryFitRead, TakeFitRead
+from app.reviews.queue import service as review_room
+from app.reviews.rounds import change_requests as feedback
+from app.reviews.rounds import comments
 from app.reviews.rules import QueueFilter, QueueKind, VerdictKind, VersionKind
 from app.reviews.schemas import (
     CarriedNote,
@@ -57,6 +60,7 @@ from app.reviews.schemas import (
     VerdictGiven,
     VerdictUndone,
 )
+from app.reviews.verdicts import carried_notes, service, take_history
 from app.sound_lists.errors import CueIsCut, CueNotFound
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import Need

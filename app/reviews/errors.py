@@ -1,6 +1,6 @@
 """Errors of this room, each named after the fact."""
 
-from app.kit.errors import Conflict, Invalid, NotFound
+from app.core.errors import Conflict, Invalid, NotFound
 
 
 class StaleView(Conflict):

@@ -2,13 +2,13 @@
 
 from uuid import UUID
 
-from app.agreements.plan_queries import cues_of
-from app.kit import clock
-from app.kit.queue import BULK, Payload, job
-from app.kit.runtime import Runtime
-from app.reviews import deemed_acceptance
-from app.reviews.adoption_queries import adopted_take_ids
-from app.reviews.settlement import add_accepted_cue
+from app.agreements.plan.queries import cues_of
+from app.core import clock
+from app.core.jobs.queue import BULK, Payload, job
+from app.core.runtime import Runtime
+from app.reviews.adoptions.queries import adopted_take_ids
+from app.reviews.verdicts import deemed_acceptance
+from app.reviews.verdicts.settlement import add_accepted_cue
 
 TAKES_AT_ONCE = 250  # so that others write between
 

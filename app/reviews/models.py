@@ -8,12 +8,12 @@ from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint, tex
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
+from app.core import clock
+from app.core.db import Base, new_id
+from app.core.recorded_rows import declare
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit import clock
-from app.kit.db import Base, new_id
-from app.kit.recorded_rows import declare
-from app.reviews.reason_rules import ReasonKind
+from app.reviews.reasons.rules import ReasonKind
 from app.reviews.rules import ApprovalBlockers, VerdictKind, mentioned_in
 from app.sound_lists.models import Cue
 

@@ -10,9 +10,9 @@ from sqlalchemy.sql.base import ExecutableOption
 
 from app.accounts.models import Membership, Person
 from app.conformance.models import CheckRun, Waiver
+from app.core.in_array import in_array
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.projects.visibility import engaged_with_nda_accepted
 from app.renders.models import Picture

@@ -5,9 +5,9 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.core.events import publish
+from app.core.storage import StoredBlob
 from app.deliveries.service import take_for
-from app.kit.events import publish
-from app.kit.storage import StoredBlob
 from app.projects.errors import ProjectNotFound
 from app.projects.service import project_access
 from app.renders.service import take_sounds

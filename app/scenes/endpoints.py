@@ -5,12 +5,12 @@ from uuid import UUID
 
 from fastapi import APIRouter, Query, Request, Response
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
+from app.accounts.web.policies import allows
+from app.core.storage import BlobMissing
+from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.deliveries.errors import TakeNotFound
-from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.storage import BlobMissing
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.references.errors import ReferenceUnopened
 from app.scenes import comparisons, service

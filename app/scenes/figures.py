@@ -7,7 +7,7 @@ import numpy as np
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.kit.errors import FieldProblem
+from app.core.errors import FieldProblem
 from app.renders.service import sound_places
 from app.scenes.errors import LaneUnknown
 from app.scenes.excitations import placed, unpacked

@@ -7,10 +7,10 @@ from uuid import UUID
 
 import structlog
 
-from app.kit.db import insert_if_absent
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
+from app.core.db import insert_if_absent
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing
 from app.scenes import comparisons, listening, queries
 from app.scenes.excitations import as_text
 from app.scenes.models import SceneSound

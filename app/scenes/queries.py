@@ -7,11 +7,11 @@ from uuid import UUID
 from sqlalchemy import ColumnElement, Select, and_, case, func, or_, select
 from sqlalchemy.orm import Session, contains_eager, undefer
 
-from app.builds.audit_models import AuditedSound, BuildAudit
+from app.builds.audits.models import AuditedSound, BuildAudit
 from app.conformance.models import CheckRun
+from app.core.in_array import in_array
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.in_array import in_array
 from app.references.models import Reference, ReferenceVersion
 from app.references.rules import ReferenceKind
 from app.renders.models import Picture

@@ -6,7 +6,7 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from app.kit.plural import counted
+from app.core.plural import counted
 from app.sound_lists.rules import folded
 
 MOST_NEIGHBOURS = 8

@@ -5,7 +5,7 @@ from uuid import UUID
 
 from pydantic import Field
 
-from app.kit.http import Schema
+from app.core.web.http import Schema
 from app.renders.schemas import ThumbRead
 from app.scenes.rules import HIGHEST_DB, LOWEST_DB, BedRole, LevelFrom
 

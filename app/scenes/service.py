@@ -8,11 +8,11 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.core import clock
+from app.core.errors import FieldProblem
+from app.core.events import publish
 from app.deliveries.errors import TakeNotFound
 from app.deliveries.service import take_for
-from app.kit import clock
-from app.kit.errors import FieldProblem
-from app.kit.events import publish
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.references.models import ReferenceVersion

@@ -7,9 +7,9 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.core.db import insert_if_absent
+from app.core.events import publish
 from app.deliveries.models import Take
-from app.kit.db import insert_if_absent
-from app.kit.events import publish
 from app.renders.models import Picture
 from app.shares import queries
 from app.shares.beeps import BEEPS_VERSION

@@ -6,9 +6,10 @@ from fastapi import APIRouter, Path, Request, Response
 
 from app.accounts.authentication import sha256_of
 from app.accounts.errors import TooManyAttempts
-from app.accounts.policies import allows
 from app.accounts.rate_limits import GUEST_COMMENTS_FROM_NETWORK
-from app.accounts.request_limits import (
+from app.accounts.rules import Actor, Audience
+from app.accounts.web.policies import allows
+from app.accounts.web.request_limits import (
     DeferredSession,
     ensure_guest_guess_allowed,
     ensure_guest_visit_allowed,
@@ -16,11 +17,10 @@ from app.accounts.request_limits import (
     network_of,
     reset_guest_guesses,
 )
-from app.accounts.rules import Actor, Audience
-from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.idempotency import UNSAVED
-from app.kit.storage import BlobMissing
+from app.core.storage import BlobMissing
+from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.http import CurrentRuntime, DbSession, problems
+from app.core.web.idempotency import UNSAVED
 from app.reviews.errors import RangeInvalid
 from app.shares import guests
 from app.shares.errors import (

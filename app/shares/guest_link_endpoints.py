@@ -5,11 +5,11 @@ from uuid import UUID
 from fastapi import APIRouter
 
 from app.accounts.errors import PasswordTooWeak, RecentSignInNeeded
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.kit.idempotency import UNSAVED
-from app.kit.runtime import Runtime
+from app.accounts.web.policies import allows
+from app.core.runtime import Runtime
+from app.core.web.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
+from app.core.web.idempotency import UNSAVED
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.shares import guest_links
 from app.shares.errors import GuestLinkInvalid, GuestLinkNotFound, NothingToShare, PlaylistNotFound

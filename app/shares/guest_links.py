@@ -10,11 +10,11 @@ from app.accounts import passwords
 from app.accounts.authentication import sha256_of
 from app.accounts.rules import AccessKind, Actor, MemberChange, ensure_strong_password
 from app.accounts.schemas import PersonBrief
-from app.accounts.security_event_rules import SecurityEventKind
-from app.accounts.security_log import record
-from app.kit import clock
-from app.kit.db import new_id
-from app.kit.errors import FieldProblem
+from app.accounts.security_log.rules import SecurityEventKind
+from app.accounts.security_log.service import record
+from app.core import clock
+from app.core.db import new_id
+from app.core.errors import FieldProblem
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.shares import queries

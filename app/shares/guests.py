@@ -8,10 +8,10 @@ from sqlalchemy.orm import Session
 
 from app.accounts import passwords
 from app.accounts.authentication import new_secret, sha256_of
-from app.kit import clock
-from app.kit.db import Database, bypass_row_policies
-from app.renders.thumbs import thumbs
-from app.reviews.comments import add_guest_comment
+from app.core import clock
+from app.core.db import Database, bypass_row_policies
+from app.renders.thumb_queries import thumbs
+from app.reviews.rounds.comments import add_guest_comment
 from app.shares import queries
 from app.shares.errors import (
     CommentsClosed,

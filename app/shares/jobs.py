@@ -6,9 +6,9 @@ from uuid import UUID
 
 import structlog
 
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing
 from app.renders.children import in_child, retried
 from app.shares import beeps
 from app.shares.models import GuestCopy

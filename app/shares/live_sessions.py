@@ -7,8 +7,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.kit import clock
-from app.kit.db import insert_if_absent
+from app.core import clock
+from app.core.db import insert_if_absent
 from app.projects.service import ProjectAccess
 from app.shares import live_queries, queries
 from app.shares.errors import KeysHeld, ListenerNotFound, PlayheadMoved, PlaylistInvalid

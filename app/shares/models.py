@@ -7,9 +7,9 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
+from app.core import clock
+from app.core.db import Base, new_id
 from app.deliveries.models import Take
-from app.kit import clock
-from app.kit.db import Base, new_id
 from app.shares.rules import SharedKind, ViewedPage
 
 

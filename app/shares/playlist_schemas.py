@@ -7,8 +7,8 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
+from app.core.web.http import Schema
 from app.deliveries.rules import TakeState
-from app.kit.http import Schema
 from app.renders.schemas import SoundBrief
 from app.shares.rules import MAX_SOUNDS
 from app.shares.schemas import Title

@@ -7,15 +7,15 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.kit import clock
-from app.kit.errors import FieldProblem
-from app.kit.plural import verb
-from app.projects.approval import approval_scope
+from app.core import clock
+from app.core.errors import FieldProblem
+from app.core.plural import verb
+from app.projects.approval.service import approval_scope
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.renders.service import sound_places
-from app.renders.thumbs import thumbs
-from app.reviews.heard_queries import heard_among
+from app.renders.thumb_queries import thumbs
+from app.reviews.listened.queries import heard_among
 from app.shares import queries
 from app.shares.errors import NothingToShare, PlaylistChanged, PlaylistInvalid, PlaylistNotFound
 from app.shares.models import Playlist, PlaylistEntry, PlaylistPosition

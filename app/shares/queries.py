@@ -9,11 +9,11 @@ from sqlalchemy.orm import Session, contains_eager, joinedload
 
 from app.accounts.models import Person
 from app.accounts.rules import Actor
+from app.core.in_array import in_array
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.in_array import in_array
 from app.renders.models import Picture
-from app.renders.other_sound_queries import opened_takes
+from app.renders.other_sounds.queries import opened_takes
 from app.shares.models import (
     GuestCopy,
     GuestLink,

@@ -7,7 +7,7 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
-from app.kit.http import Schema
+from app.core.web.http import Schema
 from app.renders.schemas import ThumbRead
 from app.shares.rules import MAX_SOUNDS, LinkState, SharedKind
 

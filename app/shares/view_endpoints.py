@@ -5,9 +5,9 @@ from uuid import UUID
 
 from fastapi import APIRouter
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.http import DbSession, problems
+from app.accounts.web.policies import allows
+from app.core.web.http import DbSession, problems
 from app.projects.errors import ProjectNotFound
 from app.shares import views
 from app.shares.errors import SavedViewInvalid, SavedViewNotFound

@@ -5,7 +5,7 @@ from uuid import UUID
 
 from pydantic import Field
 
-from app.kit.http import Schema
+from app.core.web.http import Schema
 from app.shares.rules import MAX_QUERY_CHARS, ViewedPage
 from app.shares.schemas import NO_NUL
 

@@ -6,7 +6,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.kit.errors import FieldProblem
+from app.core.errors import FieldProblem
 from app.projects.errors import ProjectNotFound
 from app.projects.service import project_access
 from app.shares import queries

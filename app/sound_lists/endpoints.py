@@ -6,20 +6,20 @@ from uuid import UUID
 
 from fastapi import APIRouter, Depends, Query, Request, Response
 
-from app.accounts.policies import allows
 from app.accounts.queries import has_account
 from app.accounts.rules import Actor, Audience, Scope
-from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
-from app.kit.http import LARGEST_NUMBER, BadCursor, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.kit.parsing_queue import ParsingBusy, parse_request
+from app.accounts.web.policies import allows
+from app.core.parsing_queue import ParsingBusy, parse_request
+from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.http import LARGEST_NUMBER, BadCursor, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec
 from app.projects.service import ensure_speaks_in, invitation_by_secret, project_access
-from app.projects.specs import read_spec
-from app.sound_lists import naming, queries, questions, revisions, service, workbook
-from app.sound_lists.clarity_endpoints import router as clarity_router
+from app.projects.specs.service import read_spec
+from app.sound_lists import queries, questions, revisions, service
+from app.sound_lists.clarity.endpoints import router as clarity_router
 from app.sound_lists.errors import (
     ColumnUnknown,
     CueChanged,
@@ -32,8 +32,8 @@ from app.sound_lists.errors import (
     RowsInvalid,
     SheetUnreadable,
 )
-from app.sound_lists.imports import import_sheet
-from app.sound_lists.people import known_people
+from app.sound_lists.names import service as naming
+from app.sound_lists.people.service import known_people
 from app.sound_lists.rules import MAX_PAGE, PAGE, CueOrdering
 from app.sound_lists.schemas import (
     AnswerAdd,
@@ -55,7 +55,9 @@ from app.sound_lists.schemas import (
     RevisionRead,
     SoundListRead,
 )
-from app.sound_lists.sheets import Sheet, SheetOptions, parse_bytes, parse_text
+from app.sound_lists.sheets import workbook
+from app.sound_lists.sheets.imports import import_sheet
+from app.sound_lists.sheets.rules import Sheet, SheetOptions, parse_bytes, parse_text
 from audio_checks import known_heads_in
 
 router = APIRouter(prefix="/v1", tags=["sound-lists"])

@@ -9,9 +9,9 @@ from sqlalchemy.engine.default import DefaultExecutionContext
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.kit import clock
-from app.kit.db import Base, new_id
-from app.sound_lists.own_column_rules import ColumnKind
+from app.core import clock
+from app.core.db import Base, new_id
+from app.sound_lists.own_columns.rules import ColumnKind
 from app.sound_lists.rules import CueState, Need, Reverb, folded
 
 

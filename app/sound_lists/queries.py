@@ -9,11 +9,11 @@ from sqlalchemy import Row, Select, bindparam, func, or_, select, tuple_
 from sqlalchemy.orm import Session, joinedload, selectinload
 
 from app.accounts.models import Membership, Person
-from app.accounts.quota_queries import Usage
-from app.kit.in_array import in_array
+from app.accounts.quotas.queries import Usage
+from app.core.in_array import in_array
 from app.projects.models import Engagement, Project
 from app.sound_lists.models import Cue, CueChange, OwnColumn, Question, Revision, SpokenPlaceholder, Stem
-from app.sound_lists.own_column_rules import Column
+from app.sound_lists.own_columns.rules import Column
 from app.sound_lists.rules import NO_PLAYBACK_PRIORITY, CueOrdering, CueState, Need, folded
 
 IDS_AT_ONCE = 500  # SQLite takes 32,766 variables in a statement, older ones 999

@@ -6,8 +6,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.kit import clock
-from app.kit.events import publish
+from app.core import clock
+from app.core.events import publish
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists import queries, service

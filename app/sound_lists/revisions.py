@@ -9,8 +9,8 @@ from app.projects.service import ProjectAccess
 from app.sound_lists import queries
 from app.sound_lists.errors import RevisionNotFound
 from app.sound_lists.models import Cue
-from app.sound_lists.people import known_people
-from app.sound_lists.people_rules import KnownPeople
+from app.sound_lists.people.rules import KnownPeople
+from app.sound_lists.people.service import known_people
 from app.sound_lists.rules import NEW_CUE, PEOPLE, CueState, Facts, label
 from app.sound_lists.schemas import CueDifference, FieldChange, ListComparison
 

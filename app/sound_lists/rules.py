@@ -8,7 +8,7 @@ from typing import Any, Literal
 from uuid import UUID
 
 import audio_checks
-from app.kit.spreadsheets import FORMULA_STARTS
+from app.core.spreadsheets import FORMULA_STARTS
 
 
 class CueState(StrEnum):

@@ -10,16 +10,16 @@ from sqlalchemy import delete, insert
 from sqlalchemy.orm import Session
 
 import audio_checks
-from app.accounts.quotas import QuotaKind, ensure_room
-from app.kit import clock
-from app.kit.db import new_id
-from app.kit.events import publish
-from app.kit.plural import counted
+from app.accounts.quotas.service import QuotaKind, ensure_room
+from app.core import clock
+from app.core.db import new_id
+from app.core.events import publish
+from app.core.plural import counted
 from app.projects.models import Project
 from app.sound_lists import queries
 from app.sound_lists.models import Cue, CueChange, Revision, Stem
-from app.sound_lists.own_column_rules import by_key, fitted
-from app.sound_lists.people import people_in
+from app.sound_lists.own_columns.rules import by_key, fitted
+from app.sound_lists.people.service import people_in
 from app.sound_lists.rules import (
     CHECKED_FACTS,
     NAMING_FACTS,

@@ -7,10 +7,10 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
-from app.kit.http import Schema, Whole
+from app.core.web.http import Schema, Whole
 from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec, SpecRead
-from app.sound_lists.clarity_rules import Fact
+from app.sound_lists.clarity.rules import Fact
 from app.sound_lists.rules import CueState, Need, Reverb
 
 OpenState = Literal["concept", "prototype", "locked"]

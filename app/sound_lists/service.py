@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.rules import Actor
-from app.kit.http import cursor_of, numbers_cursor
+from app.core.web.http import cursor_of, numbers_cursor
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
 from app.projects.service import ProjectAccess, project_access

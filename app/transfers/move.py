@@ -6,13 +6,14 @@ from dataclasses import dataclass, field
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from app.kit.db import Database
-from app.kit.health import WORKER_SILENT_AFTER, NotReady
-from app.kit.plural import counted
-from app.kit.runtime import Runtime
-from app.kit.storage import BlobAltered, BlobMissing
+from app.core.db import Database
+from app.core.plural import counted
+from app.core.runtime import Runtime
+from app.core.storage import BlobAltered, BlobMissing
+from app.core.web.health import WORKER_SILENT_AFTER, NotReady
 from app.migrate import ensure_at_head, migrate
-from app.operations import blob_queries, scopes
+from app.operations.erasure import scope_queries as scopes
+from app.operations.scrubbing import queries as blob_queries
 from app.transfers import rows
 from app.transfers.refusal import TransferRefused
 

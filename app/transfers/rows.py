@@ -19,8 +19,8 @@ from sqlalchemy.dialects.postgresql import JSONB
 from sqlalchemy.exc import DataError, IntegrityError
 from sqlalchemy.orm import Session
 
-from app.kit.db import UtcDateTime
-from app.operations.scopes import self_references
+from app.core.db import UtcDateTime
+from app.operations.erasure.scope_queries import self_references
 from app.transfers.refusal import TransferRefused
 
 Row = dict[str, Any]

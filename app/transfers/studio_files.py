@@ -18,13 +18,14 @@ from alembic.migration import MigrationContext
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, Studio
-from app.kit import clock
-from app.kit.health import NotReady
-from app.kit.plural import counted
-from app.kit.runtime import Runtime
-from app.kit.storage import READ_BYTES, BlobAltered, BlobMissing
+from app.core import clock
+from app.core.plural import counted
+from app.core.runtime import Runtime
+from app.core.storage import READ_BYTES, BlobAltered, BlobMissing
+from app.core.web.health import NotReady
 from app.migrate import ensure_at_head
-from app.operations import blob_queries, scopes
+from app.operations.erasure import scope_queries as scopes
+from app.operations.scrubbing import queries as blob_queries
 from app.transfers import rows
 from app.transfers.move import unfinished_jobs
 from app.transfers.refusal import TransferRefused

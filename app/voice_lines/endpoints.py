@@ -6,19 +6,19 @@ from uuid import UUID
 
 from fastapi import APIRouter, Depends, Query, Request, Response
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience, Scope
-from app.kit.bodies import LARGE_BODY_BYTES, accepts_body
-from app.kit.http import DbSession, problems
-from app.kit.parsing_queue import ParsingBusy, parse_request
+from app.accounts.web.policies import allows
+from app.core.parsing_queue import ParsingBusy, parse_request
+from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import ensure_speaks_in, project_access
 from app.sound_lists.errors import CueNotFound
-from app.sound_lists.export import sound_list_csv
-from app.sound_lists.people import known_people
+from app.sound_lists.people.service import known_people
 from app.sound_lists.queries import cues_of, own_columns
 from app.sound_lists.service import visible_cue
-from app.sound_lists.sheets import Sheet, SheetOptions
+from app.sound_lists.sheets.export import sound_list_csv
+from app.sound_lists.sheets.rules import Sheet, SheetOptions
 from app.voice_lines import line_sheets, queries, service
 from app.voice_lines.cast_reading import read_script
 from app.voice_lines.errors import (

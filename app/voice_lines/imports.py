@@ -8,16 +8,16 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.kit.db import new_id
+from app.core.db import new_id
 from app.projects.models import Project
 from app.projects.service import project_access
-from app.sound_lists.imports import encoding_read, filled_down, hidden_rows
-from app.sound_lists.naming import refusals_of_edits
+from app.sound_lists.names.service import refusals_of_edits
 from app.sound_lists.queries import lock_list, stem_owners
 from app.sound_lists.rules import NEW_CUE, folded
 from app.sound_lists.save_edits import Edit, row_faults, save, whole_facts
 from app.sound_lists.schemas import ImportTab, RefusedNames
-from app.sound_lists.sheets import Sheet
+from app.sound_lists.sheets.imports import encoding_read, filled_down, hidden_rows
+from app.sound_lists.sheets.rules import Sheet
 from app.voice_lines import queries
 from app.voice_lines.models import Character, VoiceLine, VoiceSettings, VoiceText, VoiceTextVersion
 from app.voice_lines.rules import CATEGORY, merged_order

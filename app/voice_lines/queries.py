@@ -8,9 +8,9 @@ from sqlalchemy import exists, select, tuple_
 from sqlalchemy.orm import Session, joinedload
 
 from app.conformance.models import CheckRun
+from app.core.in_array import in_array
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.in_array import in_array
 from app.renders.models import Picture
 from app.reviews.models import ChangeRequest
 from app.sound_lists.models import Cue

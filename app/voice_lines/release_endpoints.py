@@ -4,12 +4,12 @@ from uuid import UUID
 
 from fastapi import APIRouter, Request, Response
 
-from app.accounts.policies import allows
 from app.accounts.rules import Actor, Audience
-from app.kit.blob_response import WHILE_ASKED, blob_response
-from app.kit.http import CurrentRuntime, DbSession, problems
-from app.kit.storage import BlobMissing
-from app.kit.uploads import UploadNotFound, UploadUnfinished
+from app.accounts.web.policies import allows
+from app.core.storage import BlobMissing
+from app.core.uploads import UploadNotFound, UploadUnfinished
+from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import project_access
 from app.voice_lines import releases

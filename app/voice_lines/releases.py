@@ -10,9 +10,9 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.kit import clock
-from app.kit.plural import counted, verb
-from app.kit.uploads import finished_upload
+from app.core import clock
+from app.core.plural import counted, verb
+from app.core.uploads import finished_upload
 from app.projects.service import ProjectAccess, project_access
 from app.references.service import upload_scope
 from app.sound_lists.queries import lock_list

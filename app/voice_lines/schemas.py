@@ -7,8 +7,8 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
+from app.core.web.http import Schema
 from app.deliveries.rules import TakeState
-from app.kit.http import Schema
 from app.sound_lists.schemas import CellGuess, ImportEncoding, ImportTab, RefusedNames, SkippedRow
 from app.voice_lines.rules import (
     DEFAULT_LANGUAGE,

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from app.sound_lists.rules import folded, tidy_line, tidy_text, typed_text
-from app.sound_lists.sheets import Sheet
+from app.sound_lists.sheets.rules import Sheet
 from app.voice_lines.errors import ScriptUnreadable
 from app.voice_lines.rules import (
     MAX_DIRECTION_CHARS,

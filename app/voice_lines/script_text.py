@@ -1,13 +1,13 @@
 """Scripts as people send them, in sheets or as text: bytes in, a head and numbered rows of text out.
 
-All of it runs in a child process (`app.kit.parsing`). A text is read like Fountain: a scene heading, a name in capitals
-with the lines below it, directions in brackets; `[[maya_010]]` beside the name is the id of the line.
+All of it runs in a child process (`app.core.parsing`). A text is read like Fountain: a scene heading, a name in
+capitals with the lines below it, directions in brackets; `[[maya_010]]` beside the name is the id of the line.
 """
 
 import re
 from collections.abc import Iterator
 
-from app.sound_lists.sheets import (
+from app.sound_lists.sheets.rules import (
     AS_FOUND,
     MAX_BYTES,
     MAX_CHARACTERS,

@@ -7,8 +7,8 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
-from app.kit import clock
-from app.kit.errors import FieldProblem, NotFound
+from app.core import clock
+from app.core.errors import FieldProblem, NotFound
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.queries import lock_list

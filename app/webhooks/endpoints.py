@@ -6,11 +6,11 @@ from uuid import UUID
 from fastapi import APIRouter, Request
 
 from app.accounts.errors import ProducerNeeded, RecentSignInNeeded, StudioNotFound, TooManyAttempts
-from app.accounts.policies import allows, ensure_recent_sign_in
-from app.accounts.request_limits import ensure_webhook_message_allowed
 from app.accounts.rules import Actor, Audience
-from app.kit import clock
-from app.kit.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
+from app.accounts.web.policies import allows, ensure_recent_sign_in
+from app.accounts.web.request_limits import ensure_webhook_message_allowed
+from app.core import clock
+from app.core.web.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound
 from app.webhooks import service
 from app.webhooks.errors import (

@@ -2,9 +2,9 @@
 
 from uuid import UUID
 
-from app.kit import clock
-from app.kit.queue import Payload, job
-from app.kit.runtime import Runtime
+from app.core import clock
+from app.core.jobs.queue import Payload, job
+from app.core.runtime import Runtime
 from app.webhooks import queries, sending, service
 from app.webhooks.messages import message_of
 

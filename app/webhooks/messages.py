@@ -8,10 +8,10 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
 from app.agreements.models import Contract
-from app.builds.audit_models import BuildAudit
+from app.builds.audits.models import BuildAudit
 from app.builds.models import Build, SealedPack
-from app.kit.money import money
-from app.kit.plural import counted
+from app.core.money import money
+from app.core.plural import counted
 from app.money.models import Invoice, Payment
 from app.notifications.notifier import cue_label
 from app.notifications.queries import changes_of, take_with_place

@@ -6,8 +6,8 @@ from uuid import UUID
 from sqlalchemy import ForeignKey, Index, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
-from app.kit import clock
-from app.kit.db import Base, new_id
+from app.core import clock
+from app.core.db import Base, new_id
 from app.projects.models import Project
 from app.webhooks.rules import CallState, WebhookForm
 

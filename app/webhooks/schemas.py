@@ -6,8 +6,8 @@ from uuid import UUID
 
 from pydantic import Field
 
-from app.kit.http import Schema
-from app.kit.outgoing import MAX_URL_CHARS
+from app.core.outgoing import MAX_URL_CHARS
+from app.core.web.http import Schema
 from app.webhooks.rules import CallState, WebhookEvent, WebhookForm
 
 Address = Annotated[

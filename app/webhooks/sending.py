@@ -7,9 +7,9 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.kit import clock, outgoing
-from app.kit.outgoing import AddressRefused, Answer, RequestFailed, Resolver
-from app.kit.runtime import Runtime
+from app.core import clock, outgoing
+from app.core.outgoing import AddressRefused, Answer, RequestFailed, Resolver
+from app.core.runtime import Runtime
 from app.notifications.queries import producer_addresses
 from app.notifications.service import write_news
 from app.webhooks import queries

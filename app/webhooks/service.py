@@ -10,14 +10,14 @@ from sqlalchemy import delete
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import AccessKind, Actor, MemberChange, Role
-from app.accounts.security_event_rules import SecurityEventKind
-from app.accounts.security_log import record
+from app.accounts.security_log.rules import SecurityEventKind
+from app.accounts.security_log.service import record
 from app.accounts.service import ensure_producer_of
-from app.kit import clock
-from app.kit.db import bypass_row_policies, insert_if_absent, new_id
-from app.kit.outgoing import AddressRefused, ensure_address
-from app.kit.queue import BULK, queue_of
-from app.kit.server_keys import derived
+from app.core import clock
+from app.core.db import bypass_row_policies, insert_if_absent, new_id
+from app.core.jobs.queue import BULK, queue_of
+from app.core.outgoing import AddressRefused, ensure_address
+from app.core.server_keys import derived
 from app.projects.models import Project
 from app.projects.service import project_access
 from app.webhooks import queries

@@ -15,7 +15,7 @@ const compressions = {
   gz: (content: Buffer) => promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION }),
 }
 
-/** Write every hashed asset a second and third time, compressed: app/kit/compression.py sends what a browser takes. */
+/** Write every hashed asset a second and third time, compressed: app/core/web/compression.py sends what a browser takes. */
 export function precompress(): Plugin {
   let folder = ''
   return {

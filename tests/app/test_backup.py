@@ -15,10 +15,10 @@ from typer.testing import CliRunner
 
 from app.backup import SHARES, BackupRefused, back_up, restore
 from app.cli import cli
-from app.kit import clock
-from app.kit.db import new_id
-from app.kit.runtime import Runtime
-from app.kit.uploads.model import Upload
+from app.core import clock
+from app.core.db import new_id
+from app.core.runtime import Runtime
+from app.core.uploads.model import Upload
 from app.main import create_app
 from app.migrate import ensure_at_head, migrate
 from app.renders.take_jobs import prepare_take

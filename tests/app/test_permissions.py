@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from app.kit.db import new_id
-from app.kit.permissions import OTHERS, tighten
-from app.kit.runtime import Runtime
+from app.core.db import new_id
+from app.core.permissions import OTHERS, tighten
+from app.core.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
 

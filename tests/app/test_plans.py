@@ -8,8 +8,8 @@ import pytest
 import sqlalchemy as sa
 from anyio.from_thread import start_blocking_portal
 
-from app.kit.db import Base
-from app.kit.runtime import Runtime
+from app.core.db import Base
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

@@ -11,8 +11,8 @@ from psycopg import sql
 from sqlalchemy.orm import Session
 
 from app import tables  # noqa: F401
-from app.kit.db import Base, Database, UtcDateTime, bypass_row_policies, new_id, widen_reach
-from app.kit.reach import NOBODY, Reach
+from app.core.db import Base, Database, UtcDateTime, bypass_row_policies, new_id, widen_reach
+from app.core.reach import NOBODY, Reach
 from app.migrate import migrate
 from app.row_security import (
     ADD_ONLY,

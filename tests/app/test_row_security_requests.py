@@ -10,7 +10,7 @@ from anyio.from_thread import start_blocking_portal
 from sqlalchemy.orm import Session
 
 from app import tables  # noqa: F401
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.projects import queries

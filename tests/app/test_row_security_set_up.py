@@ -8,9 +8,9 @@ import pytest
 import sqlalchemy as sa
 
 from app import tables  # noqa: F401
-from app.kit.db import Database
-from app.kit.health import NotReady
-from app.kit.runtime import Runtime
+from app.core.db import Database
+from app.core.runtime import Runtime
+from app.core.web.health import NotReady
 from app.migrate import migrate
 from app.row_security import (
     CannotGuardRows,

@@ -5,7 +5,7 @@ from pydantic import ValidationError
 from typer.testing import CliRunner
 
 from app.cli import cli
-from app.kit.db import Database
+from app.core.db import Database
 from app.migrate import migrate
 from app.settings import BucketAddress, Settings, bucket_address
 
@@ -102,7 +102,7 @@ def test_a_store_that_cannot_be_used_is_said_at_start(s3, tmp_path, monkeypatch,
         monkeypatch.setenv(name, value)
     migrate(Database(f"sqlite:///{tmp_path / 'soundlist.sqlite'}"))
     monkeypatch.setattr("app.logs.configure", lambda _: None)  # of this whole process
-    monkeypatch.setattr("app.kit.serving.serve", lambda *_, **__: print("it serves"))  # noqa: T201
+    monkeypatch.setattr("app.core.web.serving.serve", lambda *_, **__: print("it serves"))  # noqa: T201
     monkeypatch.setattr("app.worker.run", lambda _: print("it serves"))  # noqa: T201
     started = CliRunner().invoke(cli, [command])
     if reported is None:

@@ -20,7 +20,7 @@ from sqlalchemy import update
 from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, sha256_of
 from app.accounts.models import SignIn
 from app.accounts.rate_limits import GUEST_VISITS_FROM_NETWORK, MAILS_TO_ADDRESS, WEBHOOK_MESSAGES_OF_STUDIO
-from app.kit import clock
+from app.core import clock
 from app.settings import Settings
 from tests.attack.hostile_requests import hostile_requests
 from tests.attack.target import ANSWER_WITHIN_S, NO_ANSWER, ODD, Target, sent, sent_raw

@@ -23,7 +23,7 @@ from anyio.from_thread import start_blocking_portal
 from fastapi.testclient import TestClient
 
 from app import logs
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

@@ -6,8 +6,8 @@ from uuid import UUID
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses import Clause
-from app.agreements.comparison import MAX_CHARS
+from app.agreements.clauses.rules import Clause
+from app.agreements.drafts.comparison import MAX_CHARS
 from app.agreements.models import Contract, ContractVersion
 from app.agreements.rules import ContractKind, ReleaseClause
 from app.projects.models import Engagement

@@ -7,7 +7,7 @@ from typing import Any
 
 import httpx
 
-from app.kit.concurrency import MAX_WAIT_S
+from app.core.web.concurrency import MAX_WAIT_S
 from tests.attack.long_contract import add_two_long_versions
 from tests.house.routes import operations
 from tests.support.deliver import add_cues, deliver, open_delivery

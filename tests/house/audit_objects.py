@@ -4,7 +4,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.builds.audit_models import (
+from app.builds.audits.models import (
     AcceptedDrift,
     AuditedSound,
     BuildAudit,
@@ -12,9 +12,9 @@ from app.builds.audit_models import (
     ListeningNote,
     ListeningPass,
 )
-from app.builds.audit_rules import AuditStatus, HeardAs, TaskKind, TaskRole
-from app.kit import clock
-from app.kit.db import new_id
+from app.builds.audits.rules import AuditStatus, HeardAs, TaskKind, TaskRole
+from app.core import clock
+from app.core.db import new_id
 
 
 def add_audit(

@@ -5,14 +5,14 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses import Clause
-from app.agreements.documents import sha256_of as text_sha256_of
+from app.agreements.clauses.rules import Clause
+from app.agreements.drafts.documents import sha256_of as text_sha256_of
 from app.agreements.models import Contract, ContractCue, ContractTemplate, ContractVersion, Milestone
 from app.agreements.rules import ContractKind, ContractState, Party
 from app.amendments.models import ChangeOrder
-from app.kit import clock
+from app.core import clock
+from app.money.ledger.rules import LineKind
 from app.money.models import ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay
-from app.money.rules import LineKind
 from app.projects.queries import any_engagement_of
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.builds.library_models import LibraryMatch, LibrarySound, SoundLibrary
+from app.builds.libraries.models import LibraryMatch, LibrarySound, SoundLibrary
 from audio_checks import FINGERPRINT_VERSION
 from audio_checks.audit.fingerprint import PIECE_BYTES, pieces_of
 from audio_checks.audit.fingerprinted import FingerprintedFile

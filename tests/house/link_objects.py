@@ -19,11 +19,11 @@ from app.accounts.models import (
     StudioInvitation,
 )
 from app.accounts.rules import Actor, Role
-from app.kit import clock
-from app.kit.db import new_id
+from app.core import clock
+from app.core.db import new_id
 from app.money.models import CalendarLink
-from app.notifications.preference_rules import News
-from app.notifications.preferences import link_token
+from app.notifications.preferences.rules import News
+from app.notifications.preferences.service import link_token
 from app.projects.models import ProjectInvitation
 from app.projects.rules import EngagementKind
 

@@ -24,13 +24,13 @@ from app.briefs.models import Brief, BriefVersion, FollowUp
 from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
-from app.deliveries.cue_sums import update_cue_sums
+from app.core import clock
+from app.core.db import new_id
+from app.core.jobs.queue import queue_of
+from app.core.uploads import Upload, Uploads
+from app.deliveries.cue_counts.service import update_cue_sums
 from app.deliveries.models import Adoption, Delivery, DryStem, Take, TrayAction
 from app.deliveries.rules import TakeState, TrayActionKind
-from app.kit import clock
-from app.kit.db import new_id
-from app.kit.queue import queue_of
-from app.kit.uploads import Upload, Uploads
 from app.notifications.models import Mail
 from app.projects.models import CreditLine, Deputy, Engagement, Project
 from app.projects.queries import current_spec

@@ -6,10 +6,10 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.authentication import sha256_of
+from app.core import clock
+from app.core.uploads import Upload
 from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Sample
 from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
-from app.kit import clock
-from app.kit.uploads import Upload
 
 
 def add_posting(

@@ -4,10 +4,10 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.core import clock
+from app.core.uploads import Upload
 from app.hiring.models import ReelSound, RosterEntry
-from app.hiring.reel import upload_scope
-from app.kit import clock
-from app.kit.uploads import Upload
+from app.hiring.roster.reel import upload_scope
 
 
 def add_roster_entry(

@@ -16,8 +16,8 @@ from httpx import Response
 from starlette.routing import BaseRoute
 
 from app import rooms
-from app.accounts.policies import Allowed
 from app.accounts.rules import Policy
+from app.accounts.web.policies import Allowed
 from tests.house.library_objects import SHEET_BASE64
 from tests.house.objects import FILE, PASSWORD, House
 from tests.house.reports import report

@@ -6,7 +6,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.authentication import new_secret, sha256_of
-from app.kit import clock
+from app.core import clock
 from app.shares.models import (
     GuestLink,
     GuestPlay,

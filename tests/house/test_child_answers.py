@@ -8,17 +8,19 @@ import pytest
 from structlog.testing import capture_logs
 
 from app import rooms
-from app.accounts.picture_drawing import draw_square
-from app.agreements.template_files import parse_toml
+from app.accounts.pictures.drawing import draw_square
+from app.agreements.clauses.template_files import parse_toml
 from app.conformance import fixing
-from app.kit import typesetting
-from app.kit.errors import Invalid
-from app.kit.parsing import Parsers
+from app.core import typesetting
+from app.core.errors import Invalid
+from app.core.parsing import Parsers
 from app.references.drawing import draw_previews
-from app.renders import drawing, reel_sound, timbre
+from app.renders import drawing
+from app.renders.reels import sound as reel_sound
+from app.renders.timbre import rules as timbre
 from app.scenes import listening
-from app.sound_lists.sheets import parse_bytes, parse_text
-from app.sound_lists.spoken_rules import read_said
+from app.sound_lists.sheets.rules import parse_bytes, parse_text
+from app.sound_lists.spoken_placeholders.rules import read_said
 from audio_checks import (
     FileReport,
     FixedMaster,

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 import pytest
 from anyio.from_thread import start_blocking_portal
 
-from app.kit.compression import accepted_encodings
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
+from app.core.web.compression import accepted_encodings
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

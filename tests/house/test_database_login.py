@@ -9,7 +9,7 @@ import psycopg
 import pytest
 from sqlalchemy.engine import make_url
 
-from app.kit.db import Database
+from app.core.db import Database
 from app.migrate import login_warning, migrate
 from tests.support.postgres import OWNER, SUPERUSER, Postgres, _programs, running_postgres
 

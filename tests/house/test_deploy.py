@@ -21,9 +21,9 @@ from typer.testing import CliRunner
 
 from app.cli import cli
 from app.cli.running import STOP_WITHIN_S
+from app.core.storage import open_store
+from app.core.web import bodies, serving
 from app.deliveries.rules import MAX_ARCHIVE_BYTES
-from app.kit import bodies, serving
-from app.kit.storage import open_store
 from app.settings import Settings, bucket_address, read_settings
 from tests.support.s3 import KEY, free_port, run_program, s3_program
 from tests.support.server import RunningServer

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.kit import bodies
+from app.core.web import bodies
 from tests.attack.hostile_requests import Outcome, running_application, send_to_application
 from tests.house.routes import document
 

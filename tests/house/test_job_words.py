@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from app import rooms, worker
-from app.kit.queue import job_names
+from app.core.jobs.queue import job_names
 
 pytestmark = pytest.mark.lint
 

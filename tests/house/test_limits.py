@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from app.accounts.quotas import DEFAULTS, QuotaKind
+from app.accounts.quotas.service import DEFAULTS, QuotaKind
 from app.accounts.rate_limits import Limit
 from app.settings import Settings
 
@@ -25,7 +25,7 @@ def in_code(constant: str) -> Any:
     place, _, name = constant.rpartition(".")
     if place == "app.settings.Settings":
         return Settings.model_fields[name].default
-    if place == "app.accounts.quotas.DEFAULTS":
+    if place == "app.accounts.quotas.service.DEFAULTS":
         return DEFAULTS[QuotaKind(name)]
     value = getattr(import_module(place), name)
     if isinstance(value, Limit):
@@ -62,7 +62,9 @@ def test_every_rate_is_in_the_table():
 
 
 def test_every_quota_is_in_the_table():
-    assert {f"app.accounts.quotas.DEFAULTS.{kind}" for kind in DEFAULTS} <= {constant for _, _, constant in ROWS}
+    assert {f"app.accounts.quotas.service.DEFAULTS.{kind}" for kind in DEFAULTS} <= {
+        constant for _, _, constant in ROWS
+    }
 
 
 def test_nothing_is_in_the_table_twice():

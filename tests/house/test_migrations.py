@@ -6,8 +6,8 @@ import pytest
 import sqlalchemy as sa
 from alembic import command
 
-from app.kit import queue
-from app.kit.db import CONSTRAINT_NAMES, Base, Database
+from app.core.db import CONSTRAINT_NAMES, Base, Database
+from app.core.jobs import queue
 from app.migrate import CannotUpgrade, MadeBeforeRelease, alembic_config, migrate
 from app.row_security import PERSONAL, SERVERS_OWN, UNGUARDED
 from migrations.write_initial import INITIAL, write_initial

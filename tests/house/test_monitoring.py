@@ -15,10 +15,10 @@ import yaml
 from prometheus_client.parser import text_string_to_metric_families
 
 from app import rooms
-from app.kit import clock, metrics
-from app.kit.backups import Backup, record_backup
-from app.kit.queue import job_names
-from app.kit.runtime import Runtime
+from app.core import clock, metrics
+from app.core.backups import Backup, record_backup
+from app.core.jobs.queue import job_names
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.notifications.models import Mail

@@ -7,7 +7,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Audience
-from app.kit import clock
+from app.core import clock
 from app.projects.models import Engagement, Project
 from tests.house.objects import House
 from tests.house.routes import Operation, ask, operations

@@ -22,8 +22,8 @@ from sqlalchemy.orm import Session
 from app import rooms
 from app.accounts.models import Membership, SignIn
 from app.accounts.rules import Audience, Scope
-from app.kit import clock
-from app.kit.http import SAFE_METHODS
+from app.core import clock
+from app.core.web.http import SAFE_METHODS
 from app.projects.models import Engagement
 from tests.house.objects import House
 from tests.house.routes import Operation, api_routes, ask, document, operations, policy_of

@@ -9,8 +9,8 @@ pytestmark = pytest.mark.lint
 
 ROOT = Path(__file__).resolve().parents[2]
 NO_REQUEST = (
-    "app/*/*jobs.py",
-    "app/agreements/seals.py",
+    "app/**/*jobs.py",
+    "app/agreements/signing/seals.py",
     "app/conformance/checking.py",
     "app/webhooks/sending.py",
     "app/worker.py",
@@ -20,29 +20,29 @@ NO_REQUEST = (
     "app/transfers/*.py",
     "app/operations/figures.py",
     "app/amendments/verification.py",
-    "app/operations/scrubbing.py",
+    "app/operations/scrubbing/service.py",
     "app/migrate.py",
 )
 BEFORE_SIGN_IN = {
     "app/accounts/authentication.py": "finds out who comes, by the secret that was sent",
     "app/accounts/people.py": "finds whose address and password these are; people are global",
-    "app/accounts/policies.py": "notes after the answer that a token was used",
-    "app/accounts/second_factors.py": "whether the person who signs in has a second factor, asked after the password",
-    "app/accounts/provider_endpoints.py": "the provider of a domain, before there is a caller",
-    "app/agreements/verify_endpoints.py": "looks for the seal of a file, which is shown to anyone who has that file",
-    "app/accounts/request_limits.py": "counts tries, also those of requests that are refused",
+    "app/accounts/web/policies.py": "notes after the answer that a token was used",
+    "app/accounts/second_factors/service.py": "whether who signs in has a second factor, asked after the password",
+    "app/accounts/providers/endpoints.py": "the provider of a domain, before there is a caller",
+    "app/agreements/record/endpoints.py": "looks for the seal of a file, which is shown to anyone who has that file",
+    "app/accounts/web/request_limits.py": "counts tries, also those of requests that are refused",
     "app/shares/guests.py": "looks for a guest link by its secret, before its password is checked",
 }
 SERVERS_OWN_TABLES = {
-    "app/kit/idempotency.py": "answers kept for an Idempotency-Key",
-    "app/kit/queue.py": "jobs and heartbeats",
-    "app/kit/workers.py": "heartbeats",
-    "app/kit/changes.py": "the log of which rooms changed, without any content",
-    "app/dashboards/watching.py": "which rooms of which projects a person may see, read for streams of many people",
-    "app/kit/backups.py": "when the newest backup ended",
-    "app/kit/health.py": "whether the database answers",
-    "app/kit/uploads/parts.py": "an upload's row, for its owner alone",
-    "app/kit/uploads/staged.py": "an upload's row, for its owner alone",
+    "app/core/web/idempotency.py": "answers kept for an Idempotency-Key",
+    "app/core/jobs/queue.py": "jobs and heartbeats",
+    "app/core/jobs/workers.py": "heartbeats",
+    "app/core/changes.py": "the log of which rooms changed, without any content",
+    "app/dashboards/live_changes/queries.py": "what a person may see, read for streams of many people",
+    "app/core/backups.py": "when the newest backup ended",
+    "app/core/web/health.py": "whether the database answers",
+    "app/core/uploads/parts.py": "an upload's row, for its owner alone",
+    "app/core/uploads/staged.py": "an upload's row, for its owner alone",
 }
 
 

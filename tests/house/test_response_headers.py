@@ -7,8 +7,8 @@ import pytest
 from anyio.from_thread import start_blocking_portal
 from httpx2 import Headers
 
-from app.kit.http import SAFE_METHODS
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
+from app.core.web.http import SAFE_METHODS
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

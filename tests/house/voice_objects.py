@@ -5,8 +5,8 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.kit import clock
-from app.kit.uploads import Upload
+from app.core import clock
+from app.core.uploads import Upload
 from app.references.service import upload_scope
 from app.sound_lists.models import Cue
 from app.voice_lines.models import Casting, Character, Performer, Release, VoiceLine, VoiceText, VoiceTextVersion

@@ -4,7 +4,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.kit import clock
+from app.core import clock
 from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
 from app.webhooks.rules import CallState, WebhookEvent, WebhookForm
 

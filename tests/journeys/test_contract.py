@@ -7,8 +7,8 @@ from uuid import UUID
 
 import pytest
 
-from app.agreements import record
 from app.agreements.models import Contract
+from app.agreements.record import service as record
 from tests.journeys.people import Designer, Team
 from tests.support.server import RunningServer
 from tests.support.waves import sine, wav_bytes

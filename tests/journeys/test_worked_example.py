@@ -12,7 +12,7 @@ import pytest
 
 from app.agreements.models import Contract
 from app.amendments.verification import table_faults
-from app.kit import clock
+from app.core import clock
 from app.reviews.jobs import apply_deemed_acceptance
 from tests.journeys.people import Designer, Team
 from tests.journeys.test_contract import sound

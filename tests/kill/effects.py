@@ -7,9 +7,9 @@ import sqlalchemy as sa
 from sqlalchemy import func, select
 
 from app.conformance.models import CheckRun
+from app.core.db import Base
+from app.core.jobs import queue
 from app.deliveries.models import Take
-from app.kit import queue
-from app.kit.db import Base
 from app.notifications.models import Mail
 from app.projects.queries import current_spec
 from app.renders.models import Picture, Render, RenderSet

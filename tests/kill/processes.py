@@ -16,8 +16,8 @@ from typing import Any
 import httpx
 from fastapi.testclient import TestClient
 
-from app.kit import kill_points
-from app.kit.runtime import Runtime
+from app.core import kill_points
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

@@ -13,7 +13,7 @@ import httpx
 import pytest
 
 from app.accounts.authentication import SESSION_COOKIE
-from app.kit.uploads import Uploads
+from app.core.uploads import Uploads
 from tests.kill.processes import ProcessServer, SomeOf, Zygote, wait_until
 from tests.support.deliver import BYTES, TUS, metadata, open_delivery
 from tests.support.s3 import S3Server

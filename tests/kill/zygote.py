@@ -14,7 +14,7 @@ import granian.server.mp  # noqa: F401  what serving imports when it starts
 
 from app import main, migrate, rooms, row_security, worker  # noqa: F401
 from app.cli import cli
-from app.kit.permissions import keep_new_files_private
+from app.core.permissions import keep_new_files_private
 
 
 def start(arguments: list[str], environment: dict[str, str], log: str) -> None:

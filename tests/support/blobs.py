@@ -3,7 +3,7 @@
 from pathlib import Path
 from uuid import UUID
 
-from app.kit.storage import BucketStore, FolderStore, Store
+from app.core.storage import BucketStore, FolderStore, Store
 from tests.support.s3 import folder_of
 
 

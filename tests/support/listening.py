@@ -1,4 +1,4 @@
-"""An application behind a real socket; tests/app/kit/test_serving.py is about the server itself."""
+"""An application behind a real socket; tests/app/core/test_serving.py is about the server itself."""
 
 import socket
 import threading

@@ -12,7 +12,7 @@ from aiosmtpd.controller import Controller
 from aiosmtpd.smtp import SMTP, Envelope
 from aiosmtpd.smtp import Session as SmtpSession
 
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 
 
 class Mailbox:

@@ -9,7 +9,7 @@ from starlette.responses import PlainTextResponse
 from starlette.routing import Route
 from starlette.types import ASGIApp
 
-from app.kit.serving import Draining
+from app.core.web.serving import Draining
 
 SLOW_S = 1.0
 

@@ -16,7 +16,7 @@ from typing import Any
 
 import httpx
 
-from app.kit.storage.signing import Key, Signer
+from app.core.storage.signing import Key, Signer
 from app.settings import BucketAddress
 
 ROOT = Path(__file__).resolve().parents[2]

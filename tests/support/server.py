@@ -24,11 +24,12 @@ from app.accounts import passwords
 from app.accounts.authentication import CSRF_HEADER, SESSION_COOKIE, csrf_token, sha256_of
 from app.accounts.models import Membership, Person, RateLimit, SignIn, Studio
 from app.accounts.rules import Role
-from app.kit import clock, typesetting, workers
-from app.kit.db import new_id
-from app.kit.host_cookies import PREFIX
-from app.kit.runtime import Runtime
-from app.kit.workers import Worker
+from app.core import clock, typesetting
+from app.core.db import new_id
+from app.core.jobs import workers
+from app.core.jobs.workers import Worker
+from app.core.runtime import Runtime
+from app.core.web.host_cookies import PREFIX
 from app.main import create_app
 from app.migrate import migrate
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, Spec

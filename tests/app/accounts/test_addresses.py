@@ -14,10 +14,10 @@ from app.accounts.errors import AddressNotVerified, OperatorNotFound
 from app.accounts.models import EmailVerification, Person
 from app.accounts.rules import AddressProof
 from app.cli import cli
-from app.kit import clock
+from app.core import clock
 from app.notifications.models import Mail
 from tests.app.accounts.test_sign_in import PASSWORD, address, desk_token, sign_in, sign_up, with_csrf
-from tests.app.kit.test_queue import until
+from tests.app.core.test_queue import until
 from tests.support.links import secret_for
 from tests.support.server import RunningServer, World
 from tests.support.smtp import MailServer, mail_server

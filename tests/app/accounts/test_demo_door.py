@@ -13,7 +13,7 @@ from app.accounts.models import Membership, Person
 from app.accounts.people import create_person
 from app.accounts.rules import Role
 from app.accounts.service import add_member, create_studio
-from app.kit.db import new_id
+from app.core.db import new_id
 from app.main import create_app
 from tests.support.server import RunningServer, World
 

@@ -10,7 +10,7 @@ from fastapi.testclient import TestClient
 
 from app.accounts.models import EmailChange, Person
 from app.accounts.rules import AddressProof
-from app.kit import clock
+from app.core import clock
 from tests.app.accounts.test_sign_in import PASSWORD, address, sign_up, with_csrf
 from tests.app.notifications.test_security_mails import mails_to
 from tests.support.server import RunningServer

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.accounts.invoice_rules import (
+from app.accounts.invoice_details.rules import (
     PartyDetails,
     faults_of_details,
     missing_of_buyer,

@@ -32,7 +32,7 @@ from app.accounts.authentication import sha256_of
 from app.accounts.models import Membership
 from app.agreements.models import Contract, ContractSigner
 from app.agreements.rules import ContractState
-from app.kit import clock
+from app.core import clock
 from app.notifications.models import Mail, Notice
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison
 from app.shares.models import GuestLink

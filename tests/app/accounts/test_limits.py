@@ -20,7 +20,7 @@ from app.accounts.authentication import (
 from app.accounts.errors import TooManyAttempts
 from app.accounts.rate_limits import Limit
 from app.accounts.rules import network_of
-from app.kit.db import Database
+from app.core.db import Database
 from app.main import create_app
 from tests.app.accounts.test_sign_in import address, sign_in, sign_up, with_csrf
 from tests.support.server import RunningServer, World

@@ -11,9 +11,9 @@ from fastapi.testclient import TestClient
 
 from app.accounts.authentication import RECENT_SIGN_IN
 from app.accounts.models import SignIn
-from app.accounts.passkey_rules import CHALLENGE_LIFETIME
-from app.accounts.second_factor_rules import RECOVERY_CODES
-from app.kit import clock
+from app.accounts.passkeys.rules import CHALLENGE_LIFETIME
+from app.accounts.second_factors.rules import RECOVERY_CODES
+from app.core import clock
 from tests.app.accounts.test_sign_in import PASSWORD, address, sign_up, with_csrf
 from tests.app.notifications.test_security_mails import mails_to
 from tests.support.server import RunningServer

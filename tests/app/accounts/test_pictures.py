@@ -11,9 +11,9 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, PersonPicture
+from app.core import clock
 from app.hiring.models import Candidate, Posting
 from app.hiring.rules import AskedScope, PostingPhase, PostingState
-from app.kit import clock
 from tests.support.references import picture, png
 from tests.support.server import World
 

@@ -9,7 +9,7 @@ from fastapi.testclient import TestClient
 
 from app.accounts.authentication import RECENT_SIGN_IN
 from app.accounts.models import Membership, SignIn
-from app.kit import clock
+from app.core import clock
 from tests.house.routes import operations
 from tests.support.deliver import add_cues
 from tests.support.server import World

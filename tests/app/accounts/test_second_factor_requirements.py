@@ -11,8 +11,8 @@ from app.accounts.authentication import AuthResult, ensure_second_factor
 from app.accounts.errors import SecondFactorRequired
 from app.accounts.models import Studio
 from app.accounts.rules import Actor, SecondFactorUse
-from app.accounts.second_factor_requirements import ensure_second_factor_for
-from app.kit import clock
+from app.accounts.second_factors.requirements import ensure_second_factor_for
+from app.core import clock
 from tests.support.server import World
 
 REQUIRED = (403, "second-factor-required")

@@ -15,9 +15,9 @@ from typer.testing import CliRunner
 from app.accounts import rate_limits
 from app.accounts.authentication import RECENT_SIGN_IN, SESSION_COOKIE
 from app.accounts.models import Person, RecoveryCode, SignIn, TotpFactor
-from app.accounts.second_factor_rules import RECOVERY_CODES, accepted_step, new_recovery_codes, plain_code
+from app.accounts.second_factors.rules import RECOVERY_CODES, accepted_step, new_recovery_codes, plain_code
 from app.cli import cli
-from app.kit import clock
+from app.core import clock
 from tests.app.accounts.test_sign_in import NEW_PASSWORD, PASSWORD, address, sign_up, with_csrf
 from tests.app.notifications.test_security_mails import mails_to
 from tests.support.links import secret_for

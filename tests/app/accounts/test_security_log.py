@@ -10,14 +10,14 @@ import sqlalchemy as sa
 from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
-from app.accounts import security_log
 from app.accounts.models import Person
 from app.accounts.rules import Role
-from app.accounts.security_event_models import SecurityEvent
-from app.accounts.security_event_rules import KEPT_FOR, SecurityEventKind, csv_of, names_of_roles
-from app.kit import clock
-from app.kit.db import new_id
-from app.operations.erasure import erase_person
+from app.accounts.security_log import service as security_log
+from app.accounts.security_log.models import SecurityEvent
+from app.accounts.security_log.rules import KEPT_FOR, SecurityEventKind, csv_of, names_of_roles
+from app.core import clock
+from app.core.db import new_id
+from app.operations.erasure.service import erase_person
 from tests.app.accounts.test_email_changes import Change
 from tests.app.accounts.test_passkeys import Account
 from tests.app.accounts.test_sign_in import NEW_PASSWORD, PASSWORD, address, sign_in, sign_up, with_csrf

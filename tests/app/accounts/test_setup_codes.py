@@ -23,7 +23,7 @@ from app.accounts import passwords, queries, rate_limits
 from app.accounts.models import Membership, Person
 from app.accounts.setup_codes import setup_code
 from app.cli.groups import cli
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

@@ -11,8 +11,8 @@ from sqlalchemy import select
 from app.accounts import passwords, rate_limits
 from app.accounts.authentication import CSRF_COOKIE, SESSION_COOKIE
 from app.accounts.models import PasswordReset, Person, SignIn, Token
-from app.kit import clock
-from app.kit.idempotency import SavedResponse
+from app.core import clock
+from app.core.web.idempotency import SavedResponse
 from tests.support.links import mailed_links, secret_for
 from tests.support.server import RunningServer, World
 

@@ -19,13 +19,13 @@ from fastapi.testclient import TestClient
 from httpx import Response
 from joserfc.jwk import OctKey
 
-from app.accounts import providers
 from app.accounts.errors import DomainTaken, ProviderRefused
 from app.accounts.models import Person, SignInProvider
-from app.accounts.provider_rules import SIGN_IN_LIFETIME, endpoints_in
-from app.accounts.provider_sign_ins import COOKIE
+from app.accounts.providers import service as providers
+from app.accounts.providers.rules import SIGN_IN_LIFETIME, endpoints_in
+from app.accounts.providers.sign_ins import COOKIE
 from app.accounts.rules import AddressProof
-from app.kit import clock
+from app.core import clock
 from tests.app.accounts.test_sign_in import PASSWORD, sign_up, with_csrf
 from tests.app.notifications.test_security_mails import mails_to
 from tests.support.oidc_provider import CLIENT_ID, CLIENT_SECRET, KEY, OTHER_KEY, Provider, oidc_provider

@@ -11,7 +11,7 @@ from app.accounts.authentication import SESSION_COOKIE
 from app.accounts.models import SignIn
 from app.accounts.queries import IDLE_FOR
 from app.accounts.rules import device_of
-from app.kit import clock
+from app.core import clock
 from tests.app.accounts.test_sign_in import address, sign_in, sign_up, with_csrf
 from tests.support.server import RunningServer, World
 

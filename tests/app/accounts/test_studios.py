@@ -7,7 +7,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.authentication import CSRF_COOKIE, CSRF_HEADER
 from app.accounts.models import Membership, Person, StudioInvitation
-from app.kit import clock
+from app.core import clock
 from tests.support.links import mailed_links, secret_for
 from tests.support.server import RunningServer, World
 

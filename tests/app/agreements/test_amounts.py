@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.agreements.amounts import split
 from app.agreements.errors import NothingToSplit
+from app.agreements.plan.amounts import split
 
 AMOUNTS = st.integers(0, 10**12)
 

@@ -13,8 +13,8 @@ from app.accounts.models import Membership, Person
 from app.accounts.rules import AddressProof, Role
 from app.agreements.errors import SamePersonOnBothSides
 from app.agreements.rules import ensure_another_person
-from app.kit import clock
-from app.kit.db import new_id
+from app.core import clock
+from app.core.db import new_id
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from tests.app.agreements.conftest import Contracts

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.agreements.clauses import (
+from app.agreements.clauses.rules import (
     FACTS,
     Clause,
     begin,

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from app.agreements.clauses import library, variables_in
-from app.agreements.deemed_acceptance import DeemedAcceptance
-from app.agreements.named_days import DAY_TERMS
-from app.agreements.terms import MoneyTerms
+from app.agreements.clauses.deemed_acceptance import DeemedAcceptance
+from app.agreements.clauses.named_days import DAY_TERMS
+from app.agreements.clauses.rules import library, variables_in
+from app.agreements.clauses.terms import MoneyTerms
 
 ROOT = Path(__file__).resolve().parents[3]
 DOCUMENT = ROOT / "docs/clauses.md"

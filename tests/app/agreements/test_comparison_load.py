@@ -7,12 +7,12 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 
 import pytest
 
-from app.agreements import comparison
-from app.agreements.comparison import MAX_CHARS, MAX_LINES, Compared, compare
-from app.agreements.differences import differences
+from app.agreements.drafts import comparison
+from app.agreements.drafts.comparison import MAX_CHARS, MAX_LINES, Compared, compare
+from app.agreements.drafts.differences import differences
 from app.agreements.errors import TooLongToCompare
-from app.kit.db import new_id
-from app.kit.fair_share import FairShare, TooManyAtOnce
+from app.core.db import new_id
+from app.core.web.per_user_limit import FairShare, TooManyAtOnce
 from tests.attack.long_contract import add_two_long_versions, random_text
 from tests.support.server import World
 from tests.support.steps import at_most

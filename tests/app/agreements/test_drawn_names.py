@@ -12,7 +12,9 @@ import sqlalchemy as sa
 from pypdf import PdfReader
 from sqlalchemy.orm import Session
 
-from app.agreements.drawn_names import (
+from app.agreements.errors import BadDrawing
+from app.agreements.models import Contract, ContractAcceptance
+from app.agreements.signing.drawn_signatures import (
     HEIGHT,
     MAX_POINTS,
     MAX_STROKES,
@@ -21,8 +23,6 @@ from app.agreements.drawn_names import (
     drawing_svg,
     ensure_drawing_fits,
 )
-from app.agreements.errors import BadDrawing
-from app.agreements.models import Contract, ContractAcceptance
 from app.amendments.verification import faults_of
 from tests.app.agreements.conftest import Contracts
 from tests.support.server import World

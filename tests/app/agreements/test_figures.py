@@ -7,8 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.agreements.clauses import FACTS, Clause, begin, known_terms, library, render, variables_in, written_term
-from app.agreements.figures import (
+from app.agreements.clauses.figures import (
     faults_of_figures,
     faults_of_plan,
     faults_of_text,
@@ -16,6 +15,7 @@ from app.agreements.figures import (
     typed_figures,
     with_fields,
 )
+from app.agreements.clauses.rules import FACTS, Clause, begin, known_terms, library, render, variables_in, written_term
 from app.agreements.rules import ContractKind
 
 SINGLE = ContractKind.SINGLE

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from app import rooms
 from app.agreements.errors import BadWordFile
-from app.agreements.word_document import word_document
-from app.agreements.word_file import WordText, parse_word_file, read_word_file
-from app.kit.parsing import Parsers
+from app.agreements.word.document import word_document
+from app.agreements.word.file import WordText, parse_word_file, read_word_file
+from app.core.parsing import Parsers
 from tests.app.agreements.word_files import (
     RELATIONS,
     WORD,

@@ -8,9 +8,9 @@ import pytest
 
 from app.accounts.models import Membership, Person
 from app.accounts.rules import Role
-from app.agreements.documents import TextPdf, pdf_of, sha256_of
+from app.agreements.drafts.documents import TextPdf, pdf_of, sha256_of
 from app.agreements.models import ContractVersion
-from app.kit import typesetting
+from app.core import typesetting
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from audio_checks import Sandbox
@@ -210,7 +210,7 @@ def test_sending_again_shows_the_list_of_that_moment(world: World, contracts: Co
 def test_a_contract_too_large_for_a_pdf_stays_a_draft(
     world: World, contracts: Contracts, monkeypatch: pytest.MonkeyPatch
 ):
-    small = Sandbox(timeout_s=0.01, preload=("app.kit.typesetting", "typst"))
+    small = Sandbox(timeout_s=0.01, preload=("app.core.typesetting", "typst"))
     monkeypatch.setattr(typesetting, "_sandbox", lambda: small)
     saved = contracts.begin()
     refused = world.producer.post(f"/v1/contracts/{saved['id']}/send", json={})

@@ -7,11 +7,11 @@ import pytest
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses import begin, faults_of, faults_of_term
+from app.agreements.clauses.named_days import named_days, statement_days
+from app.agreements.clauses.rules import begin, faults_of, faults_of_term
 from app.agreements.models import ContractVersion
-from app.agreements.named_days import named_days, statement_days
 from app.agreements.rules import ContractKind
-from app.kit.queue import Payload
+from app.core.jobs.queue import Payload
 from app.notifications.day_jobs import remind_of_days
 from app.notifications.models import Mail
 from tests.app.money.agreed import TODAY, Agreed, deposit

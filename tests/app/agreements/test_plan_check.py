@@ -4,7 +4,7 @@ from datetime import date, timedelta
 
 import pytest
 
-from app.agreements.plan_check import PlannedPayment, check_plan, resolved, worsened
+from app.agreements.plan.validation import PlannedPayment, check_plan, resolved, worsened
 
 FIRST = date(2027, 3, 1)
 

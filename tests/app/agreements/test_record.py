@@ -8,8 +8,8 @@ import pytest
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from app.agreements import record
 from app.agreements.models import Contract, ContractEvent
+from app.agreements.record import service as record
 from app.agreements.rules import ContractKind
 from app.projects.models import Engagement
 from tests.support.server import World

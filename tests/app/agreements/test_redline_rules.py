@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.agreements.clauses import Clause, Terms
-from app.agreements.comparison import MAX_CHARS
-from app.agreements.redline_marks import clauses_as_sent, marked_clauses
-from app.agreements.redline_rules import (
+from app.agreements.clauses.rules import Clause, Terms
+from app.agreements.drafts.comparison import MAX_CHARS
+from app.agreements.redlines.marks import clauses_as_sent, marked_clauses
+from app.agreements.redlines.rules import (
     Answer,
     AnswerKind,
     Change,

@@ -6,7 +6,7 @@ from uuid import UUID
 import pytest
 from sqlalchemy.orm import Session
 
-from app.agreements.plan_queries import terms_of
+from app.agreements.plan.queries import terms_of
 from app.agreements.queries import contract_by_id, version_by_number
 from tests.app.agreements.conftest import Contracts, words_of
 from tests.app.agreements.redlining import EDITED, INSERTED, STRUCK, Redlining, refusal

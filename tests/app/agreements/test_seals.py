@@ -24,11 +24,11 @@ from pyhanko.sign.timestamps import DummyTimeStamper
 from pypdf import PdfReader
 from typer.testing import CliRunner
 
-from app.agreements import seal_files, seals
 from app.agreements.models import Seal
-from app.agreements.seal_files import read_seal
+from app.agreements.signing import seal_files, seals
+from app.agreements.signing.seal_files import read_seal
 from app.cli import cli, keeping
-from app.kit import clock
+from app.core import clock
 from tests.app.agreements.conftest import Contracts
 from tests.support.server import World
 

@@ -15,9 +15,9 @@ from app.accounts.models import Membership, Person
 from app.accounts.rules import AddressProof, Role
 from app.agreements.models import ContractAcceptance, SigningCode
 from app.agreements.rules import Party
-from app.agreements.signing_rules import CODE_TRIES, CONSENT, SigningOrder, Yes
-from app.kit import clock
-from app.kit.db import new_id
+from app.agreements.signing.rules import CODE_TRIES, CONSENT, SigningOrder, Yes
+from app.core import clock
+from app.core.db import new_id
 from tests.app.accounts.test_second_factor_requirements import REQUIRED, require_second_factor, set_up_totp
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import milestone

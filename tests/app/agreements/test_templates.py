@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.agreements.clauses import Clause, begin
+from app.agreements.clauses.rules import Clause, begin
+from app.agreements.clauses.template_files import parse_toml, write_toml
+from app.agreements.clauses.templates import library_toml
 from app.agreements.errors import BadTemplate
 from app.agreements.rules import ContractKind
-from app.agreements.template_files import parse_toml, write_toml
-from app.agreements.templates import library_toml
 from tests.app.agreements.conftest import Contracts, words_of
 from tests.support.server import World
 

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pypdf import PdfReader
 
-from app.agreements.comparison import compare, lines_of, words_between
-from app.agreements.documents import pdf_of, sha256_of
-from app.agreements.text import Span, blocks_of, literal, plain, spans_of
+from app.agreements.clauses.text import Span, blocks_of, literal, plain, spans_of
+from app.agreements.drafts.comparison import compare, lines_of, words_between
+from app.agreements.drafts.documents import pdf_of, sha256_of
 
 TEXT = """# Effects
 
@@ -76,7 +76,7 @@ def test_nothing_that_was_typed_is_run(name: str):
 @pytest.mark.slow
 def test_the_same_text_is_the_same_pdf_in_another_process():
     code = (
-        "import hashlib, sys; from app.agreements.documents import pdf_of;"
+        "import hashlib, sys; from app.agreements.drafts.documents import pdf_of;"
         "print(hashlib.sha256(pdf_of('Effects', sys.stdin.read())).hexdigest())"
     )
     elsewhere = subprocess.run(

@@ -15,8 +15,8 @@ from typer.testing import CliRunner
 
 from app.agreements.models import Contract, ContractEvent, ContractVersion
 from app.cli import cli, keeping
-from app.kit.record import START, link
-from app.kit.runtime import Runtime
+from app.core.record import START, link
+from app.core.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
 from tests.app.agreements.conftest import Contracts

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.agreements.comparison import lines_of
-from app.agreements.word_document import Earlier, Heading, bookmark_of, word_document
+from app.agreements.drafts.comparison import lines_of
+from app.agreements.word.document import Earlier, Heading, bookmark_of, word_document
 from tests.app.agreements.conftest import Contracts
 from tests.app.agreements.redlining import Redlining
 from tests.support.server import World

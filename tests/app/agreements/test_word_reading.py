@@ -10,19 +10,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.agreements import clauses
-from app.agreements.clause_edit import edited_clause
-from app.agreements.clause_source import SourceLine, lines_with_places
-from app.agreements.clauses import Clause, filler, library, render
-from app.agreements.comparison import lines_of
+from app.agreements.clauses import rules as clauses
+from app.agreements.clauses.edits import edited_clause
+from app.agreements.clauses.rules import Clause, filler, library, render
+from app.agreements.clauses.source import SourceLine, lines_with_places
+from app.agreements.clauses.text import Span, blocks_of, plain
+from app.agreements.drafts.comparison import lines_of
 from app.agreements.errors import OtherContractsFile
-from app.agreements.redline_marks import clauses_as_sent
-from app.agreements.redline_rules import Change, RedlineKind, Wording
-from app.agreements.text import Span, blocks_of, plain
-from app.agreements.word_body import WordLine, trimmed
-from app.agreements.word_document import Heading, word_document
-from app.agreements.word_file import properties_of, read_word_file
-from app.agreements.word_reading import MadeFrom, ReadChanges, changes_in
+from app.agreements.redlines.marks import clauses_as_sent
+from app.agreements.redlines.rules import Change, RedlineKind, Wording
+from app.agreements.word.body import WordLine, trimmed
+from app.agreements.word.document import Heading, word_document
+from app.agreements.word.file import properties_of, read_word_file
+from app.agreements.word.reading import MadeFrom, ReadChanges, changes_in
 from tests.app.agreements.word_files import (
     RELATIONS,
     TRACKED,

@@ -5,10 +5,10 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from app.agreements.clauses.templates import MAX_TEMPLATES
 from app.agreements.models import ContractTemplate
 from app.agreements.rules import ContractKind
-from app.agreements.templates import MAX_TEMPLATES
-from app.agreements.word_document import word_document
+from app.agreements.word.document import word_document
 from tests.app.agreements.test_hostile_word_files import REFUSALS
 from tests.app.agreements.word_files import parts_of, with_parts
 from tests.app.amendments.refusal_parties import Parties, advised, granted, scene

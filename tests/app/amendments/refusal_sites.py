@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
-from app.kit.errors import NotFound, Refused
+from app.core.errors import NotFound, Refused
 
 APP = Path(__file__).resolve().parents[3] / "app"
 ROOMS = ("agreements", "amendments", "money")

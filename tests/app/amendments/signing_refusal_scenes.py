@@ -9,9 +9,9 @@ import sqlalchemy as sa
 from app.accounts.models import Membership, Person
 from app.accounts.rules import AddressProof, Role
 from app.agreements.errors import SigningCodeOver
-from app.agreements.signing_codes import CodeCheck, use
-from app.kit import clock
-from app.kit.db import new_id
+from app.agreements.signing.codes import CodeCheck, use
+from app.core import clock
+from app.core.db import new_id
 from tests.app.agreements.test_signing import code_for, name_signers, sign
 from tests.app.amendments.refusal_parties import Parties, advised, granted, scene
 from tests.support.smtp import mail_server

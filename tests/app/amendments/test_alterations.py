@@ -30,12 +30,12 @@ from app.agreements.rules import AcceptedBy, ContractKind, Party, ReleaseClause,
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.amendments.rules import ChangeOrderState
 from app.amendments.verification import Verified, faults_of, verify_all
+from app.core.db import Base, Database
+from app.core.record import START, canonical, link
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.db import Base, Database
-from app.kit.record import START, canonical, link
+from app.money.ledger.rules import LineKind
 from app.money.models import ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment
-from app.money.rules import LineKind
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Spec
 from app.reviews.models import ClockPause, Comment, Verdict
 from app.reviews.rules import VerdictKind

@@ -17,8 +17,8 @@ from app.amendments import jobs
 from app.amendments.errors import NoticeTooShort
 from app.amendments.models import Notice
 from app.amendments.rules import end_of_notice, is_over
+from app.core import clock
 from app.deliveries.rules import TakeState
-from app.kit import clock
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import TODAY, Agreed, day, deposit, milestone
 from tests.app.reviews.making import body_of, refused

@@ -14,13 +14,13 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
 
+from app.agreements.clauses.terms import KillFees, MoneyTerms
 from app.agreements.rules import ReleaseClause, WorkState
-from app.agreements.terms import KillFees, MoneyTerms
 from app.money.ending import statement_of
 from app.money.figures import figures_of
-from app.money.hours import HourTerms, month_begins_on
-from app.money.ledger_book import Entry, LedgerBook, Line, PayRules, PricedCue, settle_bonus, settle_shares
-from app.money.rules import LineKind
+from app.money.ledger.book import Entry, LedgerBook, Line, PayRules, PricedCue, settle_bonus, settle_shares
+from app.money.ledger.rules import LineKind
+from app.money.work.rules import HourTerms, month_begins_on
 
 pytestmark = pytest.mark.slow
 

@@ -12,8 +12,8 @@ from app.accounts.rules import AddressProof, Role
 from app.agreements.models import ContractSigner
 from app.agreements.queries import contract_by_id
 from app.amendments.verification import faults_of
-from app.kit import clock
-from app.kit.db import new_id
+from app.core import clock
+from app.core.db import new_id
 from tests.app.agreements.test_signing import code_for
 from tests.app.amendments.test_change_orders import Order, move
 from tests.app.money.agreed import day

@@ -14,18 +14,18 @@ from sqlalchemy.orm import Session
 from sqlalchemy.sql.dml import UpdateBase
 from typer.testing import CliRunner
 
-from app.agreements.heads import head_of
 from app.agreements.models import Contract, ContractAcceptance, ContractEvent, ContractVersion, Seal
 from app.agreements.queries import contract_by_id, contract_by_id_or_none
+from app.agreements.record.signed_checkpoints import head_of
 from app.agreements.rules import ContractState
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.amendments.rules import ChangeOrderState
 from app.amendments.verification import faults_of
 from app.cli import cli, keeping
-from app.kit import clock
-from app.kit.record import START, canonical, link
+from app.core import clock
+from app.core.record import START, canonical, link
+from app.money.ledger.rules import LineKind
 from app.money.models import LedgerLine
-from app.money.rules import LineKind
 from app.notifications import contract_jobs
 from app.settings import Settings
 from tests.app.agreements.conftest import Contracts

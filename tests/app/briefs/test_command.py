@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from app.cli import cli
 from app.cli import projects as commands
-from app.kit.db import new_id
+from app.core.db import new_id
 from tests.support.commands import use_server_of
 from tests.support.server import World
 

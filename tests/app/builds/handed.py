@@ -4,7 +4,7 @@ import hashlib
 
 from hypothesis import strategies
 
-from app.builds.handoff.cues import HandedCue, HandedFile
+from app.builds.engine_export.cues import HandedCue, HandedFile
 
 HOSTILE = [
     '"); studio.project.close(); ("',

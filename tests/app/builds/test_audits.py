@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.builds.audit_rules import AuditStatus, Drift, is_in_build
+from app.builds.audits.rules import AuditStatus, Drift, is_in_build
 from audio_checks.audit.statuses import STATUSES
 from tests.app.builds.audited import approved_pack, audited, post, posted, sounds_of
 from tests.app.builds.test_builds import token

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from app.builds.handoff.cues import HandedCue
-from app.builds.handoff.fmod import fmod_files
+from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.fmod import fmod_files
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
 
 STUDIO = Path(__file__).resolve().parents[2] / "support" / "editors" / "fmod_studio.js"

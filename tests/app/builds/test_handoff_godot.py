@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 
-from app.builds.handoff.cues import HandedCue
-from app.builds.handoff.godot import godot_files, quoted, uid_of
+from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.godot import godot_files, quoted, uid_of
 from audio_checks.middleware.godot import read_godot
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
 

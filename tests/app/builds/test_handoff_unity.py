@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from app.builds.handoff.cues import HandedCue, file_safe
-from app.builds.handoff.document import script
-from app.builds.handoff.unity import unity_files
+from app.builds.engine_export.cues import HandedCue, file_safe
+from app.builds.engine_export.document import script
+from app.builds.engine_export.unity import unity_files
 from tests.app.builds.handed import CUES, HUM, LASER, cue, file, hostile_cues
 
 SCRIPTS = ("SoundlistImporter.cs", "SoundlistSet.cs")

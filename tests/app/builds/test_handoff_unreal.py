@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from app.builds.handoff.cues import HandedCue
-from app.builds.handoff.unreal import unreal_files
+from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.unreal import unreal_files
 from audio_checks.middleware.unreal import read_unreal
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
 from tests.audio_checks.middleware.test_unreal import SCRIPT as EXPORT

@@ -7,8 +7,8 @@ from xml.etree import ElementTree as ET
 import pytest
 from hypothesis import given, settings
 
-from app.builds.handoff.cues import HandedCue
-from app.builds.handoff.wwise import wwise_files
+from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.wwise import wwise_files
 from audio_checks.middleware.wwise import read_wwise
 from tests.app.builds.handed import CONFIRM, CUES, LASER, cue, hostile_cues
 

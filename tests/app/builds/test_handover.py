@@ -11,7 +11,7 @@ import pytest
 from sqlalchemy.orm import Session
 
 from app.deliveries.models import Take
-from app.reviews.comments import add_guest_comment
+from app.reviews.rounds.comments import add_guest_comment
 from tests.app.agreements.conftest import Contracts
 from tests.app.builds.approved import sound
 from tests.app.money.agreed import Agreed, milestone

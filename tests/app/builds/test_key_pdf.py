@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from pypdf import PdfReader
 
-from app.builds.documentation_key import KeyRow
-from app.builds.key_pdf import key_pdf
+from app.builds.packs.documentation_key import KeyRow
+from app.builds.packs.key_pdf import key_pdf
 
 BREAK_HERE = "\u200b"  # lets a long path go on in the next line
 ROW = KeyRow(

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
-from app.builds.audit_rules import HeardAs, TaskKind, TaskRole, is_heard, role_of, task_of
-from app.kit.db import new_id
+from app.builds.audits.rules import HeardAs, TaskKind, TaskRole, is_heard, role_of, task_of
+from app.core.db import new_id
 from app.notifications.models import Mail
 from tests.app.builds.audited import approved_pack, audited, posted
 from tests.support.server import World

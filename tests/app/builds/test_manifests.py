@@ -19,9 +19,9 @@ import sqlalchemy as sa
 from httpx import Response
 
 import audio_checks
-from app.builds import manifests
 from app.builds.models import Fingerprint
-from app.kit import queue
+from app.builds.packs import manifests
+from app.core.jobs import queue
 from audio_checks.audit.manifest import schema
 from benchmarks.plans import heard, whole_reads
 from tests.app.builds.approved import accepted_list, approve, sound

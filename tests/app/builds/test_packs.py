@@ -15,7 +15,7 @@ from fastapi.testclient import TestClient
 
 import audio_checks
 from app.accounts.authentication import SESSION_COOKIE
-from app.builds import packs
+from app.builds.packs import service as packs
 from app.renders.models import Render
 from tests.app.builds.approved import accepted_list, approve, sound
 from tests.support.blobs import blob_file

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from app.kit.db import new_id
+from app.core.db import new_id
 from tests.app.builds.audited import approved_pack, audited, posted
 from tests.app.builds.test_listening import cue_named, say, seen, started, tasks
 from tests.support.references import added

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from sqlalchemy.orm import Session
 
 import audio_checks
-from app.builds.same_sound_models import MasterFingerprint
+from app.builds.same_sounds.models import MasterFingerprint
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, Spec
 from app.projects.rules import EngagementKind
 from tests.app.reviews.making import body_of

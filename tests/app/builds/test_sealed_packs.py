@@ -14,7 +14,7 @@ from sqlalchemy.orm import Session
 
 from app.builds.models import PackedFile
 from app.builds.rules import FileKind, changes_between, sums
-from app.kit.db import new_id
+from app.core.db import new_id
 from app.renders.models import Render
 from tests.app.builds.approved import accepted_list, approve, sound
 from tests.app.builds.test_builds import token

@@ -13,8 +13,8 @@ import soundfile
 import sqlalchemy as sa
 from numpy.typing import NDArray
 
-from app.builds import libraries
-from app.builds.library_models import LibraryMatch, LibrarySound
+from app.builds.libraries import service as libraries
+from app.builds.libraries.models import LibraryMatch, LibrarySound
 from audio_checks.cli import main
 from tests.app.builds.test_same_sounds import RATE, approve, burst, other_project, take_of
 from tests.app.reviews.making import body_of, refused
@@ -133,7 +133,7 @@ def test_none_of_many_other_sounds_is_taken_for_one(world: World, tmp_path: Path
 def test_takes_of_before_are_compared_in_every_project_of_the_studio(
     world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.builds.library_jobs.TAKES_AT_ONCE", 1)  # one job asks for the next
+    monkeypatch.setattr("app.builds.libraries.jobs.TAKES_AT_ONCE", 1)  # one job asks for the next
     sound = burst(7)
     first = take_of(world, "Hull knock", sound)
     approve(world, first)

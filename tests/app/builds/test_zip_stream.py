@@ -13,8 +13,8 @@ from typing import BinaryIO
 
 import pytest
 
-from app.builds import zip_stream
-from app.builds.zip_stream import Entry, EntryDamaged, zip_bytes, zip_length
+from app.builds.packs import zip_stream
+from app.builds.packs.zip_stream import Entry, EntryDamaged, zip_bytes, zip_length
 
 FOUR_GIB = 1 << 32
 

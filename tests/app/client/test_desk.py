@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from app.kit.runtime import Runtime
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

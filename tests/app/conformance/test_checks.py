@@ -13,10 +13,10 @@ from app.conformance import checking, queries
 from app.conformance.jobs import recheck_takes
 from app.conformance.models import CheckRun
 from app.conformance.workspaces import SandboxPool
+from app.core import kill_points
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.take_states import change_state
-from app.kit import kill_points
 from app.renders import take_jobs
 from app.renders.take_jobs import prepare_take
 from tests.support import hostile

@@ -9,9 +9,9 @@ import pytest
 
 from app.conformance import queries, set_findings
 from app.conformance.rules import MemberFact, members_of_set
+from app.core.db import new_id
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from app.projects.queries import current_spec
 from app.sound_lists.models import Cue
 from benchmarks.plans import heard

@@ -10,7 +10,7 @@ import pytest
 
 from app.conformance import workspaces
 from app.conformance.workspaces import SandboxPool, TakeWorkspace
-from app.kit.storage import open_store
+from app.core.storage import open_store
 from app.settings import Settings
 from audio_checks import Sandbox, SandboxCrashed
 from tests.support.waves import sine, wav_bytes

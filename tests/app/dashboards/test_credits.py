@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.dashboards.credit_rules import Credit, csv_of, in_order, text_of
+from app.dashboards.credits.rules import Credit, csv_of, in_order, text_of
 from tests.app.money.agreed import Agreed, milestone
 from tests.app.reviews.making import body_of, refused
 from tests.support.server import World

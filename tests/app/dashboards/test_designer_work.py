@@ -7,8 +7,8 @@ import pytest
 
 from app.accounts.models import Person
 from app.accounts.rules import AddressProof
-from app.dashboards.pace_rules import CuePace, on_time_share
-from app.kit import clock
+from app.core import clock
+from app.dashboards.velocity.rules import CuePace, on_time_share
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import Agreed, milestone
 from tests.support.server import World

@@ -9,10 +9,10 @@ from typing import Any
 import httpx
 import pytest
 
-from app.dashboards.watching import BEFORE_NDA, GRANTING, PARTIES_ONLY, STUDIOS_OWN
-from app.kit import change_feed
-from app.kit.changes import KEPT_FOR, instant_id
-from app.kit.db import Base
+from app.core import change_feed
+from app.core.changes import KEPT_FOR, instant_id
+from app.core.db import Base
+from app.dashboards.live_changes.queries import BEFORE_NDA, GRANTING, PARTIES_ONLY, STUDIOS_OWN
 from app.main import create_app
 from app.projects.models import Engagement, Project
 from tests.support.event_stream import Listener, listening_for_changes
@@ -161,7 +161,7 @@ def test_a_person_has_so_many_streams_and_gets_them_back(monkeypatch: pytest.Mon
 
 
 def test_an_unchanged_connection_beats(monkeypatch: pytest.MonkeyPatch, web: str, world: World):
-    monkeypatch.setattr("app.dashboards.event_endpoints.BEAT_S", 0.05)
+    monkeypatch.setattr("app.dashboards.live_changes.endpoints.BEAT_S", 0.05)
     with listening_for_changes(web, world.designer.cookies) as designer:
         until(lambda: [event.name for event in designer.events].count("beat") > 2)
 

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from app.dashboards.finding import OF_A_KIND
+from app.dashboards.search.service import OF_A_KIND
 from tests.app.reviews.making import Stage, body_of
 from tests.support.server import RunningServer, World
 

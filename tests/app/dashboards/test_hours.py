@@ -10,10 +10,10 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Person
 from app.accounts.rules import AddressProof
 from app.agreements.models import ContractCue
-from app.dashboards.hours_rules import OpenWork, by_category, outlook, summed
-from app.hiring.roster_rules import Busy, BusyKind, free_days
-from app.kit import clock
-from app.kit.db import new_id
+from app.core import clock
+from app.core.db import new_id
+from app.dashboards.hours.rules import OpenWork, by_category, outlook, summed
+from app.hiring.roster.rules import Busy, BusyKind, free_days
 from app.money.models import WorkLog
 from app.sound_lists.models import Cue
 from tests.app.money.agreed import Agreed, milestone

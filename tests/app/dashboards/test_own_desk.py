@@ -7,9 +7,9 @@ import pytest
 import sqlalchemy as sa
 
 from app.accounts.models import DeskToken
-from app.dashboards import own_desk
+from app.core import clock
+from app.dashboards.desk import own_desk
 from app.deliveries.rules import TakeState
-from app.kit import clock
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from app.sound_lists.models import Cue

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from app.dashboards.pace_rules import (
+from app.dashboards.velocity.rules import (
     FEW,
     CuePace,
     days_late,

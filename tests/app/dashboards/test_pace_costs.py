@@ -9,7 +9,8 @@ import pytest
 from sqlalchemy.orm import Session
 
 from app.agreements.models import Contract
-from app.dashboards.pace_cost_rules import (
+from app.core.db import new_id
+from app.dashboards.velocity.cost_rules import (
     OrderedCue,
     churn,
     churned_since,
@@ -18,7 +19,6 @@ from app.dashboards.pace_cost_rules import (
     per_kept_minor,
     wants_another_sound,
 )
-from app.kit.db import new_id
 from tests.app.money.agreed import Agreed, day, milestone
 from tests.app.reviews.making import body_of, refused
 from tests.support.server import World

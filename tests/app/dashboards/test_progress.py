@@ -13,8 +13,8 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.conformance.models import CheckRun
+from app.core import clock
 from app.deliveries.rules import TakeState
-from app.kit import clock
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from app.sound_lists.models import Question

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 
-from app.dashboards.reaper_rules import OwedFile, RenderFormat, reaper_project
+from app.dashboards.desk.reaper_rules import OwedFile, RenderFormat, reaper_project
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes

@@ -11,13 +11,13 @@ from uuid import UUID
 
 import pytest
 
-from app.deliveries import unzip
+from app.core import kill_points
+from app.core.db import new_id
 from app.deliveries.errors import ArchiveRefused
 from app.deliveries.jobs import unpack_archive
 from app.deliveries.models import Archive
 from app.deliveries.rules import ArchiveState
-from app.kit import kill_points
-from app.kit.db import new_id
+from app.deliveries.uploads import unzip
 from tests.support.deliver import add_cues, open_delivery, upload
 from tests.support.server import World
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import audio_checks
+from app.core.db import new_id
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from tests.support.deliver import BYTES, TUS, add_cues, checked, deliver, metadata, open_delivery, upload
 from tests.support.rooms import hits, in_a_room
 from tests.support.server import World

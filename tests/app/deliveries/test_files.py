@@ -7,8 +7,8 @@ import pytest
 from fastapi.testclient import TestClient
 from sqlalchemy import select
 
-from app.deliveries.file_endpoints import MAX_SMALL_FILE_BYTES
-from app.kit.uploads import Upload
+from app.core.uploads import Upload
+from app.deliveries.uploads.file_endpoints import MAX_SMALL_FILE_BYTES
 from tests.support.deliver import add_cues, open_delivery, upload
 from tests.support.server import World
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from app.deliveries import unzip
 from app.deliveries.errors import ArchiveRefused
 from app.deliveries.rules import MAX_ARCHIVE_BYTES
+from app.deliveries.uploads import unzip
 
 LOCAL, CENTRAL, END, END64, LOCATOR = "<4s5H3L2H", "<4s6H3L5H2L", "<4s4H2LH", "<4sQ2H2L4Q", "<4sLQL"
 GROWTH_MIB = 150

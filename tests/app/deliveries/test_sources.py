@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 from app.agreements.queries import events_of
 from app.deliveries.models import Delivery, Take
 from app.deliveries.schemas import Sources
-from app.deliveries.source_rules import open_points, words_of, words_of_points
+from app.deliveries.sources.statements import open_points, words_of, words_of_points
 from audio_checks import AudioFile
 from tests.app.builds.approved import accepted_list
 from tests.app.money.agreed import Agreed, milestone

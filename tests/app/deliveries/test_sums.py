@@ -9,10 +9,10 @@ from fastapi.testclient import TestClient
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.deliveries.cue_sums import views_of
+from app.deliveries.cue_counts.rules import STATE_CODES, Sums, TakeForSums, VariationFact
+from app.deliveries.cue_counts.service import views_of
 from app.deliveries.models import CueSums, Take
 from app.deliveries.rules import CHECKABLE, TakeState
-from app.deliveries.sum_rules import STATE_CODES, Sums, TakeForSums, VariationFact
 from app.sound_lists.models import Cue
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World

@@ -8,12 +8,12 @@ from uuid import UUID
 import pytest
 from sqlalchemy import select
 
+from app.core import clock
+from app.core.db import new_id
+from app.core.uploads import Upload
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.take_states import change_state
-from app.kit import clock
-from app.kit.db import new_id
-from app.kit.uploads import Upload
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from tests.support.deliver import add_cues, checked, deliver, open_delivery, upload

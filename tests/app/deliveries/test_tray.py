@@ -5,8 +5,8 @@ from uuid import UUID
 
 import pytest
 
+from app.core.db import new_id
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from tests.app.deliveries.test_takes import another, become, engage, slot
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.server import World

@@ -12,8 +12,8 @@ from fastapi.testclient import TestClient
 from app.accounts.authentication import SESSION_COOKIE
 from app.accounts.models import Token
 from app.accounts.rules import Scope
-from app.kit import clock
-from app.kit.db import new_id
+from app.core import clock
+from app.core.db import new_id
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from tests.support.deliver import BYTES, TUS, metadata, open_delivery

@@ -11,9 +11,9 @@ import pytest
 from anyio.from_thread import start_blocking_portal
 from fastapi.testclient import TestClient
 
-from app.kit.runtime import Runtime
-from app.kit.storage import BucketStore, multipart
-from app.kit.storage.retry_policy import RetryPolicy
+from app.core.runtime import Runtime
+from app.core.storage import BucketStore, multipart
+from app.core.storage.retry_policy import RetryPolicy
 from app.main import create_app
 from app.migrate import migrate
 from app.settings import Settings

@@ -17,10 +17,10 @@ from typer.testing import CliRunner
 
 from app.accounts.models import Studio
 from app.cli import cli
+from app.core.runtime import Runtime
 from app.demo import project, run
 from app.demo.data_lock import DataLock, InUse
 from app.demo.progress import Progress
-from app.kit.runtime import Runtime
 from app.migrate import migrate
 from app.settings import Settings
 

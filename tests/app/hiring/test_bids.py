@@ -7,7 +7,7 @@ from fastapi.testclient import TestClient
 from httpx import Response
 from sqlalchemy import select, update
 
-from app.hiring import roster
+from app.hiring.roster import service as roster
 from app.notifications.models import Mail
 from app.projects.models import Engagement
 from app.sound_lists.models import Cue

@@ -8,8 +8,8 @@ from fastapi.testclient import TestClient
 from httpx import Response
 from sqlalchemy import select
 
+from app.core import clock
 from app.hiring.models import Candidate
-from app.kit import clock
 from app.notifications.models import Mail
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind

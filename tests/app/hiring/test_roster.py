@@ -9,9 +9,9 @@ from fastapi.testclient import TestClient
 from httpx import Response
 
 from app.accounts.models import Person
-from app.accounts.quotas import QuotaKind, set_limit
+from app.accounts.quotas.service import QuotaKind, set_limit
 from app.accounts.rules import AddressProof
-from app.kit import clock
+from app.core import clock
 from tests.app.hiring.test_bids import WHOLE, compared, send
 from tests.app.hiring.test_postings import add_cues, create, mails_to, opened
 from tests.support.deliver import BYTES, TUS, metadata

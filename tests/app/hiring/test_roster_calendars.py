@@ -5,7 +5,7 @@ from datetime import date
 import pytest
 
 from app.hiring.errors import CalendarUnreadable
-from app.hiring.roster_files import MAX_CALENDAR_BYTES, parse_calendar
+from app.hiring.roster.files import MAX_CALENDAR_BYTES, parse_calendar
 
 TODAY = "2026-11-23"  # a Monday
 

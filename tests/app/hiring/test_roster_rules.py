@@ -4,8 +4,8 @@ from datetime import date, timedelta
 
 import pytest
 
-from app.hiring.roster_columns import RosterField, field_of, known_heads_in, read_cell, read_rate
-from app.hiring.roster_rules import (
+from app.hiring.roster.columns import RosterField, field_of, known_heads_in, read_cell, read_rate
+from app.hiring.roster.rules import (
     Busy,
     BusyKind,
     Exclusivity,
@@ -23,7 +23,7 @@ from app.hiring.roster_rules import (
     tidy_values,
     weeks,
 )
-from app.hiring.roster_rules import matches as is_match
+from app.hiring.roster.rules import matches as is_match
 from app.hiring.rules import overlap
 
 MONDAY = date(2026, 11, 23)

@@ -9,10 +9,10 @@ import pytest
 from fastapi.testclient import TestClient
 from httpx import Response
 
+from app.core import clock
 from app.deliveries.models import Take
 from app.hiring.models import Posting
 from app.hiring.rules import SAMPLES_KEPT, sample_is_open
-from app.kit import clock
 from tests.app.hiring.test_bids import DATES, WHOLE, compared, save, send
 from tests.app.hiring.test_postings import add_cues, join, opened
 from tests.support.server import World

@@ -8,12 +8,12 @@ from uuid import UUID
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses import Clause
+from app.agreements.clauses.rules import Clause
 from app.agreements.models import Contract, ContractVersion
-from app.agreements.plan import activate_plan
+from app.agreements.plan.service import activate_plan
 from app.agreements.rules import ContractKind, ContractState, ReleaseClause
-from app.kit import clock
-from app.money.ledger import charge_deposits
+from app.core import clock
+from app.money.ledger.service import charge_deposits
 from app.projects.models import Engagement
 from tests.app.reviews.making import Stage
 

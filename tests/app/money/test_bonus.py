@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 
-from app.agreements.clauses import begin, render
+from app.agreements.clauses.rules import begin, render
+from app.agreements.clauses.terms import BonusWhen, MoneyTerms
 from app.agreements.queries import events_of
 from app.agreements.rules import ContractKind
-from app.agreements.terms import BonusWhen, MoneyTerms
-from app.kit import clock
-from app.money.bonus import BonusCue, BonusState, bonus_status_of
+from app.core import clock
+from app.money.bonuses.rules import BonusCue, BonusState, bonus_status_of
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
 from tests.app.reviews.making import refused
 from tests.support.server import World

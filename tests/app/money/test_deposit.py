@@ -23,7 +23,7 @@ def test_no_contract_is_agreed_without_its_deposit(contracts: Contracts, monkeyp
 
     sent = contracts.send(contracts.begin())
     contracts.accept(sent, contracts.world.designer, "N. Designer")
-    monkeypatch.setattr("app.kit.events._handlers", {"contract.agreed": (fail,)})
+    monkeypatch.setattr("app.core.events._handlers", {"contract.agreed": (fail,)})
     body = {"name": "P. Producer", "text_sha256": sent["version"]["text_sha256"]}
     failed = contracts.world.producer.post(f"/v1/contracts/{sent['id']}/accept", json=body)
     assert failed.status_code == 500

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.money.estimating import Habit, error_percent, error_rate, forecast
+from app.money.estimates.rules import Habit, error_percent, error_rate, forecast
 
 BEGAN, DUE = date(2027, 3, 1), date(2027, 3, 11)
 

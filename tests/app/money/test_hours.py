@@ -9,14 +9,14 @@ import pytest
 import sqlalchemy as sa
 
 from app import worker
+from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract
 from app.agreements.queries import contract_by_id, events_of
-from app.agreements.terms import MoneyTerms
 from app.amendments.verification import faults_of
-from app.kit import clock
+from app.core import clock
 from app.money import jobs
-from app.money.hours import HourTerms, month_begins_on, month_of
 from app.money.models import WorkedDay
+from app.money.work.rules import HourTerms, month_begins_on, month_of
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
 from tests.app.reviews.making import refused
 from tests.support.server import World

@@ -4,7 +4,7 @@ from datetime import date
 
 import pytest
 
-from app.money.invoice_numbers import advice, file_part, following
+from app.money.invoices.numbers import advice, file_part, following
 from tests.app.money.agreed import Agreed, deposit, milestone
 from tests.app.reviews.making import body_of, refused
 from tests.support.server import World

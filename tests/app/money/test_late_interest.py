@@ -7,8 +7,8 @@ from uuid import UUID
 import pytest
 from sqlalchemy.orm import Session
 
-from app.kit.plural import day_in_words
-from app.money.late_interest import interest_minor
+from app.core.plural import day_in_words
+from app.money.invoices.late_interest import interest_minor
 from app.money.models import Invoice
 from tests.app.money.agreed import TODAY, Agreed, day, milestone
 from tests.app.reviews.making import body_of, refused

@@ -8,13 +8,13 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
 
-from app.agreements.amounts import split
+from app.agreements.clauses.terms import KillFees
+from app.agreements.plan.amounts import split
 from app.agreements.rules import ReleaseClause, WorkState
-from app.agreements.terms import KillFees
-from app.kit.money import part_of
+from app.core.money import part_of
 from app.money.errors import NothingToInvoice, Overpayment, RefundTooLarge
 from app.money.figures import figures_of, open_tax_minor
-from app.money.ledger_book import (
+from app.money.ledger.book import (
     PAYMENTS,
     Entry,
     LedgerBook,
@@ -29,7 +29,7 @@ from app.money.ledger_book import (
     settle_shares,
     tax_entries,
 )
-from app.money.rules import LineKind
+from app.money.ledger.rules import LineKind
 
 KILL_FEES = KillFees(not_begun_bp=1_000, in_work_bp=5_000, delivered_bp=9_000)
 DEPOSIT_MINOR = 1_440_01

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.agreements.plan_check import PlannedPayment, check_plan
-from app.agreements.plan_proposal import WantedCue, propose_milestones
+from app.agreements.plan.proposal import WantedCue, propose_milestones
+from app.agreements.plan.validation import PlannedPayment, check_plan
 from tests.app.money.agreed import Agreed, milestone
 from tests.app.reviews.making import body_of, refused
 from tests.support.server import World

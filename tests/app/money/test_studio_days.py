@@ -7,7 +7,7 @@ import pytest
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
-from app.kit import clock
+from app.core import clock
 from tests.app.money.agreed import Agreed, deposit, milestone
 from tests.support.server import World
 

@@ -7,8 +7,8 @@ import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.agreements import record
 from app.agreements.models import Contract, ContractEvent
+from app.agreements.record import service as record
 from tests.app.money.agreed import Agreed, milestone
 from tests.support.deliver import deliver
 from tests.support.server import World

@@ -5,10 +5,10 @@ from dataclasses import replace
 from pathlib import Path
 from uuid import UUID, uuid4
 
-from app.agreements.amounts import split
+from app.agreements.plan.amounts import split
 from app.agreements.rules import WorkState
 from app.money.figures import figures_of
-from app.money.ledger_book import (
+from app.money.ledger.book import (
     Entry,
     LedgerBook,
     Line,
@@ -20,7 +20,7 @@ from app.money.ledger_book import (
     settle_shares,
     tax_entries,
 )
-from app.money.rules import LineKind
+from app.money.ledger.rules import LineKind
 
 DOCUMENT = Path(__file__).resolve().parents[3] / "docs/money.md"
 DEPOSIT_MINOR, TAX_BP, ROUND_BP = 25_000, 1_900, 1_250

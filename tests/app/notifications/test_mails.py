@@ -13,8 +13,8 @@ from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
 from app.conformance import service as conformance
+from app.core import clock
 from app.deliveries.queries import take_by_id
-from app.kit import clock
 from app.notifications import jobs, mail_jobs, service
 from app.notifications.errors import MailBusy
 from app.notifications.models import Mail

@@ -7,9 +7,11 @@ from uuid import UUID
 import pytest
 from fastapi.testclient import TestClient
 
-from app.kit import clock
-from app.kit.db import new_id
-from app.notifications import notice_jobs, notices, service
+from app.core import clock
+from app.core.db import new_id
+from app.notifications import service
+from app.notifications.notices import jobs as notice_jobs
+from app.notifications.notices import service as notices
 from app.notifications.rules import Fold, folded_text
 from tests.support.deliver import add_cues
 from tests.support.server import World

@@ -8,10 +8,11 @@ from uuid import UUID
 
 import pytest
 
-from app.kit import clock
-from app.notifications import mail_jobs, preferences, queries
+from app.core import clock
+from app.notifications import mail_jobs, queries
 from app.notifications.models import Mail
-from app.notifications.preference_rules import Cadence, News, Preferences, send_after
+from app.notifications.preferences import service as preferences
+from app.notifications.preferences.rules import Cadence, News, Preferences, send_after
 from tests.support.deliver import add_cues
 from tests.support.server import World
 from tests.support.smtp import MailServer, mail_server

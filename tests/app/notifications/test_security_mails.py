@@ -10,9 +10,9 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import DeskToken, Person, Token
 from app.accounts.rules import is_end_near
-from app.kit import clock
-from app.kit.plural import day_in_words
-from app.kit.queue import Payload
+from app.core import clock
+from app.core.jobs.queue import Payload
+from app.core.plural import day_in_words
 from app.notifications.models import Mail, Notice
 from app.notifications.security_jobs import warn_of_token_ends
 from tests.app.accounts.test_sign_in import NEW_PASSWORD, PASSWORD, address, sign_in, sign_up, with_csrf

@@ -11,12 +11,13 @@ import pytest
 import sqlalchemy as sa
 from PIL import Image
 
+from app.core import clock
 from app.deliveries.models import Take
-from app.kit import clock
-from app.notifications import mail_jobs, spots
+from app.notifications import mail_jobs
+from app.notifications.audio_excerpts import service as spots
+from app.notifications.audio_excerpts.drawing import draw
+from app.notifications.audio_excerpts.rules import SpotPicture, html_of, spot_of
 from app.notifications.models import Mail
-from app.notifications.spot_drawing import draw
-from app.notifications.spot_rules import SpotPicture, html_of, spot_of
 from app.renders.models import Picture
 from tests.app.reviews.making import Stage
 from tests.support.mailbox import Mailbox, with_smtp

@@ -13,12 +13,16 @@ from app.accounts.models import Membership, Person
 from app.agreements.models import Contract
 from app.agreements.rules import ContractState
 from app.cli import cli, erasing
-from app.kit import clock
-from app.kit.runtime import Runtime
-from app.kit.uploads.errors import UploadNotFound
-from app.kit.uploads.model import FINISHED_KEPT_FOR, Upload, finished_upload
-from app.operations import blob_queries, erasure, jobs, scopes, scrubbing
+from app.core import clock
+from app.core.runtime import Runtime
+from app.core.uploads.errors import UploadNotFound
+from app.core.uploads.model import FINISHED_KEPT_FOR, Upload, finished_upload
+from app.operations import jobs
+from app.operations.erasure import scope_queries as scopes
+from app.operations.erasure import service as erasure
 from app.operations.errors import ErasureRefused
+from app.operations.scrubbing import queries as blob_queries
+from app.operations.scrubbing import service as scrubbing
 from app.tables import Base
 from tests.app.hiring.test_roster import WAV, send_sound
 from tests.app.hiring.test_roster import add as add_to_roster

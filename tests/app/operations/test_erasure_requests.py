@@ -9,9 +9,10 @@ import sqlalchemy as sa
 
 from app.accounts.authentication import RECENT_SIGN_IN
 from app.accounts.models import Person, SignIn
-from app.kit import clock
+from app.core import clock
 from app.notifications.models import Mail
-from app.operations import erasure_requests, jobs
+from app.operations import jobs
+from app.operations.erasure import requests as erasure_requests
 from tests.app.agreements.conftest import Contracts
 from tests.support.deliver import add_cues
 from tests.support.server import World

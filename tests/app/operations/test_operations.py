@@ -14,13 +14,13 @@ from app.builds.models import PackedFile, PlaceholderFile, SealedPack
 from app.builds.rules import FileKind
 from app.conformance.models import Fix
 from app.conformance.rules import FixState
-from app.kit import queue
-from app.kit.runtime import Runtime
+from app.core.jobs import queue
+from app.core.runtime import Runtime
 from app.references.models import Reference, ReferenceVersion
 from app.references.rules import PreviewState, ReferenceKind
 from app.renders.models import MasterExport, Picture, Reel, Render
 from app.renders.rules import RenderState
-from tests.app.kit.test_queue import until
+from tests.app.core.test_queue import until
 from tests.app.reviews.making import Stage
 from tests.support.server import World
 

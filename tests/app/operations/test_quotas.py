@@ -8,10 +8,10 @@ from sqlalchemy.orm import Session
 from typer.testing import CliRunner
 
 from app.accounts.models import Operator, Studio
-from app.accounts.quotas import DEFAULTS, QuotaKind, set_limit
+from app.accounts.quotas.service import DEFAULTS, QuotaKind, set_limit
 from app.accounts.rules import Role
 from app.cli import accounts, cli
-from app.deliveries import upload_quotas
+from app.deliveries.uploads import quotas as upload_quotas
 from app.operations.quotas import PAGE_STUDIOS
 from tests.support.deliver import TUS, add_cues, deliver, metadata, open_delivery, upload
 from tests.support.references import begin_upload

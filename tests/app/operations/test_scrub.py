@@ -7,14 +7,16 @@ import pytest
 from typer.testing import CliRunner
 
 from app.cli import cli
-from app.kit import clock, metrics
-from app.kit.db import new_id
-from app.kit.runtime import Runtime
-from app.kit.storage import FolderStore
+from app.core import clock, metrics
+from app.core.db import new_id
+from app.core.runtime import Runtime
+from app.core.storage import FolderStore
 from app.migrate import migrate
-from app.operations import blob_queries, jobs, scrubbing
+from app.operations import jobs
 from app.operations.figures import web_collectors
 from app.operations.models import BlobState
+from app.operations.scrubbing import queries as blob_queries
+from app.operations.scrubbing import service as scrubbing
 from app.renders.take_jobs import prepare_take
 from app.tables import Base
 from tests.app.test_backup import Opened, opened

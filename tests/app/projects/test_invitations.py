@@ -6,7 +6,7 @@ from httpx import Response
 from sqlalchemy import select
 
 from app.accounts.authentication import sha256_of
-from app.kit import clock
+from app.core import clock
 from app.notifications.models import Mail
 from app.projects.errors import InvitationNotFound
 from app.projects.models import ProjectInvitation

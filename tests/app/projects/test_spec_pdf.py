@@ -7,7 +7,7 @@ import pytest
 from pypdf import PdfReader
 
 import audio_checks
-from app.projects import spec_pdf
+from app.projects.specs import pdf as spec_pdf
 from tests.support.server import World
 
 

@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.rules import Scope
-from app.kit.events import publish
+from app.core.events import publish
 from app.projects import service, tokens
 from app.projects.errors import ProjectNotFound
 from tests.support.server import RunningServer, World

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 from sqlalchemy.orm import Session
 
-from app.accounts.quotas import QuotaKind, set_limit
-from app.kit import clock
+from app.accounts.quotas.service import QuotaKind, set_limit
+from app.core import clock
 from app.projects.models import Engagement, Project
 from app.references import endpoints
 from app.sound_lists.models import Cue

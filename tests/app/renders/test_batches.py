@@ -8,11 +8,12 @@ from uuid import UUID
 import pytest
 import sqlalchemy as sa
 
+from app.core.db import new_id
+from app.core.jobs import queue
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
-from app.kit import queue
-from app.kit.db import new_id
-from app.renders import batch_jobs, batches
+from app.renders.batches import jobs as batch_jobs
+from app.renders.batches import service as batches
 from app.renders.models import BatchItem, Render, RenderSet
 from app.renders.rules import BatchState, ItemState
 from app.sound_lists.models import Cue, Stem

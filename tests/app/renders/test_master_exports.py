@@ -7,8 +7,8 @@ import pytest
 import soundfile
 from fastapi.testclient import TestClient
 
-from app.kit.db import new_id
-from app.renders import export_jobs
+from app.core.db import new_id
+from app.renders.master_exports import jobs as export_jobs
 from audio_checks import AudioFile, SandboxFailed
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.support.server import World

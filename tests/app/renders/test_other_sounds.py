@@ -8,9 +8,9 @@ from fastapi.testclient import TestClient
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from app.core import clock
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit import clock
 from app.projects.models import Engagement, Project
 from app.projects.rules import EngagementKind
 from app.renders.models import Picture

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from app.kit.blob_response import IMMUTABLE
+from app.core.web.blob_response import IMMUTABLE
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.app.renders.test_renders import sounds
 from tests.support.server import World

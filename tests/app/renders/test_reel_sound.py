@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.renders.reel_sound import BEEP_MS, BETWEEN_BEEPS_MS, PAUSE_MS, SPEECH_RATE_HZ, Slate, make_reel
+from app.renders.reels.sound import BEEP_MS, BETWEEN_BEEPS_MS, PAUSE_MS, SPEECH_RATE_HZ, Slate, make_reel
 from tests.support.waves import Samples, silence, sine, wav_bytes
 
 RATE = 44_100

@@ -10,12 +10,13 @@ import pytest
 import sqlalchemy as sa
 from fastapi.testclient import TestClient
 
+from app.core.db import new_id
 from app.deliveries.models import Take
-from app.kit.db import new_id
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
-from app.renders import reel_jobs, reels
 from app.renders.models import Picture
+from app.renders.reels import jobs as reel_jobs
+from app.renders.reels import service as reels
 from audio_checks import SandboxFailed
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.support.server import World

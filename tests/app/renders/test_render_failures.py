@@ -8,7 +8,7 @@ from sqlalchemy import select
 
 import audio_checks
 from app.conformance.models import CheckRun
-from app.kit import kill_points
+from app.core import kill_points
 from app.renders import children, drawing, making
 from app.renders.models import Picture
 from tests.app.renders.making import add_cue, deliver_sound

@@ -13,9 +13,9 @@ from sqlalchemy import func, select, update
 from sqlalchemy.orm import Session, joinedload
 
 import audio_checks
+from app.core import kill_points
+from app.core.db import new_id
 from app.deliveries.models import Take
-from app.kit import kill_points
-from app.kit.db import new_id
 from app.projects.models import Spec
 from app.projects.queries import current_spec
 from app.renders import drawing, queries, service, take_jobs

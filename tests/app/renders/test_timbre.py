@@ -7,8 +7,10 @@ import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.renders import children, timbre, timbre_jobs
+from app.renders import children
 from app.renders.models import Timbre
+from app.renders.timbre import jobs as timbre_jobs
+from app.renders.timbre import rules as timbre
 from audio_checks import SandboxCrashed
 from tests.app.renders.making import add_cue, deliver_sound
 from tests.support.server import World

@@ -9,10 +9,10 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.conformance.models import CheckRun
-from app.deliveries.cue_sums import update_cue_sums
+from app.core.db import new_id
+from app.deliveries.cue_counts.service import update_cue_sums
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from app.projects.queries import current_spec
 from app.renders.models import Picture, RenderSet
 from app.sound_lists.models import Cue

@@ -11,7 +11,7 @@ import pytest
 import sqlalchemy as sa
 
 import audio_checks
-from app.deliveries.game_projects import read_sent
+from app.deliveries.adoptions.game_projects import read_sent
 from app.deliveries.models import Adoption
 from app.reviews.models import GameLevel
 from tests.support.adoptions import adopt, folder, send, undo

@@ -11,12 +11,13 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.accounts.queries import actor_for_person
+from app.core.errors import Conflict
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.errors import Conflict
-from app.reviews import feedback, service
 from app.reviews.models import ChangeRequest
+from app.reviews.rounds import change_requests as feedback
 from app.reviews.rules import VerdictKind
+from app.reviews.verdicts import service
 from tests.app.reviews.making import Stage, add_cue, add_take
 from tests.support.server import World
 

@@ -11,10 +11,10 @@ from fastapi.testclient import TestClient
 from sqlalchemy import select, update
 from sqlalchemy.orm import joinedload
 
-from app.agreements.facts import facts_of
+from app.agreements.clauses.facts import facts_of
 from app.agreements.models import Contract
 from app.conformance.models import CheckRun
-from app.kit import clock
+from app.core import clock
 from app.notifications import jobs
 from app.notifications.models import Mail
 from app.projects.models import Project

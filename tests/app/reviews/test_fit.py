@@ -8,9 +8,9 @@ from sqlalchemy import select, update
 from sqlalchemy.orm import Session
 
 from app.conformance.models import CheckRun
+from app.core.db import new_id
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
 from app.renders.models import Timbre

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.reviews.fit_rules import (
+from app.reviews.palette_fit.rules import (
     Likeness,
     Measure,
     Stands,

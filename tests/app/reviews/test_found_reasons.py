@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from app.reviews import found_reasons
+from app.reviews.reasons import reason_counts as found_reasons
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.server import World
 

@@ -6,8 +6,8 @@ from uuid import UUID
 import pytest
 from sqlalchemy import func, select
 
+from app.core.db import new_id
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from app.reviews.models import HeardTake
 from app.reviews.schemas import MAX_HEARD
 from tests.app.reviews.making import Stage, body_of, refused

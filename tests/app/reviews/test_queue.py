@@ -6,13 +6,13 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
+from app.core import clock
 from app.deliveries.queries import take_by_id
 from app.deliveries.rules import TakeState
-from app.kit import clock
 from app.projects.queries import current_spec
 from app.renders.models import Render
 from app.renders.queries import wanted_recipes
-from app.reviews.review_room import PAGE_CUES
+from app.reviews.queue.service import PAGE_CUES
 from app.sound_lists.rules import CueState
 from tests.app.renders.making import add_cue, deliver_sound
 from tests.app.reviews.making import Stage, add_take, body_of, refused
@@ -125,7 +125,7 @@ def test_a_refused_render_is_shown(stage: Stage) -> None:
 
 
 def test_pages_follow_each_other_without_gap_or_repeat(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.reviews.review_room.PAGE_CUES", 2)
+    monkeypatch.setattr("app.reviews.queue.service.PAGE_CUES", 2)
     start = datetime(2026, 11, 20, tzinfo=UTC)
     for hours in (3, 1, 2, 1, 5):  # two cues since the same instant
         stage.take(stage.cue(f"cue_{hours}"), state_since=start + timedelta(hours=hours))
@@ -170,7 +170,7 @@ def test_cues_are_counted_and_not_takes_and_up_to_a_bound(stage: Stage, monkeypa
         named = {"project_id": str(stage.world.project_id)}
         return body_of(stage.world.reviewer.get("/v1/review-queue/count", params=named))
 
-    monkeypatch.setattr("app.reviews.review_room.COUNTED_CUES", 3)
+    monkeypatch.setattr("app.reviews.queue.service.COUNTED_CUES", 3)
     assert count() == {"cues": 0, "is_all": True}
     pair = stage.cue("pair", variations=2)
     for variation in (1, 2):
@@ -188,7 +188,7 @@ def test_cues_are_counted_and_not_takes_and_up_to_a_bound(stage: Stage, monkeypa
 
 @pytest.mark.slow
 def test_to_count_costs_the_same_however_many_wait(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.reviews.review_room.COUNTED_CUES", 3)
+    monkeypatch.setattr("app.reviews.queue.service.COUNTED_CUES", 3)
     server, named = stage.world.server, {"project_id": str(stage.world.project_id)}
 
     def statements() -> int:
@@ -258,7 +258,7 @@ def test_what_others_wait_for_comes_first(stage: Stage) -> None:
 def test_need_then_playback_priority_order_what_is_equally_urgent(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.reviews.review_room.PAGE_CUES", 2)
+    monkeypatch.setattr("app.reviews.queue.service.PAGE_CUES", 2)
     start = datetime(2026, 11, 20, tzinfo=UTC)
     cues = [
         ("a wish", {"need": "wish", "playback_priority": 0}, 1),

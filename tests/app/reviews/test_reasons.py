@@ -5,7 +5,7 @@ from uuid import UUID
 
 import pytest
 
-from app.reviews.reason_rules import OURS, ReasonKind
+from app.reviews.reasons.rules import OURS, ReasonKind
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.server import World
 

@@ -4,7 +4,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from app.agreements.clauses import library
+from app.agreements.clauses.rules import library
 from app.agreements.rules import WORK_STATE_WORDS, WorkState
 from app.deliveries.rules import TakeState
 from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo

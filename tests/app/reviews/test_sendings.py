@@ -6,9 +6,9 @@ from uuid import UUID
 import pytest
 import sqlalchemy as sa
 
+from app.core.db import new_id
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from tests.app.renders.making import add_cue, deliver_sound
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.server import World
@@ -167,7 +167,7 @@ def test_only_the_approver_sends(stage: Stage) -> None:
 
 @pytest.mark.slow
 def test_lists_of_change_requests_have_pages(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.reviews.feedback.PAGE_CHANGE_REQUESTS", 2)
+    monkeypatch.setattr("app.reviews.rounds.change_requests.PAGE_CHANGE_REQUESTS", 2)
     for number in range(5):
         stage.draft(stage.take(stage.cue(f"cue_{number}")), f"note {number}")
     path, seen, cursor = f"/v1/projects/{stage.world.project_id}/change-requests", [], None

@@ -10,11 +10,11 @@ from uuid import UUID
 import pytest
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses import begin, terms_in_force
-from app.agreements.deemed_acceptance import DeemedAcceptance
+from app.agreements.clauses.deemed_acceptance import DeemedAcceptance
+from app.agreements.clauses.rules import begin, terms_in_force
 from app.agreements.models import Contract, ContractEvent
 from app.agreements.queries import events_of
-from app.agreements.record import WRITTEN
+from app.agreements.record.service import WRITTEN
 from app.agreements.rules import ContractKind
 from app.deliveries.models import Take
 from app.reviews import jobs

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.agreements.deemed_acceptance import DeemedAcceptance, Pause, Wait, WorkCalendar
+from app.agreements.clauses.deemed_acceptance import DeemedAcceptance, Pause, Wait, WorkCalendar
 from tests.app.reviews.test_silence import FRIDAY, days
 
 

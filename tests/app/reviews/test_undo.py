@@ -4,7 +4,7 @@ from datetime import timedelta
 
 import pytest
 
-from app.kit import clock
+from app.core import clock
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.server import World
 

@@ -8,9 +8,9 @@ import pytest
 from sqlalchemy import func, select, update
 from sqlalchemy.exc import IntegrityError
 
+from app.core.db import new_id
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from app.projects.models import ApproverChange
 from app.reviews.models import Verdict
 from app.reviews.queries import accepted_takes

@@ -6,10 +6,10 @@ from uuid import UUID
 import numpy as np
 from numpy.typing import NDArray
 
-from app.builds.audit_models import AuditedSound, BuildAudit
-from app.builds.audit_rules import AuditStatus
+from app.builds.audits.models import AuditedSound, BuildAudit
+from app.builds.audits.rules import AuditStatus
+from app.core.db import new_id
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from app.renders.models import Picture
 from tests.app.reviews.making import Stage, add_take
 from tests.support.server import World

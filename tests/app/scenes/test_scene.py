@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from app.core import clock
 from app.deliveries.rules import TakeState
-from app.kit import clock
 from tests.app.reviews.making import Stage
 from tests.app.scenes.making import add_audit, approved, drawn_take, masking, opened_scene
 from tests.support.references import added

@@ -11,8 +11,8 @@ import pytest
 from sqlalchemy.orm import Session
 
 from app.accounts.rate_limits import GUEST_VISITS_FROM_NETWORK
+from app.core import clock
 from app.deliveries.models import Take
-from app.kit import clock
 from app.renders.models import Picture
 from app.shares.models import GuestLink
 from audio_checks import true_peak_dbtp

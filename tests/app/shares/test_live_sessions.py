@@ -7,8 +7,8 @@ from uuid import UUID, uuid4
 import pytest
 from fastapi.testclient import TestClient
 
-from app.kit import clock
-from app.kit.changes import ChangedRooms
+from app.core import clock
+from app.core.changes import ChangedRooms
 from app.shares.models import LiveListener
 from tests.app.shares.making import sound
 from tests.app.shares.test_playlists import playlist

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.sound_lists.clarity_rules import MAX_QUESTIONS, Fact, Kind, lexicon, questions
+from app.sound_lists.clarity.rules import MAX_QUESTIONS, Fact, Kind, lexicon, questions
 from tests.support.server import World
 
 REQUESTS = Path(__file__).parent / "clarity"

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from app.sound_lists.coverage_rules import ListedCue, coverage, words_of
+from app.sound_lists.coverage.rules import ListedCue, coverage, words_of
 from app.sound_lists.rules import Need
 from tests.support.deliver import add_cues
 from tests.support.server import World

@@ -7,7 +7,7 @@ import sqlalchemy as sa
 from fastapi.testclient import TestClient
 
 import audio_checks
-from app.kit import events
+from app.core import events
 from app.sound_lists import save_edits, service
 from tests.app.sound_lists.lists import add, cut, page_of, the_list
 from tests.support.server import World

@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app import rooms
-from app.kit.parsing import Parsers
+from app.core.parsing import Parsers
 from app.sound_lists.errors import SheetUnreadable
 from app.sound_lists.rules import read_label
-from app.sound_lists.sheets import MAX_ROWS, parse_bytes, parse_text
+from app.sound_lists.sheets.rules import MAX_ROWS, parse_bytes, parse_text
 from audio_checks import ListedCue, NameIndex, head_of, read_cell
 from tests.app.sound_lists.test_imports import cues, refused, send, workbook
 from tests.support.server import World

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import audio_checks
 from app.cli import cli
-from app.sound_lists.kits import Kit, KitCue, all_kits, file_name_of
+from app.sound_lists.kits.rules import Kit, KitCue, all_kits, file_name_of
 from app.sound_lists.rules import NEW_CUE, faults_of
 from tests.support.server import World
 

@@ -5,7 +5,7 @@ from uuid import uuid4
 import pytest
 
 import audio_checks
-from app.sound_lists.matching import ListNames
+from app.sound_lists.names.matching import ListNames
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from httpx import Response
 
-from app.sound_lists.matrix_rules import matrix_cues, read_matrix
+from app.sound_lists.matrix.rules import matrix_cues, read_matrix
 from tests.app.sound_lists.lists import add, the_list
 from tests.app.sound_lists.test_kits import Token
 from tests.support.server import World

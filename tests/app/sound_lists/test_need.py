@@ -2,10 +2,10 @@
 
 import pytest
 
-from app.dashboards.progress import completion
-from app.dashboards.progress_queries import NeedGroup
+from app.dashboards.progress.queries import NeedGroup
+from app.dashboards.progress.service import completion
+from app.deliveries.cue_counts.rules import VariationFact
 from app.deliveries.rules import TakeState
-from app.deliveries.sum_rules import VariationFact
 from app.sound_lists.rules import CueState, Need
 from tests.app.sound_lists.lists import add, cut, the_list
 from tests.app.sound_lists.test_imports import send

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from httpx import Response
 
-from app.sound_lists.own_column_rules import Column, ColumnKind, column_faults, read_value
+from app.sound_lists.own_columns.rules import Column, ColumnKind, column_faults, read_value
 from tests.app.sound_lists.lists import add, columns_of, cut, set_columns, the_list
 from tests.app.sound_lists.test_imports import send
 from tests.support.server import World

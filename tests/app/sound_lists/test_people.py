@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from app.kit.db import new_id
-from app.sound_lists.people_rules import KnownPeople, ProjectPerson
+from app.core.db import new_id
+from app.sound_lists.people.rules import KnownPeople, ProjectPerson
 from tests.app.sound_lists.lists import add, the_list
 from tests.app.sound_lists.test_imports import send
 from tests.support.deliver import checked, deliver

@@ -9,9 +9,9 @@ import pytest
 from fastapi.testclient import TestClient
 from httpx import Response
 
-from app.builds.packs import pack_of
-from app.builds.placeholders import Slot, keep, open_slots
-from app.kit import response_headers
+from app.builds.packs.placeholders import Slot, keep, open_slots
+from app.builds.packs.service import pack_of
+from app.core.web import response_headers
 from app.projects.models import Project
 from audio_checks.placeholders.recorded import read_recording
 from tests.support.deliver import add_cues

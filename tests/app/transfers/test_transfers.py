@@ -17,12 +17,13 @@ from app.accounts.authentication import SESSION_COOKIE, sha256_of
 from app.accounts.models import Person, SignIn
 from app.amendments import verification
 from app.cli import cli
-from app.kit import clock
-from app.kit.db import new_id
-from app.kit.runtime import Runtime
+from app.core import clock
+from app.core.db import new_id
+from app.core.runtime import Runtime
 from app.main import create_app
 from app.migrate import migrate
-from app.operations import blob_queries, scopes
+from app.operations.erasure import scope_queries as scopes
+from app.operations.scrubbing import queries as blob_queries
 from app.settings import Settings
 from app.transfers import rows
 from app.transfers.move import LEFT, Moved, _copy_rows, move, unfinished_jobs

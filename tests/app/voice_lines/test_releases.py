@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from httpx import Response
 
-from app.kit import clock
+from app.core import clock
 from tests.support.references import uploaded
 from tests.support.server import World
 from tests.support.voice import imported, lines, recorded

@@ -4,8 +4,8 @@ from datetime import UTC, date, datetime, timedelta
 
 import pytest
 
+from app.core.db import new_id
 from app.deliveries.rules import TakeState
-from app.kit.db import new_id
 from app.voice_lines.rules import (
     LineState,
     TakeFacts,

@@ -4,8 +4,8 @@ import socket
 
 import pytest
 
-from app.kit import outgoing
-from app.kit.outgoing import AddressRefused, RequestFailed, ensure_address, is_public, post
+from app.core import outgoing
+from app.core.outgoing import AddressRefused, RequestFailed, ensure_address, is_public, post
 from tests.support.receiver import receiver
 
 INSIDE = (

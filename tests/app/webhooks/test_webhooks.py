@@ -16,7 +16,7 @@ from sqlalchemy import Select, select, update
 
 from app.accounts.models import RateLimit
 from app.accounts.rate_limits import WEBHOOK_MESSAGES_OF_STUDIO
-from app.kit import clock
+from app.core import clock
 from app.webhooks import jobs, queries, sending
 from app.webhooks.bodies import Message, body_of
 from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall

@@ -1,0 +1,1 @@
+"""When studios work: their time zone and holidays."""

@@ -1,0 +1,1 @@
+"""Changes of an account's email address, confirmed at both addresses."""

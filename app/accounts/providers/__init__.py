@@ -1,0 +1,1 @@
+"""Sign-in by a studio's OpenID Connect provider."""

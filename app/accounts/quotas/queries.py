@@ -1,0 +1,70 @@
+"""What studios have of what is limited, and the limits that are their own."""
+
+from collections import defaultdict
+from datetime import datetime
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import BindParameter, ColumnElement, Select, bindparam, func, select
+from sqlalchemy.orm import InstrumentedAttribute, Session
+
+from app.accounts.models import Membership, Person, Quota, Studio, Token
+from app.core import clock
+
+
+class Usage:
+    """The amount of one limited resource: rows, or bytes of files, where the same bytes count once for each studio."""
+
+    def __init__(
+        self,
+        studio_id: InstrumentedAttribute[UUID],
+        *conditions: ColumnElement[bool],
+        sha256: InstrumentedAttribute[Any] | None = None,
+        size_bytes: InstrumentedAttribute[Any] | None = None,
+    ) -> None:
+        self._studio_id = studio_id
+        self._conditions = conditions
+        self._sha256 = sha256
+        self._size_bytes = size_bytes
+
+    def __call__(self, session: Session, studio_id: UUID) -> int:
+        """Return the amount that one studio has."""
+        return dict(self._rows(session, self._studio_id == studio_id)).get(studio_id, 0)
+
+    def by_studio(self, session: Session) -> dict[UUID, int]:
+        """Return the amount of each studio that has any, by one statement."""
+        return dict(self._rows(session))
+
+    def _rows(self, session: Session, *conditions: ColumnElement[bool]) -> list[tuple[UUID, int]]:
+        statement = self._statement(*self._conditions, *conditions)
+        return [(studio_id, int(amount or 0)) for studio_id, amount in session.execute(statement)]
+
+    def _statement(self, *conditions: ColumnElement[bool]) -> Select[UUID, Any]:
+        if self._sha256 is None or self._size_bytes is None:
+            return select(self._studio_id, func.count()).where(*conditions).group_by(self._studio_id)
+        size = func.max(self._size_bytes).label("size_bytes")
+        files = select(self._studio_id.label("studio_id"), size).where(*conditions)
+        file = files.group_by(self._studio_id, self._sha256).subquery()
+        return select(file.c.studio_id, func.sum(file.c.size_bytes)).group_by(file.c.studio_id)
+
+
+def studios_opened_by(session: Session, person_id: UUID) -> int:
+    """Return the number of studios that a person has opened, with the person locked until this transaction ends."""
+    session.execute(select(Person.id).where(Person.id == person_id).with_for_update())
+    return session.scalar(select(func.count()).where(Studio.opened_by == person_id)) or 0
+
+
+people_in = Usage(Membership.studio_id)
+_NOW: BindParameter[datetime] = bindparam("now", callable_=clock.now)  # of each execution
+tokens_of = Usage(Token.studio_id, Token.revoked_at.is_(None), Token.expires_at > _NOW)  # those that work
+
+
+def own_limits(session: Session, studio_id: UUID | None = None) -> dict[UUID, dict[str, int]]:
+    """Return the limits that are not the defaults, by studio and kind; those of one studio if given."""
+    rows = select(Quota.studio_id, Quota.kind, Quota.maximum)
+    if studio_id is not None:
+        rows = rows.where(Quota.studio_id == studio_id)
+    limits: dict[UUID, dict[str, int]] = defaultdict(dict)
+    for owner_id, kind, maximum in session.execute(rows):
+        limits[owner_id][kind] = maximum
+    return limits

@@ -1,0 +1,324 @@
+"""Clauses and what they leave open, without a database; the library is one clause a file, found by being there."""
+
+import difflib
+import re
+import tomllib
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import date
+from functools import cache
+from pathlib import Path
+from typing import Any, TypedDict
+
+from app.agreements.clauses.text import literal
+from app.agreements.rules import ContractKind
+from app.core.money import money, percent
+from app.core.plural import counted
+
+LIBRARY = Path(__file__).parent / "library"
+VARIABLE = re.compile(r"(?<!\\)\{([^{}\n]*)\}")
+DAY = re.compile(r"2\d{3}-\d{2}-\d{2}")
+KEY = re.compile(r"[a-z][a-z0-9_]{0,60}")
+MAX_CLAUSES = 80
+MAX_TEXT_CHARS = 20_000
+MAX_TITLE_CHARS = 120
+MAX_TERM_CHARS = 500
+MISTYPED = 0.9  # a name this like one of the library is taken for it
+LARGEST = 2**53  # beyond it JavaScript rounds whole numbers
+
+BY_DAY = "day_rate"  # a value of the term price_mode
+
+TermValue = int | str
+Terms = dict[str, TermValue]
+
+
+class ClauseRow(TypedDict):
+    """A clause as versions and templates keep it."""
+
+    key: str
+    title: str
+    text: str
+    stands: bool
+
+
+# What the server fills in from project, list and milestones.
+FACTS: Mapping[str, str] = {
+    "studio": "name of the studio",
+    "designer": "name of the designer",
+    "project": "name of the project",
+    "approver": "who approves sounds",
+    "currency": "currency of the contract",
+    "list_revision": "number of the sound list's newest revision",
+    "spec_version": "number of the delivery spec's newest version",
+    "cue_count": "how many cues the contract covers",
+    "file_count": "how many files these cues have, with their variations",
+    "cues": "a table of the cues",
+    "open_questions": "a list of the questions on cues that are not answered",
+    "milestones": "a table of the milestones with dates and amounts",
+    "total": "the price of all milestones and the deposit",
+    "deposit_sentence": "what is paid at signing",
+    "holdback_sentence": "what is held back until the end",
+    "release_sentence": "when an accepted cue's share is due",
+    "framework_title": "title of the framework agreement",
+    "framework_agreed_on": "day on which the framework was agreed",
+}
+
+
+@dataclass(frozen=True)
+class Clause:
+    """One clause of a contract: its text has variables in braces."""
+
+    key: str
+    title: str
+    text: str
+    stands: bool = True
+
+    def as_row(self) -> ClauseRow:
+        """Return the clause as versions and templates keep it."""
+        return {"key": self.key, "title": self.title, "text": self.text, "stands": self.stands}
+
+    @classmethod
+    def of(cls, row: Mapping[str, Any]) -> "Clause":
+        """Return a clause from how it is kept."""
+        return cls(row["key"], row["title"], row["text"], row["stands"])
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of the values that a term may have: what a form calls it, and what the text says then."""
+
+    value: TermValue
+    label: str
+    words: str
+
+
+@dataclass(frozen=True)
+class Term:
+    """Something that a clause leaves open: `_bp` ends a part of the whole, `_minor` an amount of money."""
+
+    name: str
+    default: TermValue
+    label: str
+    min: int | None = None
+    max: int | None = None
+    choices: Sequence[Choice] = field(default_factory=tuple)
+    struck: TermValue | None = None  # what holds where no clause in force names it; None: what was written
+    said: bool = False  # the software goes by it, so it is the default or some clause in force says otherwise
+    counted: bool = False  # the software goes by it, so a text says it as a field and as nothing else
+    needed: bool = False  # nothing else holds where no clause names it, so a text of its kinds has it
+    typed: Sequence[str] = field(default_factory=tuple)  # how a text says it as a number; `figures` reads them
+
+
+@dataclass(frozen=True)
+class LibraryClause:
+    """A clause of the library: for which kinds it is meant, why, and what it leaves open."""
+
+    clause: Clause
+    order: int
+    kinds: frozenset[ContractKind]
+    why: str
+    music: bool = False
+    instead_of: str | None = None
+    terms: Sequence[Term] = field(default_factory=tuple)
+
+
+@cache
+def library() -> tuple[LibraryClause, ...]:
+    """Return every clause of the library, in the order of contracts."""
+    return tuple(sorted((_read(path) for path in LIBRARY.glob("*.md")), key=lambda each: each.order))
+
+
+def _read(path: Path) -> LibraryClause:
+    _, head, text = path.read_text(encoding="utf-8").split("+++\n", 2)
+    said = tomllib.loads(head)
+    music = said.get("music", False)
+    return LibraryClause(
+        clause=Clause(path.stem, said["title"], text.strip(), said.get("stands", True)),
+        order=said["order"],
+        kinds=frozenset(ContractKind(kind) for kind in said["kinds"]),
+        why=said["why"],
+        music=music,
+        instead_of=said.get("instead_of"),
+        terms=tuple(_term(name, facts) for name, facts in said.get("terms", {}).items()),
+    )
+
+
+def _term(name: str, facts: dict[str, Any]) -> Term:
+    choices = tuple(Choice(**choice) for choice in facts.pop("choices", ()))
+    return Term(name, **facts, choices=choices)
+
+
+@cache
+def known_terms() -> Mapping[str, Term]:
+    """Return what the library's clauses leave open, by name."""
+    return {term.name: term for each in library() for term in each.terms}
+
+
+def begin(kind: ContractKind, *, with_music: bool = False) -> tuple[list[Clause], Terms]:
+    """Return the clauses of a kind as the library has them; those on music stand only when asked for."""
+    chosen = [each for each in library() if kind in each.kinds]
+    clauses = [
+        Clause(each.clause.key, each.clause.title, each.clause.text, with_music if each.music else each.clause.stands)
+        for each in chosen
+    ]
+    return clauses, {term.name: term.default for each in chosen for term in each.terms}
+
+
+def terms_in_force(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Terms:
+    """Return what the terms come to: what only a struck clause names holds as if nothing had been agreed on it."""
+    named = names_in([clause for clause in clauses if clause.stands])
+    struck = {name: term.struck for name, term in known_terms().items() if term.struck is not None}
+    return {name: value if name in named else struck.get(name, value) for name, value in terms.items()}
+
+
+def names_in(clauses: Sequence[Clause]) -> set[str]:
+    """Return the variables of some clauses, those in the words of their choices included."""
+    named = {name for clause in clauses for name in variables_in(clause.text)}
+    chosen = [choice for name in named & known_terms().keys() for choice in known_terms()[name].choices]
+    return named | {name for choice in chosen for name in variables_in(choice.words)}
+
+
+def variables_in(text: str) -> list[str]:
+    """Return the variables that a text uses, each once, in order."""
+    return list(dict.fromkeys(VARIABLE.findall(text)))
+
+
+def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with a draft: the place, as `clauses.KEY` or `terms.NAME`, and the fault in words."""
+    if not any(clause.stands for clause in clauses):
+        yield "clauses", "no clause is included; a contract needs at least one"
+    if len(clauses) > MAX_CLAUSES:
+        yield "clauses", f"{len(clauses)} clauses; at most {MAX_CLAUSES} are kept"
+    seen: set[str] = set()
+    for clause in clauses:
+        place = f"clauses.{clause.key}"
+        if clause.key in seen:
+            yield place, f"the key {clause.key} stands twice"
+        seen.add(clause.key)
+        yield from ((place, fault) for fault in faults_of_clause(clause, terms))
+    access = {clause.key for clause in clauses if clause.stands}
+    for each in library():
+        if each.instead_of and {each.clause.key, each.instead_of} <= access:
+            yield (
+                f"clauses.{each.clause.key}",
+                f"this replaces the clause {each.instead_of}; remove one of them",
+            )
+    named, written = names_in(clauses), names_in([clause for clause in clauses if clause.stands])
+    for name, value in terms.items():
+        place = f"terms.{name}"
+        yield from ((place, fault) for fault in faults_of_term(name, value))
+        known = known_terms().get(name)
+        if value == "" and name in written:
+            yield place, f"{{{name}}} is empty; fill it in, or remove its clause"
+        elif known and known.said and value != known.default and name not in written:
+            yield place, f"{_shown(name, value)}, and no clause in force says so; let one say {{{name}}}"
+        elif not known and name not in named and (near := difflib.get_close_matches(name, known_terms(), 1, MISTYPED)):
+            yield place, f"no clause names {{{name}}}; is it {{{near[0]}}}?"
+    days, reminder_days = terms.get("silence_days"), terms.get("silence_reminder_days")
+    if "silence_days" in written and isinstance(days, int) and isinstance(reminder_days, int) and reminder_days >= days:
+        yield (
+            "terms.silence_reminder_days",
+            f"{reminder_days}; wanted less than the {counted(days, 'day')} that silence may last",
+        )
+    if terms.get("price_mode") == BY_DAY:
+        for name in ("day_rate_minor", "days_cap"):
+            if not terms.get(name):
+                yield f"terms.{name}", "none; a price by the day wants a rate, and the most days that are paid"
+
+
+def faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
+    """Yield what is wrong with one clause, in words."""
+    if not KEY.fullmatch(clause.key):
+        yield f'"{clause.key}" is not a key; wanted a small letter, then small letters, digits and _'
+    if not clause.title.strip():
+        yield "enter a title for the clause"
+    if len(clause.title) > MAX_TITLE_CHARS:
+        yield f"a title of {len(clause.title)} characters; at most {MAX_TITLE_CHARS} are kept"
+    if clause.stands and not clause.text.strip():
+        yield "the clause is empty; write its text, or remove it"
+    if len(clause.text) > MAX_TEXT_CHARS:
+        yield f"{len(clause.text)} characters; at most {MAX_TEXT_CHARS} are kept"
+    for name in variables_in(clause.text):
+        if name not in FACTS and name not in terms:
+            yield f"there is no variable {{{name}}}{_nearest(name, [*FACTS, *terms])}"
+
+
+def _nearest(name: str, known: Collection[str]) -> str:
+    near = difflib.get_close_matches(name, list(known), n=1)
+    return f"; is it {{{near[0]}}}?" if near else "; write \\{ for a brace that is meant as one"
+
+
+def faults_of_term(name: str, value: Any) -> Iterator[str]:
+    """Yield what is wrong with the value of a term, in words."""
+    if not KEY.fullmatch(name) or name in FACTS:
+        yield f'"{name}" is not a name for a term; wanted small letters, digits and _, and none of the server\'s own'
+        return
+    known = known_terms().get(name)
+    is_number = isinstance(value, int) and not isinstance(value, bool)
+    if known and known.choices:
+        wanted = [choice.value for choice in known.choices]
+        if value not in wanted:
+            near = difflib.get_close_matches(str(value), [str(each) for each in wanted], n=1)
+            yield f"{value!r}; wanted {' or '.join(map(str, wanted))}" + (f"; is it {near[0]}?" if near else "")
+    elif not is_number and (name.endswith(("_bp", "_minor")) or (known and isinstance(known.default, int))):
+        yield f"{value!r}; wanted a whole number"
+    elif is_number and known and isinstance(known.default, str):
+        yield f"{value}; wanted a text"
+    elif is_number and known and known.min is not None and known.max is not None:
+        if not known.min <= value <= known.max:
+            yield f"{_shown(name, value)}; wanted {_shown(name, known.min)} to {_shown(name, known.max)}"
+    elif is_number and not 0 <= value <= LARGEST:
+        yield f"{value}; wanted 0 or more"
+    elif isinstance(value, str) and len(value) > MAX_TERM_CHARS:
+        yield f"{len(value)} characters; at most {MAX_TERM_CHARS} are kept"
+    elif value and known and name.endswith("_on") and day_of_term(value) is None:
+        yield f'"{value}" is not a day; wanted it as in 2027-12-31'
+
+
+def day_of_term(value: Any) -> date | None:
+    """Return the day that a term names as in 2027-12-31; None for any other value."""
+    try:
+        return date.fromisoformat(value) if isinstance(value, str) and DAY.fullmatch(value) else None
+    except ValueError:
+        return None
+
+
+def _shown(name: str, value: TermValue) -> str:
+    return percent(value) if name.endswith("_bp") and isinstance(value, int) else str(value)
+
+
+def written_term(name: str, value: TermValue, currency: str) -> str:
+    """Return a term as the text says it."""
+    known = known_terms().get(name)
+    for choice in known.choices if known else ():
+        if choice.value == value:
+            return choice.words
+    if isinstance(value, str):
+        return value
+    if name.endswith("_minor"):
+        return money(value, currency)
+    return percent(value) if name.endswith("_bp") else f"{value:,}"
+
+
+def filler(terms: Terms, facts: Mapping[str, str], currency: str) -> Callable[[str], str]:
+    """Return what fills in the variables of a text; a term may name a fact, so values are filled in once more."""
+    filled = {**facts, **{name: written_term(name, value, currency) for name, value in terms.items()}}
+
+    def fill(text: str, depth: int = 2) -> str:
+        if not depth:
+            return text
+        return VARIABLE.sub(
+            lambda found: fill(filled.get(found[1], found[0]), 0 if found[1] in facts else depth - 1), text
+        )
+
+    return fill
+
+
+def render(title: str, clauses: Sequence[Clause], terms: Terms, facts: Mapping[str, str], currency: str) -> str:
+    """Return the text of a contract in Markdown: the clauses that stand, numbered, with every variable filled in."""
+    fill = filler(terms, facts, currency)
+    parts = [f"# {literal(title)}"]
+    access = [clause for clause in clauses if clause.stands]
+    for number, clause in enumerate(access, start=1):
+        parts += [f"## {number}. {literal(clause.title)}", fill(clause.text).strip()]
+    return "\n\n".join(parts) + "\n"

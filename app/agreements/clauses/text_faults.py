@@ -1,0 +1,42 @@
+"""What is wrong with the text of a contract, its figures held against terms and plan."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from app.agreements.clauses.figures import faults_of_plan, faults_of_text
+from app.agreements.clauses.rules import Clause
+from app.agreements.errors import BadDraft
+from app.agreements.models import Contract, ContractVersion
+from app.agreements.plan.queries import milestones_of
+from app.core.errors import FieldProblem
+
+
+def text_faults(
+    session: Session, contract: Contract, clauses: Sequence[Clause], terms: Mapping[str, Any], *, holdback_bp: int
+) -> list[FieldProblem]:
+    """Return what is wrong with a text: its clauses, its figures, and what it does not say of the plan."""
+    milestones = milestones_of(session, contract.id)
+    faults = [
+        *faults_of_text(clauses, terms, contract.kind),
+        *faults_of_plan(
+            clauses,
+            contract.kind,
+            has_amounts=any(one.amount_minor for one in milestones),
+            has_deposit=any(one.amount_minor for one in milestones if one.is_deposit),
+            has_holdback=holdback_bp > 0,
+        ),
+    ]
+    return [FieldProblem(where=where, message=message) for where, message in faults]
+
+
+def ensure_text_whole(session: Session, contract: Contract, version: ContractVersion, outcome: str) -> None:
+    """Raise BadDraft, which begins with the outcome, where a version's text lacks a figure or contradicts one."""
+    clauses = [Clause.of(row) for row in version.clauses]
+    if problems := text_faults(session, contract, clauses, version.terms, holdback_bp=contract.holdback_bp):
+        raise BadDraft(
+            f"{outcome}; {problems[0]['message']}",
+            errors=problems,
+            fix="edit the draft, save it, and send it again",
+        )

@@ -1,0 +1,1 @@
+"""Milestones with their dates, cues and amounts."""

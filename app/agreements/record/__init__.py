@@ -1,0 +1,1 @@
+"""The record of a contract, chained by hashes, and its verification."""

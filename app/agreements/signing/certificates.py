@@ -1,0 +1,103 @@
+"""What a certificate of signing says of each signature."""
+
+from collections.abc import Sequence
+from datetime import datetime
+from typing import Protocol
+from zoneinfo import ZoneInfo
+
+from app.accounts.rules import PROOF_WORDS, AddressProof
+from app.agreements.clauses.text import literal
+from app.agreements.drafts.documents import CertificatePart
+from app.agreements.models import Contract
+from app.agreements.rules import Party
+from app.agreements.signing.drawn_signatures import Strokes, drawing_sha256, drawing_svg
+from app.agreements.signing.rules import BY_CODE, CONSENT, WITHOUT_CODE, is_drawn
+
+UNDRAWN = (
+    "This name has letters that the fonts of this PDF do not have, so they may show as boxes. The audit trail has them."
+)
+
+
+class Signed(Protocol):
+    """A signature under a contract, a change order or a statement."""
+
+    @property
+    def party(self) -> Party:
+        """For whom it was given."""
+
+    @property
+    def name(self) -> str:
+        """The name as typed."""
+
+    @property
+    def email(self) -> str:
+        """The mail address of the person."""
+
+    @property
+    def email_proof(self) -> AddressProof | None:
+        """How it is known that they read its mail; None: it was not shown."""
+
+    @property
+    def address(self) -> str:
+        """The address on the network."""
+
+    @property
+    def agent(self) -> str:
+        """The browser and its system."""
+
+    @property
+    def code_entered_at(self) -> datetime | None:
+        """When the code that was mailed was typed; None: none was asked for."""
+
+    @property
+    def drawing(self) -> Strokes | None:
+        """The name as it was drawn; None: it was not."""
+
+    @property
+    def accepted_at(self) -> datetime:
+        """When it was given."""
+
+
+def signatures_page(signed: Sequence[Signed], text_sha256: str, zone: ZoneInfo) -> list[CertificatePart]:
+    """Return the page of signatures that follows the text of a change order or a statement; none before the first."""
+    if not signed:
+        return []
+    head = [
+        "# Signatures",
+        f"SHA-256 of the text: {text_sha256}",
+        f"Each of those who signed agreed to this sentence: {literal(CONSENT)}",
+    ]
+    return [CertificatePart("\n\n".join(head)), *(signature_part(one, zone) for one in signed)]
+
+
+def studio_zone(contract: Contract) -> ZoneInfo:
+    """Return the time zone in which a contract's certificates give times beside UTC."""
+    return ZoneInfo(contract.project.studio.time_zone)
+
+
+def signature_part(one: Signed, zone: ZoneInfo) -> CertificatePart:
+    """Return what a certificate says of one signature, and the name as it was drawn."""
+    code = f"{BY_CODE} {in_both(one.code_entered_at, zone)}" if one.code_entered_at else WITHOUT_CODE
+    facts = [
+        f"- Signed {in_both(one.accepted_at, zone)}",
+        f"- Email: {literal(one.email)}, {PROOF_WORDS[one.email_proof]}",
+        f"- Code: {literal(code)}",
+        f"- Network address: {literal(one.address) or 'unknown'}",
+        f"- Browser: {literal(one.agent) or 'unknown'}",
+        *([f"- Name drawn by hand, SHA-256 {drawing_sha256(one.drawing)}:"] if one.drawing else []),
+    ]
+    lines = [
+        f"## {literal(one.name)}, for the {one.party}",
+        *([] if is_drawn(one.name) else [UNDRAWN]),
+        "\n".join(facts),
+    ]
+    return CertificatePart("\n\n".join(lines), drawing_svg(one.drawing) if one.drawing else None)
+
+
+def in_both(at: datetime | None, zone: ZoneInfo) -> str:
+    """Return a time in UTC and in a studio's time zone."""
+    if at is None:
+        return "at no known time"
+    here = at.astimezone(zone)
+    utc = f"{at:%Y-%m-%d %H:%M:%S} UTC"
+    return utc if zone.key == "UTC" else f"{utc} ({here:%Y-%m-%d %H:%M:%S} {zone.key})"

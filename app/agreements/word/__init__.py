@@ -1,0 +1,1 @@
+"""Contracts as Word files, written and read again."""

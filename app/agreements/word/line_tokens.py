@@ -1,0 +1,62 @@
+"""The lines of a text and of a document as words, spaces and signs with their looks, so that both can be compared."""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from app.agreements.clauses.source import SourceLine
+from app.agreements.clauses.text import BlockKind, Span
+from app.agreements.word.body import WordLine
+
+_TOKEN = re.compile(r" · |\w+|\s+|[^\w\s]")
+
+
+class Shown(NamedTuple):
+    """A character as it is read."""
+
+    letter: str
+    strong: bool
+    emphatic: bool
+
+
+def letters_of_word(line: WordLine) -> list[Shown]:
+    """Return the characters of a line in a document."""
+    return [Shown(letter, *_looks(span)) for span in line.spans for letter in span.text]
+
+
+def _looks(span: Span) -> tuple[bool, bool]:
+    return span.strong, span.emphatic
+
+
+def letters_of_source(line: SourceLine) -> list[Shown]:
+    """Return the characters of a line that was sent."""
+    return [Shown(one.letter, one.strong, one.emphatic) for one in line.letters]
+
+
+def line_key(shown: Sequence[Shown], kind: BlockKind, is_plain: bool) -> tuple[object, ...]:
+    """Return what makes two lines the same."""
+    return (kind, *tokens_of(shown, is_plain or kind == "head"))
+
+
+def tokens_of(shown: Sequence[Shown], is_plain: bool) -> list[tuple[str, bool, bool]]:
+    """Return words, spaces and signs with their looks; a space has none, and a word of two looks is two."""
+    tokens: list[tuple[str, bool, bool]] = []
+    for found in _TOKEN.finditer("".join(one.letter for one in shown)):
+        if is_plain or not found[0].strip(" ·"):
+            tokens.append((found[0], False, False))
+            continue
+        begins = found.start()
+        for at in range(found.start() + 1, found.end() + 1):
+            if at == found.end() or shown[at][1:] != shown[begins][1:]:
+                letters = "".join(one.letter for one in shown[begins:at])
+                tokens.append((letters, shown[begins].strong, shown[begins].emphatic))
+                begins = at
+    return tokens
+
+
+def likeness(one: str, other: str) -> float:
+    """Return the share of words that two lines have in common."""
+    bag, other_bag = Counter(one.split()), Counter(other.split())
+    whole = bag.total() + other_bag.total()
+    return 2 * (bag & other_bag).total() / whole if whole else 1.0

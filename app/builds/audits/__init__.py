@@ -1,0 +1,1 @@
+"""Audits of game builds: what ships is held against what was approved."""

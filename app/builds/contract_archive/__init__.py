@@ -1,0 +1,1 @@
+"""What a contract that has ended leaves for the next designer."""

@@ -1,0 +1,14 @@
+"""Unreal: a script for the editor's Python, which imports the pack's sounds and makes cues of them.
+
+Source: Epic, Unreal Python API 5.1 to 5.7: AssetImportTask, EditorAssetLibrary, SoundCueFactoryNew.
+"""
+
+from collections.abc import Sequence
+
+from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.document import DOCUMENT, document, script
+
+
+def unreal_files(cues: Sequence[HandedCue]) -> dict[str, bytes]:
+    """Return the script and the document that it reads."""
+    return {"soundlist_import.py": script("unreal_import.py"), DOCUMENT: document(cues)}

@@ -1,0 +1,1 @@
+"""The approved game files, as `soundlist pull` and `soundlist why` fetch them."""

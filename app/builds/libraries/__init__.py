@@ -1,0 +1,1 @@
+"""Sound libraries that are registered by fingerprints."""

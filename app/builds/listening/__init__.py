@@ -1,0 +1,1 @@
+"""Listening in the running game, and the tasks that come from it."""

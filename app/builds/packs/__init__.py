@@ -1,0 +1,1 @@
+"""Packs of approved sounds: game files, masters, documentation, manifests, placeholders."""

@@ -1,0 +1,1 @@
+"""The same sound in other projects of a studio."""

@@ -1,0 +1,1 @@
+"""HTTP: requests, answers, limits and serving, without a word of the domain."""

@@ -1,0 +1,1 @@
+"""What is due in a project, as a calendar."""

@@ -1,0 +1,1 @@
+"""Hours of work against the hours that designers have."""

@@ -1,0 +1,1 @@
+"""Pictures of people, as others see them."""

@@ -1,0 +1,1 @@
+"""Search in one project or all."""

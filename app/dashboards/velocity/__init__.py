@@ -1,0 +1,1 @@
+"""How fast a project goes, and what it costs."""

@@ -1,0 +1,1 @@
+"""Folders of shipped files that are adopted."""

@@ -1,0 +1,1 @@
+"""Counts of the takes of each cue, kept with every change."""

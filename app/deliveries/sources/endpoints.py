@@ -1,0 +1,53 @@
+"""The endpoints of what takes were made from."""
+
+from uuid import UUID
+
+from fastapi import APIRouter
+
+from app.accounts.rules import Actor, Audience
+from app.accounts.web.policies import allows
+from app.core.web.http import DbSession, problems
+from app.deliveries.errors import DeliveryNotFound, NoSourceNamed, OwnDesignerNeeded, SourcesFixed, TakeNotFound
+from app.deliveries.schemas import DeliverySources, Sources, TakeSources
+from app.deliveries.sources import service as sources
+from app.projects.errors import DesignerNeeded
+
+router = APIRouter()
+
+
+@router.get("/deliveries/{delivery_id}/sources", response_model=DeliverySources, responses=problems(DeliveryNotFound))
+def see_delivery_sources(
+    delivery_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
+) -> DeliverySources:
+    """Show what a delivery was made from; its designer also sees what they stated last."""
+    return sources.delivery_sources(session, actor, delivery_id)
+
+
+@router.put(
+    "/deliveries/{delivery_id}/sources",
+    response_model=DeliverySources,
+    responses=problems(DeliveryNotFound, DesignerNeeded, NoSourceNamed),
+)
+def state_delivery_sources(
+    delivery_id: UUID, body: Sources, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> DeliverySources:
+    """State what the takes of a delivery were made from; a take can have a statement of its own."""
+    return sources.state_delivery_sources(session, actor, delivery_id, body)
+
+
+@router.get("/takes/{take_id}/sources", response_model=TakeSources, responses=problems(TakeNotFound))
+def see_take_sources(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeSources:
+    """Show what a take was made from."""
+    return sources.take_sources(session, actor, take_id)
+
+
+@router.put(
+    "/takes/{take_id}/sources",
+    response_model=TakeSources,
+    responses=problems(TakeNotFound, OwnDesignerNeeded, SourcesFixed, NoSourceNamed),
+)
+def state_take_sources(
+    take_id: UUID, body: Sources, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> TakeSources:
+    """State what one take was made from; once it is approved and nothing is open, that is final."""
+    return sources.state_take_sources(session, actor, take_id, body)

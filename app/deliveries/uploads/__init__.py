@@ -1,0 +1,1 @@
+"""Uploads: their destinations, headers and quotas."""

@@ -1,0 +1,93 @@
+"""Where an upload goes: a delivery, an adoption, a project's references or a reel; who may send it, how large."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.deliveries import service
+from app.deliveries.adoptions import service as adoptions
+from app.deliveries.errors import BadUploadHeader
+from app.deliveries.rules import max_bytes
+from app.deliveries.uploads.headers import uuid_in
+from app.deliveries.uploads.quotas import ensure_upload_fits
+from app.hiring.roster import reel
+from app.references import service as references
+
+
+@dataclass(frozen=True)
+class Destination:
+    """Where a file goes, by the metadata of its upload."""
+
+    delivery_id: UUID | None = None
+    beside_take_id: UUID | None = None  # of the take that a dry stem is for
+    project_id: UUID | None = None
+    adoption_id: UUID | None = None
+    roster_entry_id: UUID | None = None
+
+    @property
+    def scope(self) -> str:
+        """The scope that the upload keeps."""
+        if self.adoption_id:
+            return f"{adoptions.SCOPE}{self.adoption_id}"
+        if self.roster_entry_id:
+            return reel.upload_scope(self.roster_entry_id)
+        return references.upload_scope(self.project_id) if self.project_id else str(self.delivery_id)
+
+    def most_bytes(self, file_name: str, reference_max_bytes: int) -> int:
+        """Return how many bytes a file may have there."""
+        if self.roster_entry_id:
+            return reel.MAX_SOUND_BYTES
+        return reference_max_bytes if self.project_id else max_bytes(file_name)
+
+
+def destination_in(metadata: Mapping[str, str]) -> Destination:
+    """Read where an upload goes; raise BadUploadHeader where that is two places, or none."""
+    places = [place for place in ("delivery_id", "project_id", "adoption_id", "roster_entry_id") if place in metadata]
+    if len(places) > 1:
+        raise BadUploadHeader(f"Upload-Metadata names {places[0]} and {places[1]}; a file goes to one of them")
+    if "adoption_id" in metadata:
+        return Destination(adoption_id=uuid_in("adoption_id", metadata["adoption_id"]))
+    if "roster_entry_id" in metadata:
+        return Destination(roster_entry_id=uuid_in("roster_entry_id", metadata["roster_entry_id"]))
+    if "project_id" in metadata:
+        return Destination(project_id=uuid_in("project_id", metadata["project_id"]))
+    take_id = uuid_in("take_id", metadata["take_id"]) if "take_id" in metadata else None
+    return Destination(uuid_in("delivery_id", metadata.get("delivery_id", "")), take_id)
+
+
+def ensure_may_send(session: Session, actor: Actor, destination: Destination, length: int) -> UUID:
+    """Return the studio of a destination; raise unless the caller may send a file there, and it has room."""
+    if destination.project_id is not None:
+        studio_id = references.ensure_may_upload(session, actor, destination.project_id, length)
+        ensure_upload_fits(session, studio_id, 0)
+        return studio_id
+    if destination.roster_entry_id is not None:
+        studio_id = reel.ensure_may_upload(session, actor, destination.roster_entry_id, length)
+        ensure_upload_fits(session, studio_id, 0)
+        return studio_id
+    if destination.adoption_id is not None:
+        studio_id = adoptions.ensure_may_upload(session, actor, destination.adoption_id)
+        ensure_upload_fits(session, studio_id, length)
+        return studio_id
+    if destination.delivery_id is None:
+        raise LookupError("a destination without a place")
+    delivery = service.ensure_may_upload(
+        session, actor, destination.delivery_id, beside_take_id=destination.beside_take_id
+    )
+    ensure_upload_fits(session, delivery.studio_id, length)
+    return delivery.studio_id
+
+
+def ensure_may_continue(session: Session, actor: Actor, scope: str) -> None:
+    """Raise unless the caller may still send to where an upload goes; a delivery closed meanwhile takes it."""
+    if scope.startswith(reel.SCOPE):
+        reel.ensure_may_continue(session, actor, scope)
+    elif scope.startswith(references.SCOPE):
+        references.ensure_may_continue(session, actor, scope)
+    elif scope.startswith(adoptions.SCOPE):
+        adoptions.ensure_may_continue(session, actor, scope)
+    else:
+        service.own_delivery(session, actor, UUID(scope))

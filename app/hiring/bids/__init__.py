@@ -1,0 +1,1 @@
+"""Bids, their samples and comparison."""

@@ -1,0 +1,1 @@
+"""Postings of work and who may see them."""

@@ -1,0 +1,1 @@
+"""Designers on file."""

@@ -1,0 +1,1 @@
+"""The ledger of a contract, and the journal for accountants."""

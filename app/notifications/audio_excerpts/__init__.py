@@ -1,0 +1,1 @@
+"""Pictures of the places in sounds that mails lead to."""

@@ -1,0 +1,1 @@
+"""Stored files, read again and held against the hashes of their rows."""

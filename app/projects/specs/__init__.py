@@ -1,0 +1,1 @@
+"""The delivery spec of a project."""

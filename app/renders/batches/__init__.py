@@ -1,0 +1,1 @@
+"""Every game file of a project rendered again."""

@@ -1,0 +1,1 @@
+"""Masters handed out with their provenance."""

@@ -1,0 +1,1 @@
+"""Sounds of other designers that a project opens."""

@@ -1,0 +1,1 @@
+"""The timbre of sounds, for comparison."""

@@ -1,0 +1,1 @@
+"""Adopted folders: their cues, takes and approvals."""

@@ -1,0 +1,1 @@
+"""Which takes a person has listened to."""

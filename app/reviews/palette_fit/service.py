@@ -1,0 +1,133 @@
+"""Fit with the palette: the distance of takes from approved sounds."""
+
+from collections.abc import Sequence
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.accounts.schemas import PersonBrief
+from app.deliveries.schemas import CueBrief
+from app.deliveries.service import delivery_for, take_for
+from app.projects.models import Project
+from app.renders.queries import has_palette
+from app.reviews.palette_fit import queries
+from app.reviews.palette_fit.queries import Compared
+from app.reviews.palette_fit.rules import (
+    FEWEST,
+    UNITS,
+    Fit,
+    FitBasis,
+    Likeness,
+    Measure,
+    Stands,
+    fit_of,
+    in_words,
+    middle_of,
+    shift,
+)
+from app.reviews.palette_fit.schemas import DeliveryFitRead, DeliveryShift, FitPoint, MeasureFit, TakeFitRead
+from app.sound_lists.models import Cue
+from app.sound_lists.rules import label
+
+NO_PALETTE = "No cue is marked as palette. Mark the reference sounds, and new sounds are compared with them."
+TOO_FEW = f"Fewer than {FEWEST} other cues are approved in this category or the palette: too few to compare with."
+NOT_CHECKED = "This version has not been checked, or is for no cue yet."
+BEING_HEARD = " Spectrum and timbre are still being measured."
+
+
+def take_fit(session: Session, actor: Actor, take_id: UUID) -> TakeFitRead:
+    """Compare a take with the approved sounds of its category; for the team."""
+    take, access = take_for(session, actor, take_id)
+    access.ensure_team()
+    sound = queries.take_compared(session, take_id)
+    delivery, _ = delivery_for(session, actor, take.delivery_id)
+    approved = queries.approved_sounds(session, take.project_id)
+    before = [one for one in approved if one.take.designer_id != delivery.designer_id]
+    first = delivery.id if before and queries.is_first_delivery(session, delivery) else None
+    if sound is None:
+        return TakeFitRead.nothing(take, NOT_CHECKED, first_delivery_id=first)
+    if not has_palette(session, take.project_id):
+        return TakeFitRead.nothing(take, NO_PALETTE, first_delivery_id=first)
+    return _fit(access.project, sound, approved, first_delivery_id=first)
+
+
+def delivery_fit(session: Session, actor: Actor, delivery_id: UUID) -> DeliveryFitRead:
+    """Compare each take of a delivery with other designers' approved sounds; for the team."""
+    delivery, access = delivery_for(session, actor, delivery_id)
+    access.ensure_team()
+    before = [
+        one
+        for one in queries.approved_sounds(session, delivery.project_id)
+        if one.take.designer_id != delivery.designer_id
+    ]
+    takes = [_fit(access.project, one, before) for one in queries.takes_compared(session, delivery_id)]
+    return DeliveryFitRead(
+        delivery_id=delivery.id,
+        project_id=delivery.project_id,
+        number=delivery.number,
+        designer=PersonBrief.model_validate(delivery.designer),
+        is_first=queries.is_first_delivery(session, delivery),
+        made_before_by=sorted({one.take.designer.name for one in before}),
+        takes=takes,
+        shifts=[
+            DeliveryShift(measure=measure, unit=UNITS[measure], compared=len(fits), apart=apart, shift=moved)
+            for measure in Measure
+            if (fits := [one for take in takes for one in take.measures if one.measure is measure])
+            for apart, moved in [shift([(one.value, one.middle, one.stands) for one in fits])]
+        ],
+    )
+
+
+def _fit(
+    project: Project, sound: Compared, approved: Sequence[Compared], *, first_delivery_id: UUID | None = None
+) -> TakeFitRead:
+    """Compare one sound with the approved cues of its category, else of the palette."""
+    cues = _by_cue([one for one in approved if one.cue.id != sound.cue.id])
+    of_category = [one for one in cues if one[0].category == sound.cue.category]
+    of_palette = [one for one in cues if one[0].palette]
+    basis, others = (FitBasis.CATEGORY, of_category) if len(of_category) >= FEWEST else (FitBasis.PALETTE, of_palette)
+    cue = _brief(project, sound.cue)
+    if len(others) < FEWEST:
+        return TakeFitRead.nothing(sound.take, TOO_FEW, cue=cue, first_delivery_id=first_delivery_id)
+    fits = fit_of(sound.likeness, [likeness for _, likeness in others])
+    return TakeFitRead(
+        take_id=sound.take.id,
+        file_name=sound.take.file_name,
+        cue=cue,
+        basis=basis,
+        category=sound.cue.category,
+        says=in_words(fits) + ("" if sound.is_analysed else BEING_HEARD),
+        is_apart=any(fit.stands is not Stands.WITHIN for fit in fits.values()),
+        measures=[_read(project, measure, fit, [one for one, _ in others]) for measure, fit in fits.items()],
+        first_delivery_id=first_delivery_id,
+    )
+
+
+def _by_cue(sounds: Sequence[Compared]) -> list[tuple[Cue, Likeness]]:
+    """Return each cue with the medians of its variations."""
+    variations: dict[Cue, list[Likeness]] = {}
+    for one in sounds:
+        variations.setdefault(one.cue, []).append(one.likeness)
+    return [(cue, middle_of(likenesses)) for cue, likenesses in variations.items()]
+
+
+def _read(project: Project, measure: Measure, fit: Fit, cues: Sequence[Cue]) -> MeasureFit:
+    return MeasureFit(
+        measure=measure,
+        unit=UNITS[measure],
+        value=fit.value,
+        middle=fit.middle,
+        lowest=fit.lowest,
+        highest=fit.highest,
+        stands=fit.stands,
+        others=[
+            FitPoint(cue=_brief(project, cue), is_palette=cue.palette, value=value)
+            for cue, value in zip(cues, fit.others, strict=True)
+            if value is not None
+        ],
+    )
+
+
+def _brief(project: Project, cue: Cue) -> CueBrief:
+    return CueBrief(id=cue.id, label=label(project.cue_prefix, cue.number), name=cue.name)

@@ -1,0 +1,1 @@
+"""The review queue and the room in which a cue is heard."""

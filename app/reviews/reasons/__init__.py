@@ -1,0 +1,1 @@
+"""Reasons and labels of a studio."""

@@ -1,0 +1,90 @@
+"""Reasons and labels, read from the database; callers have checked access."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+from uuid import UUID
+
+from sqlalchemy import Select, and_, func, select
+from sqlalchemy.orm import Session, joinedload
+
+from app.accounts.models import Person
+from app.deliveries.models import Take
+from app.reviews.models import ChangeRequest, GivenReason, ReasonList, Verdict
+from app.reviews.reasons.rules import ReasonKind
+from app.sound_lists.models import Cue
+
+
+def lists_of(session: Session, studio_id: UUID) -> dict[ReasonKind, Sequence[str]]:
+    """Return the lists that a studio wrote."""
+    query = select(ReasonList.kind, ReasonList.reasons).where(ReasonList.studio_id == studio_id)
+    return dict(session.execute(query).all())
+
+
+@dataclass(frozen=True)
+class ReasonFilter:
+    """Of which versions reasons are wanted; None filters nothing."""
+
+    project_id: UUID
+    designer_id: UUID | None = None
+    category: str | None = None
+
+
+@dataclass(frozen=True)
+class ReasonPlace:
+    """A verdict that gave a reason, with its version, its cue, and where in the sound a change was meant."""
+
+    verdict: Verdict
+    take: Take
+    cue: Cue
+    start_s: float | None
+
+
+def counts(session: Session, wanted: ReasonFilter) -> Sequence[tuple[ReasonKind, str, int]]:
+    """Return how often each reason was given, the most frequent first."""
+    given = func.count()
+    query = _filtered(select(GivenReason.kind, GivenReason.reason, given), wanted)
+    grouped = query.group_by(GivenReason.kind, GivenReason.reason)
+    return session.execute(grouped.order_by(given.desc(), GivenReason.reason)).all()
+
+
+def designers_with_reasons(session: Session, project_id: UUID) -> Sequence[Person]:
+    """Return the designers of whose takes reasons were given, by name."""
+    ids = select(GivenReason.designer_id).where(GivenReason.project_id == project_id).distinct()
+    return session.scalars(select(Person).where(Person.id.in_(ids)).order_by(Person.name, Person.id)).all()
+
+
+def categories_with_reasons(session: Session, wanted: ReasonFilter) -> Sequence[str]:
+    """Return the categories of the cues of which reasons were given, by name; empty for cues without one."""
+    cues = _filtered(select(GivenReason.cue_id).distinct(), wanted)
+    return session.scalars(select(Cue.category).distinct().where(Cue.id.in_(cues)).order_by(Cue.category)).all()
+
+
+def places(
+    session: Session, wanted: ReasonFilter, kind: ReasonKind, reason: str, *, after: UUID | None, limit: int
+) -> list[ReasonPlace]:
+    """Return the verdicts that gave a reason, newest first."""
+    query = (
+        _filtered(select(Verdict, Take, Cue, ChangeRequest.start_s).select_from(GivenReason), wanted)
+        .join(Verdict, Verdict.id == GivenReason.verdict_id)
+        .join(Take, Take.id == Verdict.take_id)
+        .join(Cue, Cue.id == GivenReason.cue_id)
+        .outerjoin(ChangeRequest, ChangeRequest.id == GivenReason.change_request_id)
+        .where(and_(GivenReason.kind == kind, GivenReason.reason == reason))
+        .options(joinedload(Verdict.author), joinedload(Verdict.represented), joinedload(Take.designer))
+        .order_by(GivenReason.verdict_id.desc())
+        .limit(limit)
+    )
+    if after is not None:
+        query = query.where(GivenReason.verdict_id < after)
+    return [ReasonPlace(*row) for row in session.execute(query)]
+
+
+def _filtered(query: Select[*tuple[Any, ...]], wanted: ReasonFilter) -> Select[*tuple[Any, ...]]:
+    query = query.where(GivenReason.project_id == wanted.project_id)
+    if wanted.designer_id is not None:
+        query = query.where(GivenReason.designer_id == wanted.designer_id)
+    if wanted.category is not None:
+        of_category = select(Cue.id).where(Cue.project_id == wanted.project_id, Cue.category == wanted.category)
+        query = query.where(GivenReason.cue_id.in_(of_category))
+    return query

@@ -1,0 +1,81 @@
+"""The studio's lists of reasons and labels, and the reasons that verdicts give."""
+
+from collections.abc import Mapping, Sequence
+from uuid import UUID
+
+from sqlalchemy import delete
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.accounts.service import ensure_member_of, ensure_producer_of
+from app.core import clock
+from app.core.db import insert_if_absent
+from app.core.in_array import in_array
+from app.deliveries.models import Take
+from app.projects.service import project_access
+from app.reviews.models import GivenReason, ReasonList, Verdict
+from app.reviews.reasons import queries
+from app.reviews.reasons.rules import OURS, ReasonKind, ensure_distinct
+from app.reviews.reasons.schemas import ReasonListRead, ReviewReasonsRead
+
+
+def reasons_of_studio(session: Session, actor: Actor, studio_id: UUID) -> ReviewReasonsRead:
+    """Return the lists of the caller's studio."""
+    ensure_member_of(actor, studio_id)
+    return _lists(session, studio_id)
+
+
+def reasons_of_project(session: Session, actor: Actor, project_id: UUID) -> ReviewReasonsRead:
+    """Return the lists of a project's studio, for its team and designers."""
+    return _lists(session, project_access(session, actor, project_id).project.studio_id)
+
+
+def set_reasons(
+    session: Session, actor: Actor, studio_id: UUID, wanted: Mapping[ReasonKind, Sequence[str]]
+) -> ReviewReasonsRead:
+    """Write lists of a studio; an empty one, and one that says what ours says, gives ours back."""
+    ensure_producer_of(session, actor, studio_id)
+    for kind, reasons in wanted.items():
+        ensure_distinct(reasons, kind)
+        if not reasons or tuple(reasons) == OURS[kind]:
+            session.execute(delete(ReasonList).where(ReasonList.studio_id == studio_id, ReasonList.kind == kind))
+            continue
+        said = {"reasons": list(reasons), "set_by": actor.person, "set_at": clock.now()}
+        row = {"studio_id": studio_id, "kind": kind, **said}
+        if not insert_if_absent(session, ReasonList, row, unique=("studio_id", "kind")):
+            known = session.get_one(ReasonList, (studio_id, kind), populate_existing=True)
+            known.reasons, known.set_by, known.set_at = list(reasons), actor.person, clock.now()
+    session.flush()
+    return _lists(session, studio_id)
+
+
+def _lists(session: Session, studio_id: UUID) -> ReviewReasonsRead:
+    own = queries.lists_of(session, studio_id)
+    lists = {
+        kind.value: ReasonListRead(reasons=list(own.get(kind, OURS[kind])), is_own=kind in own) for kind in ReasonKind
+    }
+    return ReviewReasonsRead(**lists)
+
+
+def record_reasons(session: Session, kind: ReasonKind, given: Sequence[tuple[Verdict, Take, UUID | None]]) -> None:
+    """Record the reasons of verdicts, each with its take and the change request that it sent."""
+    session.add_all(
+        GivenReason(
+            verdict_id=verdict.id,
+            reason=reason,
+            kind=kind,
+            studio_id=verdict.studio_id,
+            project_id=verdict.project_id,
+            cue_id=verdict.cue_id,
+            designer_id=take.designer_id,
+            change_request_id=change_request_id,
+        )
+        for verdict, take, change_request_id in given
+        for reason in verdict.reasons
+    )
+
+
+def forget_reasons(session: Session, verdicts: Sequence[Verdict]) -> None:
+    """Count the reasons of verdicts that are taken back no longer."""
+    if any(verdict.reasons for verdict in verdicts):
+        session.execute(delete(GivenReason).where(in_array(GivenReason.verdict_id, [one.id for one in verdicts])))

@@ -1,0 +1,171 @@
+"""Change requests and their sending: drafts go out together, and each cue counts one round at most."""
+
+from collections import defaultdict
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.accounts.rules import Actor
+from app.core.db import new_id
+from app.core.events import publish
+from app.core.web.http import Page, cursor_of, uuid_cursor
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.deliveries.take_states import change_state
+from app.money.settlement import price_round
+from app.projects.approval.service import approval_rights, ensure_may_approve
+from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
+from app.projects.rules import ApprovalScope
+from app.projects.service import project_access
+from app.reviews import queries
+from app.reviews.errors import AlreadySent, ChangeRequestNotFound, NothingToSend
+from app.reviews.models import ChangeRequest, Feedback, Round, Verdict
+from app.reviews.queue.service import change_request_read
+from app.reviews.reasons.rules import ReasonKind
+from app.reviews.reasons.service import record_reasons
+from app.reviews.rounds.mentions import publish_mentions
+from app.reviews.rules import STATE_WORDS, VerdictKind, why_not_counted
+from app.reviews.schemas import ChangeRequestRead, FeedbackRead, HeldBack, RoundRead
+from app.reviews.verdicts.decisions import new_verdict
+from app.reviews.verdicts.settlement import settle_acceptance
+from app.sound_lists.models import Cue
+
+PAGE_CHANGE_REQUESTS = 200
+
+
+def change_requests(
+    session: Session, actor: Actor, project_id: UUID, *, state: str, cursor: str | None
+) -> Page[ChangeRequestRead]:
+    """Return drafts or sent change requests, newest first; a designer sees those sent on their own takes."""
+    access = project_access(session, actor, project_id)
+    drafts = state == "draft"
+    if drafts and not access.is_team:
+        raise TeamNeeded("drafts are the game team's until they are sent")
+    where = [
+        ChangeRequest.project_id == project_id,
+        ChangeRequest.feedback_id.is_(None) if drafts else ChangeRequest.feedback_id.is_not(None),
+    ]
+    if access.only_designer_id is not None:
+        where.append(ChangeRequest.take.has(designer_id=access.only_designer_id))
+    found = queries.change_requests_of(session, *where, after=uuid_cursor(cursor), limit=PAGE_CHANGE_REQUESTS + 1)
+    shown = found[:PAGE_CHANGE_REQUESTS]
+    items = [change_request_read(one, access.project.cue_prefix) for one in shown]
+    return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > len(shown) else None)
+
+
+def drop_change_request(session: Session, actor: Actor, change_request_id: UUID) -> None:
+    """Drop a draft."""
+    request = queries.change_request_by_id(session, change_request_id)
+    if request is None:
+        raise ChangeRequestNotFound(f"no change request {change_request_id}")
+    try:
+        access = project_access(session, actor, request.project_id)
+    except ProjectNotFound:
+        raise ChangeRequestNotFound(f"no change request {change_request_id}") from None
+    if access.only_designer_id is not None and (
+        request.feedback_id is None or request.take.designer_id != access.only_designer_id
+    ):
+        raise ChangeRequestNotFound(f"no change request {change_request_id}")
+    ensure_may_approve(session, access, request.cue.category)
+    if request.feedback_id is not None:
+        raise AlreadySent("this change request was sent and can't be deleted")
+    session.delete(request)
+
+
+def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str = "") -> FeedbackRead:
+    """Send the caller's drafts of a project together: their takes go back, and each cue counts one round at most."""
+    access = project_access(session, actor, project_id)
+    rights = approval_rights(session, access.project)
+    if not (access.is_team and rights.scope_of(actor.person).is_any):
+        raise ApproverNeeded("only an approver of the project sends changes; add a comment instead")
+    sendable, held_back = _sorted_drafts(session, project_id, rights.scope_of(actor.person))
+    if not sendable:
+        raise NothingToSend(held_back[0].why if held_back else "there are no draft change requests to send")
+    sending = Feedback(studio_id=access.project.studio_id, project_id=project_id, sent_by=actor.person, note=note)
+    session.add(sending)
+    session.flush()
+    reversals: dict[UUID, list[bool]] = defaultdict(list)
+    action_id = new_id()
+    given: list[tuple[Verdict, Take, UUID | None]] = []
+    for draft in sorted(sendable, key=lambda each: each.cue_id):  # contracts are locked in one order
+        reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
+        for_whom = rights.on_behalf_of(actor.person, draft.cue.category)
+        verdict = new_verdict(
+            session,
+            actor.person,
+            draft.take,
+            VerdictKind.REQUEST_CHANGE,
+            draft.text,
+            action_id,
+            reasons=draft.reasons,
+            on_behalf_of=for_whom,
+        )
+        session.add(verdict)
+        given.append((verdict, draft.take, draft.id))
+        change_state(session, draft.take, TakeState.CHANGE_REQUESTED, reasons=draft.reasons)
+        draft.feedback_id = sending.id
+    rounds = _count_rounds(session, sending, reversals)
+    session.flush()
+    record_reasons(session, ReasonKind.CHANGE, given)
+    for one in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
+        if one.number is not None:
+            price_round(session, one.cue_id, number=one.number, person_id=actor.person)
+        settle_acceptance(session, session.get_one(Cue, one.cue_id), person_id=actor.person)
+    session.expire_all()
+    publish(session, "changes.sent", studio_id=sending.studio_id, feedback_id=sending.id)
+    sent = queries.change_requests_of(session, ChangeRequest.feedback_id == sending.id)
+    for request in sent:
+        publish_mentions(session, request, without=request.take.designer_id)
+    return FeedbackRead(
+        id=sending.id,
+        note=sending.note,
+        created_at=sending.created_at,
+        change_requests=[change_request_read(one, access.project.cue_prefix) for one in reversed(sent)],
+        rounds=[RoundRead.model_validate(one) for one in rounds],
+        held_back=held_back,
+    )
+
+
+def _sorted_drafts(
+    session: Session, project_id: UUID, scope: ApprovalScope
+) -> tuple[list[ChangeRequest], list[HeldBack]]:
+    """Return the drafts that can go now, and why the others cannot; their cues are locked.
+
+    Those on cues that the sender does not approve are left to their own approver.
+    """
+    sendable: list[ChangeRequest] = []
+    held_back: list[HeldBack] = []
+    for cue_id in sorted({draft.cue_id for draft in queries.drafts_of_project(session, project_id)}):
+        queries.lock_cue(session, cue_id)
+    for draft in queries.drafts_of_project(session, project_id):
+        if not scope.covers(draft.cue.category):
+            continue
+        take = draft.take
+        if take.cue_id != draft.cue_id:
+            why = f"{take.file_name} is not matched to this cue any more; its draft is kept"
+        elif take.state not in (TakeState.CONFORMING, TakeState.APPROVED):
+            why = f"version {take.number} of {take.file_name} {STATE_WORDS[take.state]}; its draft is kept"
+        else:
+            sendable.append(draft)
+            continue
+        held_back.append(HeldBack(change_request_id=draft.id, take_id=take.id, why=why))
+    return sendable, held_back
+
+
+def _count_rounds(session: Session, sending: Feedback, reversals: dict[UUID, list[bool]]) -> list[Round]:
+    counted = queries.round_counts(session, reversals)
+    rounds = []
+    for cue_id, reversed_ones in reversals.items():
+        why_not = why_not_counted(reversed_ones)
+        rounds.append(
+            Round(
+                studio_id=sending.studio_id,
+                project_id=sending.project_id,
+                cue_id=cue_id,
+                feedback_id=sending.id,
+                number=None if why_not else counted.get(cue_id, 0) + 1,
+                why_not_counted=why_not,
+            )
+        )
+    session.add_all(rounds)
+    return rounds

@@ -1,0 +1,1 @@
+"""Verdicts: given, undone, deemed, and applied to the contract."""

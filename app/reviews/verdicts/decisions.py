@@ -1,0 +1,172 @@
+"""Decisions on takes: their verdicts, what gives way to them, and the record of the contract."""
+
+from collections.abc import Sequence
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.agreements.clauses.deemed_acceptance import CLAUSE as SILENCE
+from app.agreements.rules import AcceptedBy
+from app.core import clock
+from app.core.db import new_id
+from app.core.events import publish
+from app.core.recorded_rows import RowChanges
+from app.deliveries.models import Take
+from app.deliveries.rules import TakeState
+from app.deliveries.sources.service import record_sources
+from app.deliveries.take_states import change_state
+from app.money.settlement import record_work
+from app.reviews import queries
+from app.reviews.errors import NotReviewable
+from app.reviews.models import Verdict
+from app.reviews.reasons.rules import ReasonKind
+from app.reviews.reasons.service import record_reasons
+from app.reviews.rules import VerdictKind
+from app.reviews.verdicts.settlement import settle_acceptance
+from app.sound_lists.models import Cue
+
+SUPERSEDED = "another version was picked"
+STATE_AFTER = {VerdictKind.APPROVE: TakeState.APPROVED, VerdictKind.SET_ASIDE: TakeState.SET_ASIDE}
+
+
+class Decision:
+    """The decisions of one click, or of deemed acceptance, so that they can be undone together."""
+
+    def __init__(
+        self,
+        session: Session,
+        person_id: UUID | None,
+        note: str,
+        *,
+        reasons: Sequence[str] = (),
+        on_behalf_of: UUID | None = None,
+        deemed_by_contract_id: UUID | None = None,
+    ) -> None:
+        self._session = session
+        self._person_id = person_id
+        self._on_behalf_of = on_behalf_of
+        self._note = note
+        self._reasons = reasons
+        self._silence_contract_id = deemed_by_contract_id
+        self.action_id = new_id()
+        self.approved: list[Take] = []
+        self.gave_way: list[UUID] = []
+
+    def approve(self, take: Take, *, without_listening: bool = False) -> None:
+        """Pick a take; what else waits or was picked for its variation gives way."""
+        if take.cue_id is None:
+            raise AssertionError("only matched takes are judged")
+        for other in queries.open_takes(self._session, take.cue_id, variation=take.variation):
+            if other.id != take.id:
+                self._record(other, VerdictKind.SET_ASIDE, SUPERSEDED, keeps_draft=True)
+                self.gave_way.append(other.id)
+        self._session.flush()  # the former pick gives way first: there is never more than one
+        verdict = self._record(
+            take, VerdictKind.APPROVE, self._note, reasons=self._reasons, without_listening=without_listening
+        )
+        self._session.flush()
+        record_reasons(self._session, ReasonKind.PICK, [(verdict, take, None)])
+        record_sources(self._session, take)
+        self.approved.append(take)
+
+    def set_aside(self, take: Take) -> None:
+        """Put a waiting take away."""
+        if take.state is TakeState.APPROVED:
+            raise NotReviewable(
+                "this version is approved", fix="approve another version in its place, or request a change"
+            )
+        self._record(take, VerdictKind.SET_ASIDE, self._note)
+        self._session.flush()
+
+    def finish(self, cue: Cue) -> bool:
+        """Settle what is owed, publish the approvals, and return whether the cue is accepted now."""
+        by = AcceptedBy.VERDICT if self._silence_contract_id is None else AcceptedBy.SILENCE
+        accepted = settle_acceptance(self._session, cue, person_id=self._person_id, by=by)
+        for take in self.approved if by is AcceptedBy.VERDICT else ():
+            publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
+        return accepted
+
+    def _record(
+        self,
+        take: Take,
+        kind: VerdictKind,
+        note: str,
+        *,
+        reasons: Sequence[str] = (),
+        keeps_draft: bool = False,
+        without_listening: bool = False,
+    ) -> Verdict:
+        verdict = new_verdict(
+            self._session,
+            self._person_id,
+            take,
+            kind,
+            note,
+            self.action_id,
+            reasons=reasons,
+            on_behalf_of=self._on_behalf_of,
+            deemed_by_contract_id=self._silence_contract_id,
+            without_listening=without_listening,
+        )
+        change_state(self._session, take, STATE_AFTER[kind], reasons=reasons)
+        draft = queries.draft_of(self._session, take.id)
+        if draft is not None and not keeps_draft:
+            kept = ("text", "reasons", "start_s", "end_s", "mentions")
+            verdict.dropped_draft = {name: getattr(draft, name) for name in kept}
+            self._session.delete(draft)
+        self._session.add(verdict)
+        return verdict
+
+
+def new_verdict(
+    session: Session,
+    person_id: UUID | None,
+    take: Take,
+    kind: VerdictKind,
+    note: str,
+    action_id: UUID,
+    *,
+    reasons: Sequence[str] = (),
+    on_behalf_of: UUID | None = None,
+    deemed_by_contract_id: UUID | None = None,
+    without_listening: bool = False,
+    withdraws_id: UUID | None = None,
+) -> Verdict:
+    """Return a verdict to record before the take moves; the record of its contract has it at once."""
+    verdict = Verdict(
+        id=new_id(),
+        studio_id=take.studio_id,
+        project_id=take.project_id,
+        cue_id=take.cue_id,
+        take_id=take.id,
+        action_id=action_id,
+        kind=kind,
+        note=note,
+        reasons=list(reasons),
+        state_before=take.state,
+        since_before=take.state_since,
+        given_by=person_id,
+        on_behalf_of=on_behalf_of,
+        deemed_by_contract_id=deemed_by_contract_id,
+        without_listening=without_listening,
+        withdraws_id=withdraws_id,
+        created_at=clock.now(),
+    )
+    if take.cue_id is not None:
+        facts: dict[str, str | int | bool] = {
+            "verdict": kind.value,
+            "variation": take.variation,
+            "version": take.number or 0,
+            "note": note,
+            "verdict_id": str(verdict.id),
+        }
+        if without_listening:
+            facts["without_listening"] = True
+        if deemed_by_contract_id is not None:
+            facts["clause"] = SILENCE
+        by = person_id if deemed_by_contract_id is None else None
+        rows = RowChanges().add(verdict, take)
+        record_work(
+            session, take.cue_id, take.designer_id, "judged", facts, by=by, on_behalf_of=on_behalf_of, rows=rows
+        )
+    return verdict

@@ -1,0 +1,92 @@
+"""Jobs of cues under a deemed-acceptance clause: reminders, and acceptance when the days are over."""
+
+from datetime import datetime
+from uuid import UUID
+
+from sqlalchemy import true
+from sqlalchemy.orm import Session
+
+from app.core import clock
+from app.core.db import insert_if_absent, new_id
+from app.core.events import publish
+from app.core.plural import counted
+from app.deliveries.models import Take
+from app.deliveries.rules import shown_name
+from app.money.settlement import record_reminder
+from app.projects.approval.service import approval_rights
+from app.reviews import queries
+from app.reviews.models import Reminder
+from app.reviews.verdicts.decisions import Decision
+from app.reviews.verdicts.deemed_cues import DeemedCue, deemed_cues
+
+
+def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
+    """Return the cues whose days are over, and those of which a reminder is due that was not sent."""
+    waiting = deemed_cues(session, true())
+    sent = {
+        (one.cue_id, one.waiting_since, one.number)
+        for one in queries.reminders_of(session, [w.cue.id for w in waiting])
+    }
+    return [
+        one.cue.id
+        for one in waiting
+        if one.is_over(now) or ((number := one.reminders(now)) and (one.cue.id, one.wait.since, number) not in sent)
+    ]
+
+
+def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
+    """Accept a cue whose days are over, or remind those who may approve it; do nothing after a decision.
+
+    A cue with two files of one delivery for one place is not accepted: the reminder names them.
+    """
+    queries.lock_cue(session, cue_id)
+    for one in deemed_cues(session, Take.cue_id == cue_id):
+        if one.is_over(now):
+            _accept(session, one, now)
+        elif number := one.reminders(now):
+            _remind(session, one, number, now)
+
+
+def _accept(session: Session, one: DeemedCue, now: datetime) -> None:
+    note = (
+        f"Auto-accepted: no response within {counted(one.wait.clause.days, 'working day')}, "
+        f"until {one.wait.last_day(now)} ({one.contract.title})"
+    )
+    decision = Decision(session, None, note, deemed_by_contract_id=one.contract.id)
+    for take in one.picks:
+        decision.approve(take)
+    decision.finish(one.cue)
+    publish(
+        session,
+        "cue.deemed_accepted",
+        studio_id=one.cue.studio_id,
+        cue_id=one.cue.id,
+        contract_id=one.contract.id,
+        days=one.wait.clause.days,
+    )
+
+
+def _remind(session: Session, one: DeemedCue, number: int, now: datetime) -> None:
+    reminder = {
+        "id": new_id(),
+        "studio_id": one.cue.studio_id,
+        "project_id": one.cue.project_id,
+        "cue_id": one.cue.id,
+        "waiting_since": one.wait.since,
+        "number": number,
+        "created_at": clock.now(),
+    }
+    if not insert_if_absent(session, Reminder, reminder, unique=("cue_id", "waiting_since", "number")):
+        return
+    last_day = one.wait.last_day(now)
+    for person_id in approval_rights(session, one.project).people_for(one.cue.category):
+        record_reminder(session, one.contract.id, one.cue.id, to_id=person_id, last_day=last_day)
+        publish(
+            session,
+            "approver.reminded",
+            studio_id=one.cue.studio_id,
+            cue_id=one.cue.id,
+            approver_id=person_id,
+            last_day=last_day.isoformat(),
+            undecided=[" and ".join(shown_name(take.file_name) for take in group) for group in one.undecided],
+        )

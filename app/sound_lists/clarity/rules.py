@@ -1,0 +1,377 @@
+"""What a request for a sound leaves open: the facts that someone needs to make it, and cannot find in its words.
+
+A request names a kind of sound (a splash, a step, an ambience), and each kind needs a few facts. A fact is there when a
+word of its own says it, or when a thing is named that implies it: a coin is small and of metal, an object is not. What
+no word decides is not asked, since a needless question costs the reader more than a missing one. The words are in
+`clarity.toml`; `clarity_words.toml` has more, by what they are, from WordNet.
+"""
+
+import re
+import tomllib
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cache, lru_cache
+from importlib.resources import files
+from itertools import pairwise
+from typing import Any
+
+MAX_QUESTIONS = 3
+EVEN_IF_NAMED = "even if named"  # a thing does not say it
+SHORTEST_THING = 4  # letters of a word that is not known; shorter ones abbreviate
+ENOUGH_WORDS = 5  # that say something of their own: such a request is asked only for what its kind cannot do without
+TERSE_WORDS = 3  # of a description; so few name a thing only where the lexicon knows it
+LONG_WORDS = 7  # of a description; so many leave nothing open, unless they speak of "something"
+SHORTEST_MISSPELT = 6  # letters of a word that is looked up in spite of a slip
+MAX_CHARS = 4_000  # of one request; what follows is not read
+CACHED = 20_000
+
+
+class Fact(StrEnum):
+    """What a designer may have to know."""
+
+    SOURCE = "source"
+    MATERIAL = "material"
+    SIZE = "size"
+    SURFACE = "surface"
+    PLACE = "place"
+    DISTANCE = "distance"
+    INTENSITY = "intensity"
+    MOOD = "mood"
+    LOOP = "loop"
+    LENGTH = "length"
+    CHARACTER = "character"
+    WORDS = "words"
+    DIRECTION = "direction"
+
+
+@dataclass(frozen=True)
+class Question:
+    """A fact that is missing, the question for it, and answers to choose from."""
+
+    fact: Fact
+    question: str
+    answers: tuple[str, ...]
+    condition: str = ""  # "if vague": no thing is named; "if named": one is; "if open": no length is given; or this:
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of sound: the words that speak of it, and what is needed to make one."""
+
+    words: frozenset[str]
+    of: frozenset[str]  # words, or lists with "@", one of which must be there too; empty: none
+    classes: frozenset[str]  # lists whose words speak of it where few words speak of no kind
+    says_intensity: frozenset[str]  # words that say how strong this kind is, and no other
+    needs: tuple[Question, ...]
+    categories: frozenset[str]  # whose cues are of this kind where their words speak of none
+    filed_under: frozenset[str]  # categories of what is of this kind
+    by_people: bool  # a person is its source
+    loops: bool  # as a rule, whatever its length
+
+
+@dataclass(frozen=True)
+class Lexicon:
+    """The words of `clarity.toml` and `clarity_words.toml`."""
+
+    facts: dict[Fact, frozenset[str]]
+    kinds: tuple[Kind, ...]
+    pairs: frozenset[str]  # of two words, joined by "-"
+    words: dict[str, frozenset[str]]  # by what they are: vague, verbs, things, ...
+    every: frozenset[str]  # word that it knows
+    near: dict[str, frozenset[str]]  # words of kinds by what is left of them without one letter
+
+
+@dataclass(frozen=True)
+class Word:
+    """What the lexicon knows of one word, looked up once."""
+
+    forms: frozenset[str]
+    facts: frozenset[Fact]  # that it says
+    kinds: frozenset[int]  # that it speaks of, by their places
+    lists: frozenset[str]  # of the lexicon that it stands in
+    partners: frozenset[str]  # its forms and its lists, as `of` of a kind names them
+
+
+@cache
+def lexicon() -> Lexicon:
+    """Return the lexicon, which is read once."""
+    read, more = (tomllib.loads(_text_of(name)) for name in ("clarity.toml", "clarity_words.toml"))
+    own = {name: frozenset(text.split()) for name, text in read["words"].items()}
+    known = own["vague"] | own["verbs"]
+    facts = {Fact(name): frozenset(text.split()) for name, text in read["facts"].items()}
+    for name, text in more["facts"].items():
+        facts[Fact(name)] |= frozenset(text.split()) - known
+    kinds = tuple(_kind(kind, read["questions"]) for kind in read["kinds"])
+    words = dict(own)
+    for name, text in more["words"].items():
+        words[name] = own.get(name, frozenset()) | frozenset(text.split()) - known
+    return Lexicon(
+        facts,
+        kinds,
+        pairs=frozenset(word for kind in kinds for word in kind.words if "-" in word),
+        words=words,
+        every=frozenset[str]().union(*facts.values(), *words.values(), *(kind.words for kind in kinds)),
+        near=_near(word for kind in kinds for word in kind.words),
+    )
+
+
+def _near(words: Iterable[str]) -> dict[str, frozenset[str]]:
+    found: dict[str, set[str]] = defaultdict(set)
+    for word in words:
+        if len(word) >= SHORTEST_MISSPELT:
+            for key in _one_less(word):
+                found[key].add(word)
+    return {key: frozenset(near) for key, near in found.items()}
+
+
+def _one_less(word: str) -> set[str]:
+    """Return a word and what is left of it without any letter but the first: words that share one differ by a slip."""
+    return {word, *(word[:place] + word[place + 1 :] for place in range(1, len(word)))}
+
+
+def _text_of(file_name: str) -> str:
+    return (files("app.sound_lists.clarity") / file_name).read_text(encoding="utf-8")
+
+
+def _kind(read: dict[str, Any], asked: dict[str, dict[str, Any]]) -> Kind:
+    needs = []
+    for need in read["needs"]:
+        key, _, condition = need.partition(" ")
+        needs.append(Question(Fact(key.partition(".")[0]), asked[key]["ask"], tuple(asked[key]["answers"]), condition))
+    lists = {
+        name: frozenset(read.get(name, "").split())
+        for name in ("words", "of", "classes", "says_intensity", "categories", "filed_under")
+    }
+    return Kind(**lists, needs=tuple(needs), by_people=read.get("by_people", False), loops=read.get("loops", False))
+
+
+NAMELESS = (Question(Fact.SOURCE, "Of what?", ("a tool", "a stone", "a person")),)  # of neither a kind nor a thing
+VOICE_CATEGORIES = frozenset({"dialogue", "narration", "vo", "voice", "voice-over", "voiceover", "voices", "vox"})
+VOICE_WORDS = frozenset({"vo", "voice", "voiceover", "vox"})  # that say of a cue only that it is a line
+VOICE_LINE = (  # what is spoken needs these, and no size and no place
+    Question(Fact.CHARACTER, "Who speaks?", ("the player", "a guard", "a narrator")),
+    Question(Fact.WORDS, "What is said?", ("one word", "one sentence", "it is with the script")),
+    Question(Fact.DIRECTION, "How is it spoken?", ("calmly", "shouted", "whispered")),
+)
+SCRIPTED = re.compile(r"\bwith the (voice lines|script)\b", re.IGNORECASE)  # the words, and all else of the line
+SPOKEN = re.compile(r"[\"“„«][^\"”“»]{2,}[\"”“»]")  # words in quotation marks
+THINGS = {  # lists of WordNet's words that name something whose source, size and material are known
+    *("projectiles", "weapons", "vehicles", "instruments", "machines", "tools", "garments", "furniture"),
+    *("containers", "jewels", "game_gear", "beasts", "spirits", "plants", "food"),
+}
+BY_KIND = set(Fact) - {Fact.INTENSITY}  # a word of the kind says none of these
+ANY_SIZE = {"machines", "containers", "plants"}  # lists of things whose size their name leaves open
+MANNER = {Fact.INTENSITY, Fact.MOOD}  # a sentence about a named thing says enough of these
+ANSWER = re.compile(rf"\b({'|'.join(Fact)}): [^.]*\.?", re.IGNORECASE)
+STATED = re.compile(rf"\b({'|'.join(Fact)}): ", re.IGNORECASE)
+WORD = re.compile(r"[^\W\d_]+(?:-[^\W\d_]+)*|\d+")
+CAMEL = re.compile(r"(?<=[a-z])(?=[A-Z])")
+ENDINGS = (
+    ("s", ""),
+    ("es", ""),
+    ("ies", "y"),
+    ("ing", ""),
+    ("ing", "e"),
+    ("ed", ""),
+    ("ed", "e"),
+    ("ly", ""),
+    ("ily", "y"),
+)
+
+
+@lru_cache(CACHED)
+def questions(name: str, category: str, description: str, loop: bool, has_length: bool) -> tuple[Question, ...]:
+    """Return what a request leaves open, the most needed first: none where a designer can begin."""
+    named, said = _words(name), _words(description)
+    if category.lower() in VOICE_CATEGORIES and not any(
+        word.kinds and not word.forms & VOICE_WORDS for word in (*named, *said)
+    ):
+        return _open_in_voice_line(description, said)
+    own = ANSWER.sub(" ", description)  # without what was answered
+    length = len(own.split())
+    is_unsaid = any("unsaid" in word.lists for word in said)
+    if length >= LONG_WORDS and not is_unsaid:
+        return ()
+    is_terse = 0 < length <= TERSE_WORDS
+    place = _place_of_kind(named, _words(own), category, may_class=length <= TERSE_WORDS)
+    kind = None if place is None else lexicon().kinds[place]
+    things = [] if is_unsaid else list(_things(named, said, place, is_terse))
+    if len({word.forms for word in (*named, *said) if _is_informative(word, place)}) >= ENOUGH_WORDS:
+        return ()
+    loops = kind is not None and kind.loops
+    if things and has_length and not said and not loops:  # a name alone that its writer takes for known
+        return ()
+    found = _said_facts((*named, *said), place) | {Fact(match[1].lower()) for match in STATED.finditer(description)}
+    if loop or has_length:
+        found.add(Fact.LENGTH)
+    if loop or (has_length and kind and not loops):
+        found.add(Fact.LOOP)
+    if loops and things:  # a thing says which place it is, and several what it is like there
+        found |= {Fact.PLACE, Fact.MOOD} if len({word.forms for word in things if word in said}) > 1 else {Fact.PLACE}
+    implied = _implied_facts(things, in_sentence=length > TERSE_WORDS and not loops)
+    needs = kind.needs if kind else NAMELESS if is_terse or not (implied or found) else ()
+    needless = {"if vague" if things else "if named", "if open" if has_length else None}
+    return tuple(
+        one
+        for one in needs
+        if one.fact not in found
+        and (one.fact not in implied or one.condition == EVEN_IF_NAMED)
+        and one.condition not in needless
+    )[:MAX_QUESTIONS]
+
+
+def _things(named: Collection[Word], said: Collection[Word], place: int | None, is_terse: bool) -> Iterator[Word]:
+    """Yield the words that name something; in a few words only those that the lexicon knows."""
+    yield from (word for word in said if _is_thing(word, place) and not (is_terse and _is_unknown(word)))
+    yield from (word for word in named if ("things" in word.lists or not said) and _is_thing(word, place))
+
+
+def _said_facts(words: Collection[Word], place: int | None) -> set[Fact]:
+    """Return the facts that words say by themselves."""
+    found = set[Fact]().union(*(word.facts - BY_KIND if _is_of_kind(word, place) else word.facts for word in words))
+    if place is not None and any(word.forms & lexicon().kinds[place].says_intensity for word in words):
+        found.add(Fact.INTENSITY)
+    return found
+
+
+def _implied_facts(things: Collection[Word], in_sentence: bool) -> set[Fact]:
+    """Return the facts that the things which are named leave in no doubt."""
+    implied = {Fact.SOURCE} if things else set()
+    if any(_has_known_size(word) for word in things):
+        implied.add(Fact.SIZE)
+    if any("any_material" not in word.lists for word in things):
+        implied.add(Fact.MATERIAL)
+    return implied | MANNER if things and in_sentence else implied
+
+
+def categories_spoken_of(text: str) -> frozenset[str]:
+    """Return the categories of the kind of sound that a text speaks of; none where it speaks of no kind."""
+    place = _place_of_kind(_words(text), (), "")
+    return frozenset() if place is None else lexicon().kinds[place].filed_under
+
+
+@lru_cache(CACHED)
+def words_in(text: str) -> frozenset[str]:
+    """Return the words of a text in lower case, without numbers."""
+    return frozenset(_found_words(text))
+
+
+def _open_in_voice_line(description: str, said: Collection[Word]) -> tuple[Question, ...]:
+    """Return what the request for a spoken line leaves open; the script says all of a line that stands in it."""
+    if SCRIPTED.search(description):
+        return ()
+    found = {Fact(match[1].lower()) for match in STATED.finditer(description)}
+    if SPOKEN.search(description):
+        found.add(Fact.WORDS)
+    if any("people" in word.lists or Fact.SOURCE in word.facts for word in said):
+        found.add(Fact.CHARACTER)
+    if any(word.facts & {Fact.MOOD, Fact.INTENSITY} for word in said):
+        found.add(Fact.DIRECTION)
+    return tuple(one for one in VOICE_LINE if one.fact not in found)
+
+
+def _place_of_kind(
+    named: Collection[Word], said: Collection[Word], category: str, *, may_class: bool = False
+) -> int | None:
+    """Return the place of the first kind that the name speaks of, else the description, else the category."""
+    kinds = lexicon().kinds
+    every = (*named, *said)
+    there = frozenset[str]().union(*(word.partners for word in every))
+    if places := {place for word in every for place in word.kinds if kinds[place].of & there}:
+        return min(places)
+    for words in (named, said):
+        if places := {place for word in words for place in word.kinds if not kinds[place].of}:
+            return min(places)
+    category = category.lower()
+    by_category = (place for place, kind in enumerate(kinds) if category in kind.categories)
+    by_class = (place for place, kind in enumerate(kinds) if may_class and kind.classes & _lists_of(every))
+    return next(by_category, next(by_class, None))
+
+
+def _lists_of(words: Collection[Word]) -> frozenset[str]:
+    return frozenset[str]().union(*(word.lists for word in words))
+
+
+def _is_thing(word: Word, place: int | None) -> bool:
+    """Whether a word names something of its own: no word of a fact, of the kind, or of nothing in particular."""
+    if "people" in word.lists:
+        return place is not None and lexicon().kinds[place].by_people
+    if "named" in word.lists and not _is_partner(word, place):
+        return True
+    if not word.kinds and not _is_partner(word, place) and ("things" in word.lists or word.lists & THINGS):
+        return True
+    if _is_of_kind(word, place) or word.lists & {"vague", "verbs"} or max(map(len, word.forms)) < SHORTEST_THING:
+        return False
+    if "any_size" in word.lists:
+        return True
+    if word.kinds and any("-" in form for form in word.forms):
+        return False
+    return not (word.facts or any(form.endswith(("ing", "ed")) for form in word.forms))
+
+
+def _has_known_size(word: Word) -> bool:
+    return "any_size" not in word.lists and ("things" in word.lists or not word.lists & ANY_SIZE)
+
+
+def _is_of_kind(word: Word, place: int | None) -> bool:
+    """Whether a word speaks of a kind, by itself or as the partner that the kind asks for."""
+    return place in word.kinds or _is_partner(word, place)
+
+
+def _is_partner(word: Word, place: int | None) -> bool:
+    return place is not None and bool(word.partners & lexicon().kinds[place].of)
+
+
+def _is_unknown(word: Word) -> bool:
+    """Whether the lexicon knows nothing of a word, so that it may be what happens as well as a thing."""
+    return not (word.lists or word.facts or word.kinds)
+
+
+def _is_informative(word: Word, place: int | None) -> bool:
+    """Whether a word says anything of the sound beyond its kind."""
+    return _is_thing(word, place) or bool(word.facts and place not in word.kinds)
+
+
+def _words(text: str) -> list[Word]:
+    found = list(_found_words(text))
+    pairs = (f"{one}-{other}" for one, other in pairwise(found))
+    return [*map(_word, found), *(_word(pair) for pair in pairs if pair in lexicon().pairs)]
+
+
+def _found_words(text: str) -> Iterator[str]:
+    spaced = CAMEL.sub(" ", text[:MAX_CHARS]).replace("_", " ").replace("’", "'").lower()
+    for match in WORD.finditer(spaced):
+        word = match[0]
+        if len(word) > 1 and not word.isdigit():
+            yield word
+            if "-" in word:
+                yield from (part for part in word.split("-") if len(part) > 1)
+
+
+@lru_cache(CACHED)
+def _word(text: str) -> Word:
+    """Return what the lexicon knows of a word, under any form that it may have there."""
+    known, forms = lexicon(), _forms(text)
+    if not forms & known.every and len(text) >= SHORTEST_MISSPELT:
+        forms |= {word for key in _one_less(text) for word in known.near.get(key, ())}
+    lists = frozenset(name for name, words in known.words.items() if forms & words)
+    return Word(
+        forms,
+        frozenset(fact for fact, words in known.facts.items() if forms & words),
+        frozenset(place for place, kind in enumerate(known.kinds) if forms & kind.words),
+        lists,
+        partners=forms | {f"@{name}" for name in lists},
+    )
+
+
+def _forms(word: str) -> frozenset[str]:
+    forms = {word}
+    for ending, instead in ENDINGS:
+        if len(word) - len(ending) >= 3 and word.endswith(ending) and not word.endswith("ss"):
+            forms.add(word.removesuffix(ending) + instead)
+    for form in tuple(forms):
+        if len(form) > 3 and form[-1] == form[-2]:
+            forms.add(form[:-1])  # running, dropped
+    return frozenset(forms)

@@ -1,0 +1,1 @@
+"""Which events of a game project the list covers."""

@@ -1,0 +1,1 @@
+"""Kits: lists of starter cues."""

@@ -1,0 +1,1 @@
+"""Several cues written as one line."""

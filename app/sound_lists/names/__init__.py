@@ -1,0 +1,1 @@
+"""File names: what the spec refuses, and whose file a name is."""

@@ -1,0 +1,1 @@
+"""People whom cues name."""

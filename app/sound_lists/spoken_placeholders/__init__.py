@@ -1,0 +1,1 @@
+"""Placeholders that a person records by speaking."""

@@ -1,0 +1,98 @@
+"""The endpoints of placeholders that a person says."""
+
+import base64
+import binascii
+from typing import Annotated, TypeAlias
+from uuid import UUID
+
+from fastapi import APIRouter, Depends, Request, Response
+
+from app.accounts.rules import Actor, Audience
+from app.accounts.web.policies import allows
+from app.core.parsing_queue import ParsingBusy, parse_request
+from app.core.storage import BlobMissing
+from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.http import CurrentRuntime, DbSession, problems
+from app.projects.errors import TeamNeeded
+from app.sound_lists.errors import CueIsCut, CueNotFound, NothingSaid, RecordingInvalid
+from app.sound_lists.models import SpokenPlaceholder
+from app.sound_lists.spoken_placeholders import service as spoken
+from app.sound_lists.spoken_placeholders.rules import read_said
+from app.sound_lists.spoken_placeholders.schemas import RecordingAdd, SpokenPlaceholderRead
+
+router = APIRouter(prefix="/v1", tags=["sound-lists"])
+MAY_SEE: Actor = allows(Audience.PROJECT)
+TEAM: Actor = allows(Audience.TEAM)
+Said: TypeAlias = tuple[bytes, float]
+
+
+async def _heard(cue_id: UUID, body: RecordingAdd, request: Request) -> Said:
+    try:
+        content = base64.b64decode(body.content_base64, validate=True)
+    except (ValueError, binascii.Error):
+        raise RecordingInvalid("content_base64 is not base64", fix="send a WAV file in base64") from None
+    return await parse_request(
+        request, read_said, content, refusal=RecordingInvalid, permit=spoken.ensure_may_say, whose=cue_id
+    )
+
+
+@router.put(
+    "/cues/{cue_id}/spoken-placeholder",
+    responses=problems(CueNotFound, TeamNeeded, CueIsCut, RecordingInvalid, ParsingBusy),
+)
+@accepts_body(LARGE_BODY_BYTES)
+def record_spoken_placeholder(
+    cue_id: UUID,
+    runtime: CurrentRuntime,
+    actor: Annotated[Actor, TEAM],
+    said: Annotated[Said, Depends(_heard)],
+    session: DbSession,
+) -> SpokenPlaceholderRead:
+    """Keep a recorded word for a cue, trimmed and at one level, and make its placeholder files of it."""
+    content, duration_s = said
+    kept = spoken.keep_said(session, actor, cue_id, content=content, duration_s=duration_s, store=runtime.store)
+    return _read(kept)
+
+
+@router.get("/cues/{cue_id}/spoken-placeholder", responses=problems(CueNotFound))
+def get_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> SpokenPlaceholderRead | None:
+    """Return what was said for a cue; null where nothing was."""
+    try:
+        return _read(spoken.said_of(session, actor, cue_id))
+    except NothingSaid:
+        return None
+
+
+@router.delete(
+    "/cues/{cue_id}/spoken-placeholder",
+    status_code=204,
+    responses=problems(CueNotFound, TeamNeeded, CueIsCut, NothingSaid),
+)
+def remove_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = TEAM) -> None:
+    """Remove what was said for a cue."""
+    spoken.remove_said(session, actor, cue_id)
+
+
+@router.get(
+    "/cues/{cue_id}/spoken-placeholder/file",
+    response_class=Response,
+    responses={200: {"content": {"audio/wav": {}}}, **problems(CueNotFound, NothingSaid, BlobMissing)},
+)
+def get_spoken_placeholder_file(
+    cue_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
+) -> Response:
+    """Send what was said for a cue, parts of it by Range."""
+    said = spoken.said_of(session, actor, cue_id)
+    headers = {"Cache-Control": WHILE_ASKED}
+    return blob_response(request, runtime.store, said.studio_id, said.sha256, media_type="audio/wav", headers=headers)
+
+
+def _read(said: SpokenPlaceholder) -> SpokenPlaceholderRead:
+    return SpokenPlaceholderRead(
+        cue_id=said.cue_id,
+        sha256=said.sha256,
+        duration_s=said.duration_s,
+        recorded_by=said.speaker,
+        recorded_at=said.recorded_at,
+    )
