@@ -260,9 +260,11 @@ def preview_contract(
     contract_id: UUID, body: schemas.DraftChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.DraftPreview:
     """Return the text that a draft would have; nothing is saved."""
-    text, found = lifecycle.preview(session, actor, contract_id, _draft(body))
+    blocks, clauses, problems = lifecycle.preview(session, actor, contract_id, _draft(body))
     return schemas.DraftPreview(
-        blocks=blocks_read(blocks_of(text)), problems=[schemas.DraftProblem.model_validate(each) for each in found]
+        blocks=blocks_read(blocks),
+        clauses=[schemas.PreviewedClauseRead.model_validate(clause) for clause in clauses],
+        problems=[schemas.DraftProblem.model_validate(problem) for problem in problems],
     )
 
 

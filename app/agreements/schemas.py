@@ -173,6 +173,10 @@ class SpanRead(Schema):
     text: str
     strong: bool
     emphatic: bool
+    field: str = Field(
+        description="In a draft's preview, the figure that these letters are: a term, `total`, `deposit`, or "
+        "`milestone.N` for what the Nth milestone pays; empty for other letters."
+    )
 
 
 class BlockRead(Schema):
@@ -191,10 +195,21 @@ class DraftProblem(Schema):
     message: str
 
 
+class PreviewedClauseRead(Schema):
+    """A clause that stands in a draft, and where its text is among the blocks of the whole."""
+
+    key: str
+    number: int
+    title: str
+    first_block: int
+    block_count: int
+
+
 class DraftPreview(Schema):
     """The text that a draft would have, and what is wrong with it."""
 
     blocks: list[BlockRead]
+    clauses: list[PreviewedClauseRead] = Field(description="The clauses that stand, in order.")
     problems: list[DraftProblem]
 
 

@@ -107,6 +107,7 @@ class AdviceRead(Schema):
     code: str
     message: str
     why: str
+    subject: str = Field(description="The name of the milestone that it is about; empty: the whole plan.")
 
 
 class PlanFault(Schema):

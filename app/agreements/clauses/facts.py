@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.queries import people_by_id
 from app.agreements.clauses.rules import BY_DAY, Clause, names_in
-from app.agreements.clauses.text import literal
+from app.agreements.clauses.text import Marker, literal, unmarked
 from app.agreements.errors import BriefOpen
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan.queries import cues_of as covered_cues
@@ -44,9 +44,16 @@ class Priced(Protocol):
 
 
 def facts_of(
-    session: Session, contract: Contract, terms: Mapping[str, object], priced: Priced | None = None
+    session: Session,
+    contract: Contract,
+    terms: Mapping[str, object],
+    priced: Priced | None = None,
+    mark: Marker = unmarked,
 ) -> dict[str, str]:
-    """Return the value of every variable that the server fills in, as Markdown, priced as it is or otherwise."""
+    """Return the value of every variable that the server fills in, as Markdown, priced as it is or otherwise.
+
+    `mark` marks the figures of the plan: `total`, `deposit`, and `milestone.POSITION` for what a milestone pays.
+    """
     priced = priced or contract
     project = contract.project
     milestones, covered = milestones_of(session, contract.id), covered_cues(session, contract.id)
@@ -67,9 +74,11 @@ def facts_of(
         "file_count": str(sum(cue.variations for cue in cues)),
         "cues": _cue_table(cues, prices, project.cue_prefix, priced.currency),
         OPEN_QUESTIONS: _questions(session, contract, {cue.id for cue in cues}),
-        "milestones": _milestone_table(milestones, covered, project.cue_prefix, priced.currency),
-        "total": money(total_minor, priced.currency),
-        "deposit_sentence": DEPOSIT_SENTENCE.format(money(deposit_minor, priced.currency)) if deposit_minor else "",
+        "milestones": _milestone_table(milestones, covered, project.cue_prefix, priced.currency, mark),
+        "total": mark("total", money(total_minor, priced.currency)),
+        "deposit_sentence": DEPOSIT_SENTENCE.format(mark("deposit", money(deposit_minor, priced.currency)))
+        if deposit_minor
+        else "",
         "holdback_sentence": HOLDBACK_SENTENCE.format(percent(priced.holdback_bp)) if priced.holdback_bp else "",
         "release_sentence": RELEASE_SENTENCES[priced.release_clause],
         **_framework(session, contract),
@@ -162,7 +171,7 @@ def _open_answer(answer: OpenAnswer) -> str:
 
 
 def _milestone_table(
-    milestones: Sequence[Milestone], covered: Sequence[ContractCue], cue_prefix: str, currency: str
+    milestones: Sequence[Milestone], covered: Sequence[ContractCue], cue_prefix: str, currency: str, mark: Marker
 ) -> str:
     if not milestones:
         return NONE_YET
@@ -173,6 +182,7 @@ def _milestone_table(
         own = [label(cue_prefix, each.cue.number) for each in covered if each.milestone_id == milestone.id]
         day = "at signing" if milestone.is_deposit else in_words(milestone.due_on) if milestone.due_on else ""
         rate = percent(milestone.tax_bp) if milestone.tax_bp is not None else ""
-        cells = [literal(milestone.name), day, ", ".join(own), money(milestone.amount_minor, currency), rate]
+        amount = mark(f"milestone.{milestone.position}", money(milestone.amount_minor, currency))
+        cells = [literal(milestone.name), day, ", ".join(own), amount, rate]
         rows.append(cells[: len(heads)])
     return _table(rows)

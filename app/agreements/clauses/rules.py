@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict
 
-from app.agreements.clauses.text import literal
+from app.agreements.clauses.text import Marker, literal, unmarked
 from app.agreements.rules import ContractKind
 from app.core.money import money, percent
 from app.core.plural import counted
@@ -300,16 +300,19 @@ def written_term(name: str, value: TermValue, currency: str) -> str:
     return percent(value) if name.endswith("_bp") else f"{value:,}"
 
 
-def filler(terms: Terms, facts: Mapping[str, str], currency: str) -> Callable[[str], str]:
+def filler(terms: Terms, facts: Mapping[str, str], currency: str, mark: Marker = unmarked) -> Callable[[str], str]:
     """Return what fills in the variables of a text; a term may name a fact, so values are filled in once more."""
     filled = {**facts, **{name: written_term(name, value, currency) for name, value in terms.items()}}
 
     def fill(text: str, depth: int = 2) -> str:
         if not depth:
             return text
-        return VARIABLE.sub(
-            lambda found: fill(filled.get(found[1], found[0]), 0 if found[1] in facts else depth - 1), text
-        )
+        return VARIABLE.sub(lambda found: _value(found[0], found[1], depth - 1), text)
+
+    def _value(variable: str, name: str, depth: int) -> str:
+        if name in facts or name not in filled:
+            return filled.get(name, variable)
+        return mark(name, fill(filled[name], depth))
 
     return fill
 
@@ -318,7 +321,11 @@ def render(title: str, clauses: Sequence[Clause], terms: Terms, facts: Mapping[s
     """Return the text of a contract in Markdown: the clauses that stand, numbered, with every variable filled in."""
     fill = filler(terms, facts, currency)
     parts = [f"# {literal(title)}"]
-    access = [clause for clause in clauses if clause.stands]
-    for number, clause in enumerate(access, start=1):
+    for number, clause in numbered(clauses):
         parts += [f"## {number}. {literal(clause.title)}", fill(clause.text).strip()]
     return "\n\n".join(parts) + "\n"
+
+
+def numbered(clauses: Sequence[Clause]) -> Iterator[tuple[int, Clause]]:
+    """Yield the clauses that stand, with their numbers in the text."""
+    yield from enumerate((clause for clause in clauses if clause.stands), start=1)

@@ -1,25 +1,29 @@
 """The few forms that a contract is written in: heads, paragraphs, lists and tables, with bold and italic words."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Literal
 
 BlockKind = Literal["head", "text", "item", "table"]
-_INLINE = re.compile(r"\\([\\*|#\-{}.])|(\*\*)|(\*)")
+_INLINE = re.compile(r"\\([\\*|#\-{}.])|(\*\*)|(\*)|\x00([a-z0-9_.]*)\x00")
 _ITEM = re.compile(r"(?:-|\d+\.)\s+(.*)")
 _HEAD = re.compile(r"(#{1,3})\s+(.*)")
 _CELL = re.compile(r"(?<!\\)\|")
 _RULE = re.compile(r"[\s|:-]+")
 
 
+Marker = Callable[[str, str], str]  # the name of a figure and its words, to the words as a text has them
+
+
 @dataclass(frozen=True)
 class Span:
-    """A run of letters of one weight."""
+    """A run of letters of one weight; `field` names the figure that they are, in a text that marks its figures."""
 
     text: str
     strong: bool = False
     emphatic: bool = False
+    field: str = ""
 
 
 @dataclass(frozen=True)
@@ -37,16 +41,31 @@ def literal(text: str) -> str:
     return re.sub(r"([\\*|{}])", r"\\\1", " ".join(text.split()))
 
 
+def unmarked(_name: str, words: str) -> str:
+    """Return the words of a figure as every text has them."""
+    return words
+
+
+def marked(name: str, words: str) -> str:
+    """Return the words of a figure between marks, which `spans_of` reads; no text that is kept has a NUL."""
+    return words if "\x00" in words else f"\x00{name}\x00{words}\x00\x00"
+
+
+def head(words: str, level: int) -> Block:
+    """Return a head that says these words, whatever characters they have."""
+    return Block("head", [Span(" ".join(words.split()))], level)
+
+
 def spans_of(line: str) -> list[Span]:
     """Return the runs of a line."""
     spans: list[Span] = []
     strong = emphatic = False
-    written = ""
+    name = written = ""
 
     def close() -> None:
         nonlocal written
-        if written:
-            spans.append(Span(written, strong, emphatic))
+        if written or name:
+            spans.append(Span(written, strong, emphatic, name))
         written = ""
 
     place = 0
@@ -55,12 +74,14 @@ def spans_of(line: str) -> list[Span]:
         place = found.end()
         if found[1]:
             written += found[1]
-        elif found[2]:
-            close()
+            continue
+        close()
+        if found[2]:
             strong = not strong
-        else:
-            close()
+        elif found[3]:
             emphatic = not emphatic
+        else:
+            name = found[4]
     written += line[place:]
     close()
     return spans

@@ -12,7 +12,8 @@ from app.agreements import queries
 from app.agreements.access import contract_for_producer, contract_to_change, party_of, visible_contract
 from app.agreements.clauses import rules as clause_rules
 from app.agreements.clauses.facts import ensure_open_answers_are_said, facts_of
-from app.agreements.clauses.rules import Clause, Terms, render, terms_in_force
+from app.agreements.clauses.rules import Clause, Terms, terms_in_force
+from app.agreements.clauses.text import Block, blocks_of, head, marked
 from app.agreements.clauses.text_faults import ensure_text_whole, text_faults
 from app.agreements.drafts.documents import TextPdf
 from app.agreements.drafts.previous_contract import begun_like
@@ -66,6 +67,17 @@ class Draft:
     currency: str
     release_clause: ReleaseClause
     holdback_bp: int
+
+
+@dataclass(frozen=True)
+class PreviewedClause:
+    """A clause that stands in a draft, and where its text is among the blocks of the whole."""
+
+    key: str
+    number: int
+    title: str
+    first_block: int
+    block_count: int
 
 
 def contracts_of(session: Session, actor: Actor, project_id: UUID) -> Sequence[Contract]:
@@ -193,12 +205,21 @@ def save_draft(
     return add_version(session, actor, contract, draft.clauses, draft.terms, note=note)
 
 
-def preview(session: Session, actor: Actor, contract_id: UUID, draft: Draft) -> tuple[str, list[FieldProblem]]:
-    """Return the text that a draft would have, and what is wrong with it; nothing is saved."""
+def preview(
+    session: Session, actor: Actor, contract_id: UUID, draft: Draft
+) -> tuple[list[Block], list[PreviewedClause], list[FieldProblem]]:
+    """Return the text that a draft would have, its clauses in it, and what is wrong with it; nothing is saved."""
     contract = contract_for_producer(session, actor, contract_id)
-    facts = facts_of(session, contract, terms_in_force(draft.clauses, draft.terms), draft)
-    text = render(draft.title, draft.clauses, draft.terms, facts, draft.currency)
-    return text, text_faults(session, contract, draft.clauses, draft.terms, holdback_bp=draft.holdback_bp)
+    facts = facts_of(session, contract, terms_in_force(draft.clauses, draft.terms), draft, marked)
+    fill = clause_rules.filler(draft.terms, facts, draft.currency, marked)
+    blocks, clauses = [head(draft.title, 1)], list[PreviewedClause]()
+    for number, clause in clause_rules.numbered(draft.clauses):
+        blocks.append(head(f"{number}. {clause.title}", 2))
+        own = blocks_of(fill(clause.text).strip())
+        clauses.append(PreviewedClause(clause.key, number, clause.title, len(blocks), len(own)))
+        blocks += own
+    problems = text_faults(session, contract, draft.clauses, draft.terms, holdback_bp=draft.holdback_bp)
+    return blocks, clauses, problems
 
 
 def pdf_to_send(database: Database, actor: Actor, contract_id: UUID) -> TextPdf:

@@ -91,6 +91,36 @@ def test_the_text_says_how_the_price_comes_about(world: World, contracts: Contra
     assert "Alpha ·  · SW-001 · EUR 0.00 · 7 %" in said
 
 
+def test_a_preview_marks_every_figure_in_its_clause(world: World, contracts: Contracts):
+    (cue,) = add(world, {"name": "Radar ping"})
+    begun = contracts.begin(currency="EUR")
+    plan = [
+        {"name": "Deposit", "amount_minor": 10_000, "is_deposit": True},
+        {"name": "Alpha", "amount_minor": 40_000, "cues": [{"cue_id": cue["id"]}]},
+    ]
+    contracts.ask(world.producer, "PUT", f"/contracts/{begun['id']}/milestones", json={"milestones": plan})
+    body = contracts.draft_of(begun, clauses=strike(begun, "about"))
+    shown = contracts.ask(world.producer, "POST", f"/contracts/{begun['id']}/preview", json=body)
+
+    def figures(key: str) -> dict[str, str]:
+        (clause,) = [clause for clause in shown["clauses"] if clause["key"] == key]
+        own = shown["blocks"][clause["first_block"] : clause["first_block"] + clause["block_count"]]
+        lines = [line for block in own for line in (block["spans"], *(cell for row in block["rows"] for cell in row))]
+        return {span["field"]: span["text"] for line in lines for span in line if span["field"]}
+
+    assert [(clause["number"], clause["key"]) for clause in shown["clauses"]][:1] == [(1, "parties")]
+    assert figures("rounds") == {"rounds_included": "2"}
+    assert figures("payment_plan") == {
+        "total": "EUR 500.00",
+        "deposit": "EUR 100.00",
+        "milestone.1": "EUR 100.00",
+        "milestone.2": "EUR 400.00",
+    }
+    assert figures("parties") == {}, "names are no figures"
+    saved = contracts.ask(world.producer, "GET", f"/contracts/{begun['id']}")
+    assert "\x00" not in str(saved), "marks are in no text that is kept"
+
+
 def test_a_mistyped_term_is_refused_with_a_reason(world: World, contracts: Contracts):
     begun = contracts.begin()
     terms = {**begun["version"]["terms"], "price_mode": "by_day"}

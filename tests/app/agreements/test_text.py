@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pypdf import PdfReader
 
-from app.agreements.clauses.text import Span, blocks_of, literal, plain, spans_of
+from app.agreements.clauses.text import Span, blocks_of, literal, marked, plain, spans_of
 from app.agreements.drafts.comparison import compare, lines_of, words_between
 from app.agreements.drafts.documents import pdf_of, sha256_of
 
@@ -131,3 +131,14 @@ def test_both_texts_can_be_read_back(earlier: str, later: str):
 @given(WORDS.map(" ".join))
 def test_no_change_is_no_notification(text: str):
     assert [run.is_in for run in words_between(text, text)] == ["both"]
+
+
+def test_a_figure_keeps_its_name_and_the_weight_around_it():
+    text = f"It costs **{marked('total', 'EUR 5.00')}** for {marked('rounds_included', '')} rounds."
+    assert [(span.text, span.strong, span.field) for span in spans_of(text)] == [
+        ("It costs ", False, ""),
+        ("EUR 5.00", True, "total"),
+        (" for ", False, ""),
+        ("", False, "rounds_included"),
+        (" rounds.", False, ""),
+    ]
