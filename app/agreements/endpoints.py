@@ -14,7 +14,6 @@ from app.accounts.web.policies import allows
 from app.agreements import queries, schemas
 from app.agreements.access import party_of, visible_contract
 from app.agreements.clauses.template_endpoints import clauses_of
-from app.agreements.clauses.text import blocks_of
 from app.agreements.drafts import lifecycle, versions
 from app.agreements.drafts.documents import TextPdf
 from app.agreements.drafts.previous_contract import last_contract

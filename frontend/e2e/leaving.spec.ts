@@ -198,7 +198,7 @@ test('whatever is typed is there again, however a form is left @slow', async ({ 
     },
     {
       name: 'the clauses of a draft',
-      path: `${at}/contracts/${contract}/draft`,
+      path: `${at}/contracts/${contract}/draft?view=text`,
       field: page.getByLabel('Title', { exact: true }),
       first: 'Effects for the game',
       then: 'Effects for Deep Field',

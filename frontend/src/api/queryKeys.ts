@@ -204,7 +204,16 @@ type SoundListPart =
 type ContractPart =
   'versions' | 'comparison' | 'preview' | 'record' | 'redlines' | 'redline-preview' | 'change-orders' | 'ending'
 type MoneyPart =
-  'cue' | 'ledger' | 'invoices' | 'invoice-draft' | 'estimates' | 'milestone' | 'plan' | 'plan-check' | 'days'
+  | 'cue'
+  | 'ledger'
+  | 'invoices'
+  | 'invoice-draft'
+  | 'estimates'
+  | 'milestone'
+  | 'plan'
+  | 'plan-check'
+  | 'plan-proposal'
+  | 'days'
 
 const wordsOf = (...families: readonly { all: readonly [string] }[]): ReadonlySet<string> =>
   new Set(families.map(({ all: [word] }) => word))

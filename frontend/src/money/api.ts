@@ -108,6 +108,12 @@ export const proposedPlan = (contractId: string, totalMinor: number | null) =>
     }),
   )
 
+export const proposedPlanQuery = (contractId: string, totalMinor: number | null) =>
+  queryOptions({
+    queryKey: queryKeys.money('plan-proposal', contractId, totalMinor),
+    queryFn: () => proposedPlan(contractId, totalMinor),
+  })
+
 export const milestoneQuery = (milestoneId: string) =>
   queryOptions({
     queryKey: queryKeys.money('milestone', milestoneId),

@@ -1,11 +1,16 @@
 import { type Answers } from './server'
 
-const span = (text: string) => ({ text, strong: false, emphatic: false })
+const span = (text: string, field = '') => ({ text, strong: false, emphatic: false, field })
 export const block = (kind: 'head' | 'text' | 'item', text: string, level = 0) => ({
   kind,
   level,
   spans: [span(text)],
   rows: [],
+})
+/** A paragraph with the figures that a preview marks: ['It includes ', ['rounds_included', '2'], ' rounds.']. */
+export const marked = (...words: (string | [field: string, text: string])[]) => ({
+  ...block('text', ''),
+  spans: words.map((word) => (typeof word === 'string' ? span(word) : span(word[1], word[0]))),
 })
 const CLAUSES = [
   { key: 'rounds', title: 'Rounds', text: 'It includes {rounds_included} rounds.', stands: true },

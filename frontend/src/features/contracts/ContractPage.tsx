@@ -18,6 +18,7 @@ import { State } from '@/ui/State'
 
 import { type Contract, useDeed, useKeepAsTemplate, versionsQuery } from './api'
 import classes from './Contracts.module.css'
+import { isOrder } from './questions'
 import { OffersNote } from './OffersNote'
 import { RedlinesNote } from './RedlinesNote'
 import { SignatureTime } from './SignatureTime'
@@ -179,9 +180,6 @@ function BeforeSending({ contract }: { contract: Contract }) {
     </>
   )
 }
-
-/** Whether it orders work, and so has milestones and money. */
-const isOrder = ({ kind }: Contract): boolean => kind === 'single' || kind === 'statement_of_work'
 
 function Accept({ contract }: { contract: Contract }) {
   const accept = useDeed(contract.id)

@@ -42,6 +42,18 @@ export function Signers({ contract }: { contract: Contract }) {
 }
 
 function ChooseSigners({ contract }: { contract: Contract }) {
+  return (
+    <Card aria-labelledby="signers">
+      <CardHead id="signers" title="Who signs" />
+      <div className={classes.form}>
+        <SignerFields contract={contract} />
+      </div>
+    </Card>
+  )
+}
+
+/** Who signs a draft for the studio, and which side signs first; saved at once. */
+export function SignerFields({ contract }: { contract: Contract }) {
   const { data: project } = useQuery(projectQuery(contract.project_id))
   const { data: people, error } = useQuery({
     ...studioPeopleQuery(project?.studio.id ?? ''),
@@ -58,36 +70,33 @@ function ChooseSigners({ contract }: { contract: Contract }) {
       { onSuccess: () => showToast('Saved who signs.') },
     )
   return (
-    <Card aria-labelledby="signers">
-      <CardHead id="signers" title="Who signs" />
-      <div className={classes.form}>
+    <>
+      <Select
+        label="First signer of the studio"
+        placeholder="Any producer"
+        data={producers.filter(({ value }) => value !== second)}
+        value={first}
+        clearable
+        onChange={(id) => save(id === null ? [] : [id, second], contract.signs_first)}
+      />
+      {first !== null && (
         <Select
-          label="First signer of the studio"
-          placeholder="Any producer"
-          data={producers.filter(({ value }) => value !== second)}
-          value={first}
+          label="Second signer of the studio"
+          placeholder="None"
+          data={producers.filter(({ value }) => value !== first)}
+          value={second}
           clearable
-          onChange={(id) => save(id === null ? [] : [id, second], contract.signs_first)}
+          onChange={(id) => save([first, id], contract.signs_first)}
         />
-        {first !== null && (
-          <Select
-            label="Second signer of the studio"
-            placeholder="None"
-            data={producers.filter(({ value }) => value !== first)}
-            value={second}
-            clearable
-            onChange={(id) => save([first, id], contract.signs_first)}
-          />
-        )}
-        <Select
-          label="Signs first"
-          data={ORDERS}
-          value={contract.signs_first ?? 'either'}
-          allowDeselect={false}
-          onChange={(value) => save([first, second], isParty(value) ? value : null)}
-        />
-        <Refusal error={error ?? set.error} />
-      </div>
-    </Card>
+      )}
+      <Select
+        label="Signs first"
+        data={ORDERS}
+        value={contract.signs_first ?? 'either'}
+        allowDeselect={false}
+        onChange={(value) => save([first, second], isParty(value) ? value : null)}
+      />
+      <Refusal error={error ?? set.error} />
+    </>
   )
 }

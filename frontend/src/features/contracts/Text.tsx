@@ -1,8 +1,13 @@
+import { createContext, Fragment, type ReactNode, useContext } from 'react'
+
 import type { Block, Span } from './api'
 import classes from './Contracts.module.css'
 
-/** The text of a contract, as the PDF has it. */
-export function Text({ blocks }: { blocks: readonly Block[] }) {
+/** Draws the figures of a text where they can be changed; null leaves one as it is read. */
+export const Figures = createContext<(name: string, text: string) => ReactNode>(() => null)
+
+/** The text of a contract, as the PDF has it; tables with more rows than `folds` are opened by a press. */
+export function Text({ blocks, folds = Infinity }: { blocks: readonly Block[]; folds?: number }) {
   return (
     <div className={classes.text}>
       {grouped(blocks).map((group, index) =>
@@ -15,7 +20,7 @@ export function Text({ blocks }: { blocks: readonly Block[] }) {
             ))}
           </ul>
         ) : (
-          <One key={index} block={group} />
+          <One key={index} block={group} folds={folds} />
         ),
       )}
     </div>
@@ -39,7 +44,7 @@ function wordsOf(head: readonly Span[][]): string {
   return head.map((cell) => cell.map(({ text }) => text).join('')).join(', ')
 }
 
-function One({ block }: { block: Block }) {
+function One({ block, folds }: { block: Block; folds: number }) {
   if (block.kind === 'head') {
     const Head = block.level === 1 ? 'h2' : 'h3'
     return (
@@ -50,7 +55,7 @@ function One({ block }: { block: Block }) {
   }
   if (block.kind === 'table') {
     const [head = [], ...rows] = block.rows
-    return (
+    const table = (
       // A table wider than a telephone is moved by itself, by keys too.
       // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       <div className={classes.table} tabIndex={0} role="region" aria-label={`Table: ${wordsOf(head)}`}>
@@ -78,6 +83,13 @@ function One({ block }: { block: Block }) {
         </table>
       </div>
     )
+    if (rows.length <= folds) return table
+    return (
+      <details>
+        <summary>{`Table of ${rows.length}: ${wordsOf(head)}`}</summary>
+        {table}
+      </details>
+    )
   }
   return (
     <p>
@@ -87,7 +99,10 @@ function One({ block }: { block: Block }) {
 }
 
 function Spans({ spans }: { spans: readonly Span[] }) {
-  return spans.map(({ text, strong, emphatic }, index) =>
-    strong ? <strong key={index}>{text}</strong> : emphatic ? <em key={index}>{text}</em> : text,
-  )
+  const figure = useContext(Figures)
+  return spans.map(({ text, strong, emphatic, field }, index) => {
+    const words = (field !== '' && figure(field, text)) || text
+    if (strong) return <strong key={index}>{words}</strong>
+    return emphatic ? <em key={index}>{words}</em> : <Fragment key={index}>{words}</Fragment>
+  })
 }

@@ -39,6 +39,18 @@ export const versionsQuery = (contractId: string) =>
     queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/versions', of(contractId))),
   })
 
+export const versionQuery = (contractId: string, version: number) =>
+  queryOptions({
+    queryKey: queryKeys.contract(contractId, 'versions', version),
+    queryFn: () =>
+      answered(
+        api.GET('/v1/contracts/{contract_id}/versions/{version}', {
+          params: { path: { contract_id: contractId, version } },
+        }),
+      ),
+    staleTime: Infinity,
+  })
+
 export const comparisonQuery = (contractId: string, from: number, to: number) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'comparison', from, to),

@@ -43,6 +43,12 @@ export function withLibraryClause(draft: Draft, library: readonly LibraryClause[
   return { ...draft, clauses: draft.clauses.toSpliced(place, 0, clause), terms: { ...begun, ...draft.terms } }
 }
 
+/** The draft with a clause that stands or does not; one that the draft lacks comes from the library. */
+export function withStanding(draft: Draft, library: readonly LibraryClause[], key: string, stands: boolean): Draft {
+  const whole = draft.clauses.some((clause) => clause.key === key) ? draft : withLibraryClause(draft, library, key)
+  return { ...whole, clauses: whole.clauses.map((clause) => (clause.key === key ? { ...clause, stands } : clause)) }
+}
+
 /** The draft with a clause of one's own at the end, still to be written. */
 export function withOwnClause(draft: Draft, title: string): Draft {
   const stem = `own_${title.toLowerCase().replace(/[^a-z0-9]+/g, '_')}`.replace(/_+$/, '').slice(0, 56)

@@ -46,7 +46,7 @@ describe('a producer', () => {
     waits_for: ['studio'],
     may: { ...MAY, change: true },
   }
-  const shown = { blocks: [block('text', 'It includes 3 rounds.')], problems: [] }
+  const shown = { blocks: [block('text', 'It includes 3 rounds.')], clauses: [], problems: [] }
 
   test('begins like the last contract, unless another choice is made', async () => {
     const project = {
@@ -147,7 +147,7 @@ describe('a producer', () => {
         'GET /v1/contract-library/single': { kind: 'single', notice: '', clauses: [], variables: {} },
       }),
     )
-    const app = openApp(`${PAGE}/draft`)
+    const app = openApp(`${PAGE}/draft?view=text`)
     expect(await screen.findByText('It includes 3 rounds.')).toBeVisible()
     expect(screen.getByRole('link', { name: 'Back to contract' })).toBeVisible()
     const save = screen.getByRole('button', { name: 'Save version' })
@@ -156,7 +156,8 @@ describe('a producer', () => {
     expect(screen.getByRole('link', { name: 'Discard changes' })).toBeVisible()
     await userEvent.click(save)
     await screen.findByText('Saved as version 3.')
-    await vi.waitFor(() => expect(app.at()).toBe(PAGE))
+    expect(app.at()).toBe(`${PAGE}/draft`)
+    expect(screen.getByRole('link', { name: 'Back to contract' })).toBeVisible()
     expect(screen.queryByRole('link', { name: 'Discard changes' })).not.toBeInTheDocument()
     const body = asked.find(({ method }) => method === 'PUT')?.body
     expect(body).toMatchObject({ based_on_version: 2, clauses: [{ stands: true }, { key: 'bonus', stands: true }] })
@@ -176,7 +177,7 @@ describe('a producer', () => {
         'GET /v1/contract-library/single': { kind: 'single', notice: '', clauses: [library], variables: {} },
       }),
     )
-    openApp(`${PAGE}/draft`)
+    openApp(`${PAGE}/draft?view=text`)
     // A text field that grows asks when fonts are there, which jsdom does not know.
     Object.defineProperty(document, 'fonts', { value: new EventTarget(), configurable: true })
     const press = async (name: string) => {
@@ -207,7 +208,7 @@ describe('a producer', () => {
   test('cannot save what has a fault, and sees which', async () => {
     const problems = [{ where: 'clauses.rounds', message: 'there is no variable {round}; is it {rounds_included}?' }]
     serve(contractAnswers({ 'GET /v1/contracts/c1': draft, 'POST /v1/contracts/c1/preview': { ...shown, problems } }))
-    openApp(`${PAGE}/draft`)
+    openApp(`${PAGE}/draft?view=text`)
     expect(await screen.findByText('There is no variable {round}; is it {rounds_included}?')).toBeVisible()
     await userEvent.click(screen.getByRole('checkbox', { name: 'Bonus' }))
     expect(screen.getByRole('button', { name: 'Save version' })).toBeDisabled()

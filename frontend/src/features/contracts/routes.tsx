@@ -19,6 +19,8 @@ export const contractRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/contracts/$contractId/draft',
+    validateSearch: (search: Record<string, unknown>): { view?: 'text' } =>
+      search.view === 'text' ? { view: 'text' } : {},
     component: lazyRouteComponent(() => import('./DraftPage'), 'DraftPage'),
   }),
   createRoute({
