@@ -9,7 +9,7 @@ import structlog
 from fastapi import FastAPI, Response
 from fastapi.responses import FileResponse, JSONResponse
 
-from app import rooms
+from app import registry
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
 from app.accounts.web.policies import authenticate, caller_key
 from app.core import events
@@ -59,8 +59,8 @@ def create_app(runtime: Runtime) -> FastAPI:
     app.state.change_feed = ChangeFeed(runtime.database, sights_of, GRANTING)
     app.state.collectors = web_collectors(runtime)
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
-    runtime.parsers.connect(rooms.PARSERS)
-    events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
+    runtime.parsers.connect(registry.PARSERS)
+    events.connect(registry.SUBSCRIBERS, handlers=registry.HANDLERS, low_priority=registry.LOW_PRIORITY_JOBS)
     error_responses.install(
         app,
         credential_cookies=(SESSION_COOKIE, DEMO_COOKIE),
@@ -68,7 +68,7 @@ def create_app(runtime: Runtime) -> FastAPI:
         caller_key=caller_key,
         authenticate=authenticate,
     )
-    for router in rooms.ROUTERS:
+    for router in registry.ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
     app.add_route("/v1/openapi.json", ApiDocument(app).respond, include_in_schema=False)

@@ -9,7 +9,7 @@ from types import FrameType
 import structlog
 from sqlalchemy.exc import SQLAlchemyError
 
-from app import rooms
+from app import registry
 from app.accounts import rate_limits
 from app.accounts.security_log import service as security_log
 from app.core import clock, events
@@ -79,12 +79,12 @@ CHORES = (
 
 def start_worker(runtime: Runtime) -> Worker:
     """Start running jobs in this process."""
-    for module in rooms.JOB_MODULES:
+    for module in registry.JOB_MODULES:
         importlib.import_module(module)
-    wanted = {name for names in rooms.SUBSCRIBERS.values() for name in names}
+    wanted = {name for names in registry.SUBSCRIBERS.values() for name in names}
     if missing := wanted - job_names():
         raise RuntimeError(f"no worker runs the jobs {', '.join(sorted(missing))}")
-    events.connect(rooms.SUBSCRIBERS, handlers=rooms.HANDLERS, low_priority=rooms.LOW_PRIORITY_JOBS)
+    events.connect(registry.SUBSCRIBERS, handlers=registry.HANDLERS, low_priority=registry.LOW_PRIORITY_JOBS)
     settings = runtime.settings
     worker = Worker(runtime, jobs_at_once=settings.worker_jobs, silent_s=settings.worker_silent_s)
     worker.start()

@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from audio_checks.audit.report import Audit
     from audio_checks.audit.same_sound import (
         Difference,
-        KnownSound,
+        SoundSignature,
         difference_of,
-        known_sound,
         likely_sounds,
+        sound_signature,
         sounds_of_manifest,
     )
     from audio_checks.checks import Check, CheckLimit, all_checks
@@ -156,7 +156,6 @@ __all__ = [
     "FixRefused",
     "FixedMaster",
     "JudgedFile",
-    "KnownSound",
     "ListedCue",
     "Loss",
     "Masking",
@@ -183,6 +182,7 @@ __all__ = [
     "SandboxTimedOut",
     "ShippedFile",
     "SoundList",
+    "SoundSignature",
     "SoundSize",
     "SpecError",
     "Spot",
@@ -224,7 +224,6 @@ __all__ = [
     "is_preview",
     "keep_coded",
     "known_heads_in",
-    "known_sound",
     "light_preview",
     "likely_sounds",
     "load_spec",
@@ -263,6 +262,7 @@ __all__ = [
     "rows_without_cue",
     "set_findings",
     "slug",
+    "sound_signature",
     "sounds_of_manifest",
     "spectrogram",
     "stem_in_language",
@@ -289,7 +289,7 @@ _HOMES = {
     "audio_checks.audit.played": ("with_plays", "with_project"),
     "audio_checks.audit.report": ("Audit",),
     "audio_checks.audit.same_sound": (
-        *("Difference", "KnownSound", "difference_of", "known_sound", "likely_sounds"),
+        *("Difference", "SoundSignature", "difference_of", "sound_signature", "likely_sounds"),
         "sounds_of_manifest",
     ),
     "audio_checks.middleware.project": ("read_project", "read_project_texts"),

@@ -143,7 +143,7 @@ async def sessions(address: str, made: Made, secrets: list[str], takes: list[str
             "POST", f"/v1/projects/{made.project_id}/playlists", {"name": f"Session {number}", "take_ids": chosen}
         )
         playlist_id = added.ensured().json()["id"]
-        listeners += [Listener(address, one, playlist_id, chosen, outcome) for one in secrets[number::SESSIONS]]
+        listeners += [Listener(address, secret, playlist_id, chosen, outcome) for secret in secrets[number::SESSIONS]]
     until = time.perf_counter() + seconds
     doing = []
     for place, one in enumerate(listeners):

@@ -43,8 +43,8 @@ def _quality(pairs: list[tuple[int, int]]) -> list[Row]:
     for name, work in resamplers.items():
         figures = [_figures(work, high, low) for high, low in pairs]
         worst[name] = {
-            "gain": min((one["gain"] for one in figures), key=lambda gain: -abs(gain)),
-            **{key: max(one[key] for one in figures) for key in ("alias", "distortion", "delay", "length")},
+            "gain": min((figure["gain"] for figure in figures), key=lambda gain: -abs(gain)),
+            **{key: max(figure[key] for figure in figures) for key in ("alias", "distortion", "delay", "length")},
         }
     which = f"worst of {len(pairs)} pairs of rates"
 
@@ -215,6 +215,6 @@ def _chunks(folder: Path) -> Row:
 def _survivors(path: Path, kept: dict[str, bytes]) -> int:
     with wav.open_regular(path) as file:
         layout = wav.read_layout(file)
-        payloads = [(one.id, wav.chunk_payload(file, one)) for one in layout.chunks if one.id != "data"]
+        payloads = [(chunk.id, wav.chunk_payload(file, chunk)) for chunk in layout.chunks if chunk.id != "data"]
     names = {payload[:4].decode("latin-1") if name == "LIST" else name for name, payload in payloads}
     return len(names & set(kept))

@@ -81,7 +81,7 @@ def measured(made: Made, cache: Path) -> Set:
     path = cache / f"{hashlib.sha256(''.join(said).encode()).hexdigest()[:20]}.npz"
     if path.exists():
         kept = np.load(path, allow_pickle=False)
-        return Set([Known(**one) for one in json.loads(str(kept["known"]))], kept["features"])
+        return Set([Known(**load) for load in json.loads(str(kept["known"]))], kept["features"])
     began, known, features = time.monotonic(), [], []
     responses = dataset.responses(
         dataset.rooms(is_kept_apart=made.new_rooms), made.rooms_seed, count=made.rooms_a_family
@@ -145,7 +145,9 @@ def said_by_others(some: Set, beside: Set) -> tuple[Floats, Floats]:
         others = Set([one for one, out in zip(some.known, held, strict=True) if not out], some.features[~held])
         said = Learned.of(together([others, beside])).numbers()
         trees, nets = Trees(said["reverb"]), Nets(said["nets"])
-        scores[held] = [reverb.logistic(reverb.logit_by(trees, nets, NETS_SHARE, one)) for one in some.features[held]]
+        scores[held] = [
+            reverb.logistic(reverb.logit_by(trees, nets, NETS_SHARE, feature)) for feature in some.features[held]
+        ]
         rt60_s[held] = np.exp2(learned_rt60(others).predict(some.features[held]))
     return scores, rt60_s
 
@@ -200,7 +202,7 @@ def figures_on(some: Set, *, says_kind: bool = True) -> dict[str, float]:
     """Return how good the judgement is on some sounds, as it ships."""
     wet, layouts, kinds = some.wet, layouts_of(some), some.column(lambda one: one.kind)
     audible = some.column(lambda one: one.is_audible)
-    scores = np.array([reverb.score_of(one) for one in some.features])
+    scores = np.array([reverb.score_of(feature) for feature in some.features])
     low, high = limits_on(some, says_kind=says_kind)
     positive = scores >= high
     decided = positive | (scores < low)
@@ -210,7 +212,7 @@ def figures_on(some: Set, *, says_kind: bool = True) -> dict[str, float]:
         here = layouts == layout
         at_five |= here & (scores > np.quantile(scores[here & ~wet], 0.95))
     heard = audible & events
-    said = np.array([reverb.rt60_of(one) for one in some.features[heard]])
+    said = np.array([reverb.rt60_of(feature) for feature in some.features[heard]])
     return {
         "AUC, all": roc_auc_score(wet, scores),
         **{f"AUC, {layout}": roc_auc_score(wet[layouts == layout], scores[layouts == layout]) for layout in LAYOUTS},
@@ -248,7 +250,7 @@ def by_family(some: Set) -> str:
     """Return where it fails: for each family of sources how often dry is called reverb, and reverb found and missed."""
     wet = some.wet
     families = np.where(some.column(lambda one: one.is_real), "real recordings", some.column(lambda one: one.source))
-    scores = np.array([reverb.score_of(one) for one in some.features])
+    scores = np.array([reverb.score_of(feature) for feature in some.features])
     low, high = limits_on(some)
     lines = [
         "| source | sounds | AUC | dry called reverb | reverb called dry | cannot tell |",

@@ -72,9 +72,9 @@ def measured(trial: Trial) -> Set:
 def dry(*, reserved: bool) -> list[tuple[str, str, Floats]]:
     """Return repository, kind and samples of dry recordings; those of small folders several times."""
     by_folder: dict[str, list[tuple[str, str, Floats]]] = defaultdict(list)
-    for one in recorded.recordings():
-        if recorded.is_reserved(one.repository) == reserved:
-            by_folder[one.folder].append((one.repository, one.kind, one.samples))
+    for recording in recorded.recordings():
+        if recorded.is_reserved(recording.repository) == reserved:
+            by_folder[recording.folder].append((recording.repository, recording.kind, recording.samples))
     return [one for some in by_folder.values() for one in some * max(1, min(MOST_TIMES, round(A_FOLDER / len(some))))]
 
 
@@ -82,7 +82,7 @@ def first_logits(some: Set) -> Floats:
     """Return what the models say that were learned from sounds and rooms of our own code."""
     numbers = reverb.weights()
     trees, nets = Trees(numbers["reverb"]), Nets(numbers["nets"])
-    return np.array([reverb.logit_by(trees, nets, numbers["nets_share"], one) for one in some.features])
+    return np.array([reverb.logit_by(trees, nets, numbers["nets_share"], feature) for feature in some.features])
 
 
 def learned(some: Set, first: Floats) -> HistGradientBoostingClassifier:
@@ -135,7 +135,7 @@ def left_out(tried: Set, learning: Set, rt60_s: Floats) -> tuple[Floats, dict[st
 
 def decay_times(some: Set) -> Floats:
     """Return the decay time that the judgement states of each sound, in seconds."""
-    return np.array([reverb.rt60_of(one) for one in some.features])
+    return np.array([reverb.rt60_of(feature) for feature in some.features])
 
 
 def limits_on(some: Set, rt60_s: Floats, table: Table | Levels, *, says_kind: bool) -> Floats:
@@ -237,7 +237,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = parser.parse_args(arguments)
     if options.last_look:
         some = measured(LAST_LOOK)
-        rt60_s, scores = decay_times(some), np.array([reverb.score_of(one) for one in some.features])
+        rt60_s, scores = decay_times(some), np.array([reverb.score_of(feature) for feature in some.features])
         table: Table | Levels = reverb.weights()["thresholds"]
         limits = {
             f"kind {said}": limits_on(some, rt60_s, table, says_kind=said == "said") for said in ("said", "unsaid")

@@ -69,7 +69,7 @@ def measured(made: Made) -> Set:
     families = dataset.families(is_kept_apart=made.is_kept_apart)
     real = dataset.real_sounds(is_kept_apart=made.is_kept_apart)
     if made.only:
-        families, real = [one for one in families if one.name == made.only], []
+        families, real = [family for family in families if family.name == made.only], []
     rooms = dataset.responses(dataset.rooms(is_kept_apart=made.is_kept_apart), made.seed, count=8)
     known, features = [], []
     for one, samples, rate in dataset.made(made.count, made.seed, families, rooms, real, reversed_share=0.5):
@@ -124,7 +124,7 @@ def right_on_speech(learning: Set, speech: Set) -> float:
 def figures_on(some: Set) -> dict[str, float]:
     """Return how good the judgement is on some sounds, as it ships."""
     backwards = some.backwards
-    scores = np.array([judgement.score_of(one) for one in some.features])
+    scores = np.array([judgement.score_of(feature) for feature in some.features])
     struck = np.array([one.source in IMPACTS_AND_UI for one in some.known])
     table = judgement.weights()["thresholds"]
     low, high = np.array([table[one.kind] for one in some.known]).T
@@ -147,7 +147,7 @@ MUST = {"AUC, impacts and UI": 0.98}
 def by_family(some: Set) -> str:
     """Return for each family of sources how well its directions are distinguished."""
     names = np.array(["real recordings" if one.is_real else one.source for one in some.known])
-    scores = np.array([judgement.score_of(one) for one in some.features])
+    scores = np.array([judgement.score_of(feature) for feature in some.features])
     lines = ["| source | sounds | AUC |", "|---|---|---|"]
     for name in sorted(set(names)):
         here = names == name

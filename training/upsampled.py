@@ -153,7 +153,7 @@ def threshold(some: Set) -> list[float]:
 def figures_on(some: Set) -> dict[str, float]:
     """Return how good the judgement is on some sounds, as it ships."""
     truth = some.positive
-    scores = np.array([judgement.score_of(one) for one in some.features])
+    scores = np.array([judgement.score_of(feature) for feature in some.features])
     low, high = judgement.weights()["threshold"]
     positive = scores >= high
     decided = positive | (scores < low)
@@ -175,7 +175,9 @@ MUST = {"found": 0.80, "falsely called upsampled": -0.02}
 def by_family(some: Set) -> str:
     """Return for each family of sources how often it is found, and falsely found."""
     names, truth = np.array([one.source for one in some.known]), some.positive
-    positive = np.array([judgement.score_of(one) for one in some.features]) >= judgement.weights()["threshold"][1]
+    positive = (
+        np.array([judgement.score_of(feature) for feature in some.features]) >= judgement.weights()["threshold"][1]
+    )
     lines = ["| source | sounds | found | falsely called upsampled |", "|---|---|---|---|"]
     for name in sorted(set(names)):
         here = names == name

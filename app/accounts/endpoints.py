@@ -21,7 +21,7 @@ from app.accounts.rules import Actor, Audience, normalised_email
 from app.accounts.schemas import DemoPart, PersonBrief, PersonRead, SessionRead, SignInAdd
 from app.accounts.second_factors import service as second_factors
 from app.accounts.web.browser_sign_ins import give_csrf_token, sign_in_browser
-from app.accounts.web.policies import allows, authenticate, demo_part_of
+from app.accounts.web.policies import allows, authenticate, demo_role
 from app.accounts.web.request_limits import (
     DeferredSession,
     ensure_second_factor_allowed,
@@ -29,8 +29,8 @@ from app.accounts.web.request_limits import (
     network_of,
     reset_attempts,
 )
-from app.core.db import widen_reach
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
+from app.core.db import set_access_scope
 from app.core.web.http import (
     CurrentRuntime,
     DbSession,
@@ -87,7 +87,7 @@ def sign_in(
     if code is not None:
         ensure_second_factor_allowed(request, account)
     with begin() as session:
-        widen_reach(session, Reach(person_id=person_id))
+        set_access_scope(session, AccessScope(person_id=person_id))
         if code is not None:
             second_factors.ensure_right_code(session, runtime.settings, person_id, code)
         reset_attempts(session, request, account)
@@ -110,7 +110,7 @@ def play_demo_part(
     part: str, request: Request, response: Response, _actor: Actor = allows(Audience.PERSON)
 ) -> DemoPart:
     """Play another person of the demo; there is no such thing outside of it."""
-    if demo_part_of(request) is None or part not in DEMO_PARTS:
+    if demo_role(request) is None or part not in DEMO_PARTS:
         raise DemoUnavailable(f"no demo part {part} here")
     response.set_cookie(authentication.DEMO_COOKIE, part, httponly=True, samesite="lax")
     return DemoPart(part=part, parts=list(DEMO_PARTS))

@@ -12,9 +12,9 @@ from app.accounts.models import MailedLink, Person
 from app.accounts.rules import Actor, AddressProof, ensure_address, ensure_strong_password, normalised_email
 from app.accounts.second_factors import queries as second_factor_queries
 from app.core import clock
-from app.core.db import Database, bypass_row_policies, widen_reach
+from app.core.access_scope import AccessScope
+from app.core.db import Database, bypass_row_policies, set_access_scope
 from app.core.events import publish
-from app.core.reach import Reach
 
 
 def create_person(
@@ -122,7 +122,7 @@ def reset_password(session: Session, secret: str, password: str) -> Person:
         reset = queries.open_reset(session, sha256_of(secret))
     if reset is None:
         raise ResetNotFound("this link was used already or is older than an hour", fix="ask for a new one")
-    widen_reach(session, Reach(person_id=reset.person_id))
+    set_access_scope(session, AccessScope(person_id=reset.person_id))
     person = session.get_one(Person, reset.person_id)
     person.password_hash = passwords.hash_of(_strong(session, person, password))
     reset.used_at = clock.now()

@@ -11,7 +11,7 @@ from uuid import UUID
 
 from app.accounts.common_passwords import is_common
 from app.accounts.errors import BadAddress, LastProducer, PasswordTooWeak, PersonNeeded
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
 
 
 class Role(StrEnum):
@@ -243,9 +243,9 @@ class Actor:
         return self.token_id is not None
 
     @property
-    def reach(self) -> Reach:
+    def reach(self) -> AccessScope:
         """Whose rows the database shows."""
-        return Reach(person_id=self.person_id, project_id=self.token_project_id)
+        return AccessScope(person_id=self.person_id, project_id=self.token_project_id)
 
     @property
     def person(self) -> UUID:

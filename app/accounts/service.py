@@ -20,7 +20,7 @@ from app.accounts.errors import (
 from app.accounts.models import Membership, Person, SignUp, Studio, StudioInvitation, Token
 from app.accounts.quotas import queries as quota_queries
 from app.accounts.quotas.queries import people_in, tokens_of
-from app.accounts.quotas.service import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_quota
 from app.accounts.rules import (
     MAX_TOKEN_DAYS,
     AccessKind,
@@ -103,7 +103,7 @@ def rename_studio(session: Session, actor: Actor, studio_id: UUID, name: str) ->
 
 def add_member(session: Session, studio_id: UUID, person_id: UUID, roles: Collection[Role]) -> Membership:
     """Give a person a place in a studio."""
-    ensure_room(session, studio_id, QuotaKind.PEOPLE, people_in)
+    ensure_quota(session, studio_id, QuotaKind.PEOPLE, people_in)
     membership = Membership(studio_id=studio_id, person_id=person_id, roles=sorted(set(roles)))
     session.add(membership)
     session.flush()
@@ -230,7 +230,7 @@ def invite_member(
             f"{address} is already in this studio",
             errors=[{"where": "email", "message": "this person is already in the studio"}],
         )
-    ensure_room(session, studio_id, QuotaKind.PEOPLE, people_in)
+    ensure_quota(session, studio_id, QuotaKind.PEOPLE, people_in)
     for earlier in queries.studio_invitations(session, studio_id):
         if earlier.email == address:
             earlier.revoked_at = clock.now()
@@ -327,7 +327,7 @@ def add_token(
     days: int = MAX_TOKEN_DAYS,
 ) -> tuple[Token, str]:
     """Make a key for a project's builds that ends after so many days, and return it with its secret, kept nowhere."""
-    ensure_room(session, studio_id, QuotaKind.TOKENS, tokens_of)
+    ensure_quota(session, studio_id, QuotaKind.TOKENS, tokens_of)
     secret = TOKEN_PREFIX + new_secret()
     token = Token(
         studio_id=studio_id,

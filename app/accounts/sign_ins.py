@@ -12,8 +12,8 @@ from app.accounts.errors import SignInNotFound
 from app.accounts.models import SignIn
 from app.accounts.rules import Actor
 from app.core import clock
-from app.core.db import bypass_row_policies, widen_reach
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
+from app.core.db import bypass_row_policies, set_access_scope
 
 SIGN_IN_LIFETIME = timedelta(days=30)
 
@@ -31,7 +31,7 @@ def start_sign_in(
     if replaces is not None:
         with bypass_row_policies(session):  # it may be another person's
             queries.end_sign_in(session, sha256_of(replaces))
-    widen_reach(session, Reach(person_id=person_id))
+    set_access_scope(session, AccessScope(person_id=person_id))
     queries.drop_old_sign_ins(session, person_id)
     secret = new_secret()
     session.add(

@@ -96,8 +96,8 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
         ),
         studio_name=contract.project.studio.name,
         version=version_read(shown, is_team=is_team),
-        acceptances=[schemas.AcceptanceRead.model_validate(each) for each in acceptances],
-        signers=[PersonBrief.model_validate(one.person) for one in queries.signers_of(session, contract.id)],
+        acceptances=[schemas.AcceptanceRead.model_validate(acceptance) for acceptance in acceptances],
+        signers=[PersonBrief.model_validate(signer.person) for signer in queries.signers_of(session, contract.id)],
         signs_first=contract.signs_first,
         change_requested=schemas.ContractChangeRead(
             text=change["text"], clause=change["clause"], by=change["by"], at=asked.at
@@ -336,7 +336,7 @@ def set_contract_signers(
 def accept_contract(
     contract_id: UUID,
     actor: Annotated[Actor, allows(Audience.PROJECT)],
-    signature: Annotated[signing.Signature, Depends(signature_sent)],
+    signature: Annotated[signing.SignatureRequest, Depends(signature_sent)],
     session: DbSession,
 ) -> schemas.ContractRead:
     """Sign the text that was sent, for the caller's party; once all have signed, it is agreed."""

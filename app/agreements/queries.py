@@ -23,7 +23,7 @@ from app.agreements.models import (
     SigningCode,
 )
 from app.agreements.rules import ORDERS, ContractKind, ContractState
-from app.agreements.signing.rules import SigningOrder, Turn, Yes
+from app.agreements.signing.rules import Signature, SigningOrder, Turn
 from app.core.db import Base
 from app.core.recorded_rows import declare
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, Spec
@@ -190,7 +190,7 @@ def turns_to_sign(session: Session, contracts: Collection[Contract]) -> dict[UUI
         .group_by(ContractVersion.contract_id)
         .subquery()
     )
-    given: dict[UUID, list[Yes]] = {contract_id: [] for contract_id in ids}
+    given: dict[UUID, list[Signature]] = {contract_id: [] for contract_id in ids}
     for contract_id, party, person_id in session.execute(
         select(ContractAcceptance.contract_id, ContractAcceptance.party, ContractAcceptance.person_id)
         .join(ContractVersion, ContractVersion.id == ContractAcceptance.version_id)
@@ -198,7 +198,7 @@ def turns_to_sign(session: Session, contracts: Collection[Contract]) -> dict[UUI
             newest, (newest.c.contract_id == ContractVersion.contract_id) & (newest.c.number == ContractVersion.number)
         )
     ):
-        given[contract_id].append(Yes(party, person_id))
+        given[contract_id].append(Signature(party, person_id))
     signers: dict[UUID, list[UUID]] = {contract_id: [] for contract_id in ids}
     for contract_id, person_id in session.execute(
         select(ContractSigner.contract_id, ContractSigner.person_id)

@@ -12,7 +12,7 @@ from app.agreements.models import Contract
 
 def near_days(session: Session, contracts: Collection[Contract], today: date) -> list[tuple[Contract, NamedDay]]:
     """Return the days of contracts of which both parties are reminded now, the earliest first."""
-    agreed = [one for one in contracts if one.agreed_at is not None]
+    agreed = [contract for contract in contracts if contract.agreed_at is not None]
     terms = named_terms(session, agreed) if agreed else {}
     found = [
         (contract, named)

@@ -94,7 +94,7 @@ def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str
         raise WrongState(f"this contract {STATE_WORDS[now]}", fix=fix)
 
 
-def way_on(state: ContractState, kind: ContractKind, party: Party = Party.STUDIO) -> str:
+def next_action_hint(state: ContractState, kind: ContractKind, party: Party = Party.STUDIO) -> str:
     """Return what a party can do where a contract's text or plan cannot be changed in its state."""
     is_designer = party is Party.DESIGNER
     match state:

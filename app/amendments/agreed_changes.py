@@ -18,7 +18,7 @@ from app.money import queries as money_queries
 from app.money.ledger.book import CLAUSES, Entry
 from app.money.ledger.rules import LineKind
 from app.money.ledger.service import write
-from app.money.settlement import add_round, charge_round, settle, take_out
+from app.money.settlement import add_round, cancel_cue, charge_round, settle
 from app.reviews.queries import round_counts
 from app.reviews.verdicts.clock_pauses import end_pause
 
@@ -63,7 +63,7 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
                     )
                 )
             case "cut_cue":
-                take_out(session, reviewer.covered[change.cue_id], state=states[change.cue_id], person_id=person_id)
+                cancel_cue(session, reviewer.covered[change.cue_id], state=states[change.cue_id], person_id=person_id)
             case "reprice_cue":
                 covered = reviewer.covered[change.cue_id]
                 milestone = reviewer.milestones[covered.milestone_id]
@@ -87,7 +87,11 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
 def _agree_round(session: Session, reviewer: Reviewer, cue_id: UUID, *, person_id: UUID) -> None:
     """Agree to a cue's next round: the one that was proposed, else the one after those included and counted."""
     contract = reviewer.contract
-    known = [one for one in money_queries.extra_rounds_of(session, contract.id) if one.cue_id == cue_id]
+    known = [
+        extra_round
+        for extra_round in money_queries.extra_rounds_of(session, contract.id)
+        if extra_round.cue_id == cue_id
+    ]
     proposed = next((one for one in known if one.agreed_at is None and one.dropped_at is None), None)
     if proposed is None:
         counted = round_counts(session, [cue_id]).get(cue_id, 0)

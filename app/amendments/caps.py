@@ -68,7 +68,7 @@ class Caps:
 
     def _instead(self) -> str:
         milestones = milestones_of(self.session, self.contract.id)
-        has_milestone = any(not one.is_deposit for one in milestones)
+        has_milestone = any(not milestone.is_deposit for milestone in milestones)
         return "add work to a milestone instead" if has_milestone else "sign another contract for it"
 
     def _used(self) -> Iterator[tuple[str, int, str]]:

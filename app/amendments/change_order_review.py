@@ -7,7 +7,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.facts import format_long_date
 from app.agreements.clauses.figures import faults_of_prose, other_amounts
 from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract, ContractCue, Milestone
@@ -23,7 +23,7 @@ from app.core.money import money, part_of
 from app.core.plural import day_in_words
 from app.money import overview
 from app.money.ledger.book import price_of_round
-from app.money.ledger.service import called, load_ledger_book, priced
+from app.money.ledger.service import cue_label, load_ledger_book, priced
 from app.money.schemas import AdviceRead
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import cues_of as listed_cues
@@ -45,9 +45,9 @@ class Reviewer:
         self.session, self.contract = session, contract
         self.terms: MoneyTerms = terms_of(session, contract)
         self.milestones: dict[UUID, Milestone] = {
-            one.id: one for one in plan_queries.milestones_of(session, contract.id)
+            milestone.id: milestone for milestone in plan_queries.milestones_of(session, contract.id)
         }
-        self.covered: dict[UUID, ContractCue] = {one.cue_id: one for one in plan_queries.cues_of(session, contract.id)}
+        self.covered: dict[UUID, ContractCue] = {cue.cue_id: cue for cue in plan_queries.cues_of(session, contract.id)}
         self.prefix = contract.project.cue_prefix
         self.caps = Caps(session, contract, self.terms)
 
@@ -109,7 +109,7 @@ class Reviewer:
         covered = self.covered.get(change.cue_id)
         if covered is None:
             return ["the contract does not cover that cue; add it instead"]
-        name = called(covered.cue, self.prefix)
+        name = cue_label(covered.cue, self.prefix)
         if covered.cut_at is not None:
             return [self._cut(covered.cue, name)]
         if covered.accepted_at is not None:
@@ -139,7 +139,7 @@ class Reviewer:
         cue = self.listed.get(cue_id)
         if cue is None:
             return [f"there is no cue {cue_id} in this project; put it on the sound list first"]
-        name = called(cue, self.prefix)
+        name = cue_label(cue, self.prefix)
         if cue.state is CueState.CUT:
             return [self._cut(cue, name)]
         covered = self.covered.get(cue_id)
@@ -153,7 +153,9 @@ class Reviewer:
         return [f"{title} covers {name}; take it out of that one first" for _, title in taken]
 
     def _open_milestone(self) -> str:
-        is_any_open = any(not one.is_deposit and not self.is_done(one.id) for one in self.milestones.values())
+        is_any_open = any(
+            not milestone.is_deposit and not self.is_done(milestone.id) for milestone in self.milestones.values()
+        )
         return "name a milestone that is open" if is_any_open else "sign another contract for more cues"
 
     def _cut(self, cue: Cue, name: str) -> str:
@@ -171,9 +173,9 @@ class Reviewer:
             - part_of(self.covered[cue_id].amount_minor or 0, self.terms.kill_fees.of(states[cue_id]))
             for cue_id in gone
         )
-        beside = sum(self.round_minor(self.covered[one.cue_id]) for one in changes if one.kind == "add_round")
-        beside += sum(one.amount_minor for one in changes if one.kind == "add_work")
-        beside += sum(self.caps.added_minor(one) for one in changes if one.kind == "set_caps")
+        beside = sum(self.round_minor(self.covered[change.cue_id]) for change in changes if change.kind == "add_round")
+        beside += sum(change.amount_minor for change in changes if change.kind == "add_work")
+        beside += sum(self.caps.added_minor(change) for change in changes if change.kind == "set_caps")
         figures = overview.figures(self.session, self.contract, load_ledger_book(self.session, self.contract))
         price = figures.agreed_minor - figures.saved_minor
         added = sum(new.amount_minor - old.amount_minor for old, new in zip(before, after, strict=True))
@@ -192,7 +194,7 @@ class Reviewer:
         return schemas.DifferenceRead(
             changes=[self.sentence(change) for change in changes],
             cues_before=cues,
-            cues_after=cues - len(gone) + sum(1 for one in changes if one.kind == "add_cue"),
+            cues_after=cues - len(gone) + sum(1 for change in changes if change.kind == "add_cue"),
             price_before_minor=price,
             price_after_minor=price + added + beside - not_owed,
             milestones=[
@@ -206,22 +208,29 @@ class Reviewer:
                 )
                 for old, new in zip(before, after, strict=True)
             ],
-            warnings=[AdviceRead.model_validate(one) for one in warnings],
+            warnings=[AdviceRead.model_validate(warning) for warning in warnings],
             advice=[AdviceRead.model_validate(one) for one in worsened(advice_before, advice_after)],
             advice_gone=[AdviceRead.model_validate(one) for one in resolved(advice_before, advice_after)],
         )
 
     def _with_more_work(self, changes: Sequence[schemas.Change]) -> set[UUID]:
         """Return the milestones to which changes add work that is no cue of theirs."""
-        rounds = {self.covered[one.cue_id].milestone_id for one in changes if one.kind == "add_round"}
-        return rounds | {one.milestone_id for one in changes if one.kind == "add_work"}
+        rounds = {self.covered[change.cue_id].milestone_id for change in changes if change.kind == "add_round"}
+        return rounds | {change.milestone_id for change in changes if change.kind == "add_work"}
 
     def plan(self) -> list[Planned]:
         """Return the milestones as they stand; cues that were cut no longer count."""
         wanted = [one.milestone_id for one in self.covered.values() if one.cut_at is None]
         return [
-            Planned(one.id, one.name, one.amount_minor, one.due_on, wanted.count(one.id), one.is_deposit)
-            for one in self.milestones.values()
+            Planned(
+                milestone.id,
+                milestone.name,
+                milestone.amount_minor,
+                milestone.due_on,
+                wanted.count(milestone.id),
+                milestone.is_deposit,
+            )
+            for milestone in self.milestones.values()
         ]
 
     def _difference_of(self, change: schemas.Change) -> Difference | None:
@@ -242,7 +251,9 @@ class Reviewer:
         match change.kind:
             case "add_cue":
                 cue, milestone = self.listed[change.cue_id], self.milestones[change.milestone_id]
-                return f"{called(cue, self.prefix)} is added to {milestone.name} at {self.money(change.price_minor)}."
+                return (
+                    f"{cue_label(cue, self.prefix)} is added to {milestone.name} at {self.money(change.price_minor)}."
+                )
             case "cut_cue":
                 return f"{self._name(change)} is taken out; it is owed by the state of its work when both have agreed."
             case "reprice_cue":
@@ -253,8 +264,8 @@ class Reviewer:
                 return f"A further round of {self._name(change)} costs {self.money(price)}."
             case "move_date":
                 milestone = self.milestones[change.milestone_id]
-                was_on = f" instead of {in_words(milestone.due_on)}" if milestone.due_on else ""
-                return f"{milestone.name} is due on {in_words(change.due_on)}{was_on}."
+                was_on = f" instead of {format_long_date(milestone.due_on)}" if milestone.due_on else ""
+                return f"{milestone.name} is due on {format_long_date(change.due_on)}{was_on}."
             case "add_work":
                 name = self.milestones[change.milestone_id].name
                 price = change.amount_minor
@@ -263,7 +274,7 @@ class Reviewer:
                 return self.caps.sentence(change)
 
     def _name(self, change: schemas.CutCue | schemas.RepriceCue | schemas.AddRound) -> str:
-        return called(self.covered[change.cue_id].cue, self.prefix)
+        return cue_label(self.covered[change.cue_id].cue, self.prefix)
 
 
 def _number(terms: Mapping[str, object], name: str) -> int:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from datetime import date, datetime
 
-from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.facts import format_long_date
 from app.agreements.clauses.text import literal
 from app.agreements.rules import Party
 from app.amendments.schemas import ChangedMilestone
@@ -35,11 +35,11 @@ def change_order_text(
     currency: str,
 ) -> str:
     """Return a change order in Markdown."""
-    agreed = f", agreed on {in_words(agreed_at.date())}" if agreed_at else ""
+    agreed = f", agreed on {format_long_date(agreed_at.date())}" if agreed_at else ""
     changed = [
-        one
-        for one in milestones
-        if (one.amount_before_minor, one.due_before) != (one.amount_after_minor, one.due_after)
+        milestone
+        for milestone in milestones
+        if (milestone.amount_before_minor, milestone.due_before) != (milestone.amount_after_minor, milestone.due_after)
     ]
     rows = [
         f"| {literal(one.name)} | {_on(one.due_before)} | {_on(one.due_after)} "
@@ -56,7 +56,7 @@ def change_order_text(
         f"# {literal(change_order_title(number, title))}",
         f"Between **{literal(studio)}** (the studio) and **{literal(designer)}** (the designer), to the contract "
         f"**{literal(title)}**{agreed}, whose text has the SHA-256 {contract_sha256}.",
-        f"{literal(proposed_by)} proposed it for {PARTY_WORDS[party]} on {in_words(proposed_on)}. "
+        f"{literal(proposed_by)} proposed it for {PARTY_WORDS[party]} on {format_long_date(proposed_on)}. "
         f"Reason: {literal(reason)}",
         "## What changes",
         "\n".join(f"- {literal(sentence)}" for sentence in changes),
@@ -68,4 +68,4 @@ def change_order_text(
 
 
 def _on(day: date | None) -> str:
-    return in_words(day) if day else "none"
+    return format_long_date(day) if day else "none"

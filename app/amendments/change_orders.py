@@ -16,10 +16,10 @@ from app.agreements.models import Contract
 from app.agreements.plan import queries as plan_queries
 from app.agreements.queries import newest_version
 from app.agreements.record import service as record
-from app.agreements.rules import ORDERS, ContractKind, ContractState, Party, way_on
+from app.agreements.rules import ORDERS, ContractKind, ContractState, Party, next_action_hint
 from app.agreements.schemas import BlockRead
 from app.agreements.signing.certificates import signatures_page, studio_zone
-from app.agreements.signing.service import Signature
+from app.agreements.signing.service import SignatureRequest
 from app.amendments import offers, queries, schemas
 from app.amendments.agreed_changes import apply
 from app.amendments.change_order_review import Review, Reviewer
@@ -59,12 +59,15 @@ def change_orders(session: Session, actor: Actor, contract_id: UUID) -> schemas.
         my_party=party,
         may_propose=in_force and party is not None,
         extra_round_bp=reviewer.terms.extra_round_bp,
-        orders=[_read(session, reviewer, one, actor, party) for one in queries.change_orders_of(session, contract.id)],
+        orders=[
+            _read(session, reviewer, change_order, actor, party)
+            for change_order in queries.change_orders_of(session, contract.id)
+        ],
         offers=offers.offers(session, reviewer, party) if in_force and party is not None else [],
         milestones=[
-            schemas.OrderMilestone(id=one.id, name=one.name, due_on=one.due_on)
-            for one in reviewer.milestones.values()
-            if not one.is_deposit and not reviewer.is_done(one.id)
+            schemas.OrderMilestone(id=milestone.id, name=milestone.name, due_on=milestone.due_on)
+            for milestone in reviewer.milestones.values()
+            if not milestone.is_deposit and not reviewer.is_done(milestone.id)
         ],
         cues=[
             schemas.OrderCue(
@@ -159,7 +162,7 @@ def accept(
     actor: Actor,
     contract_id: UUID,
     number: int,
-    signature: Signature,
+    signature: SignatureRequest,
 ) -> None:
     """Say yes to a change order for the caller's party; with the last yes it is in force.
 
@@ -239,7 +242,7 @@ def _open(session: Session, contract: Contract, number: int) -> ChangeOrder:
             f"change order {number} has {order.state} already"
             if order.state is ChangeOrderState.LAPSED
             else f"change order {number} was {order.state} already",
-            fix="propose another one" if in_force else way_on(contract.state, contract.kind),
+            fix="propose another one" if in_force else next_action_hint(contract.state, contract.kind),
         )
     return order
 
@@ -251,13 +254,13 @@ def _ensure_in_force(contract: Contract, party: Party) -> None:
             "this contract orders no work, so no change order can change it",
             fix="propose it to the batch that has the cues"
             if is_running
-            else way_on(contract.state, contract.kind, party),
+            else next_action_hint(contract.state, contract.kind, party),
         )
     if contract.state is not ContractState.AGREED:
         is_ended = contract.state is ContractState.ENDED
         raise NotInForce(
             "this contract has ended" if is_ended else "this contract is not signed by both yet",
-            fix=way_on(contract.state, contract.kind, party),
+            fix=next_action_hint(contract.state, contract.kind, party),
         )
 
 

@@ -18,9 +18,9 @@ from app.agreements.plan import queries as plan_queries
 from app.agreements.plan.queries import terms_of
 from app.agreements.queries import NOTICE_GIVEN, NOTICE_WITHDRAWN, lock_contract
 from app.agreements.record import service as record
-from app.agreements.rules import ORDERS, ContractState, Party, way_on
+from app.agreements.rules import ORDERS, ContractState, Party, next_action_hint
 from app.agreements.signing.certificates import signatures_page, studio_zone
-from app.agreements.signing.service import Signature
+from app.agreements.signing.service import SignatureRequest
 from app.amendments import queries, schemas
 from app.amendments.change_orders import lapse_open
 from app.amendments.ending_text import statement_text, statement_title
@@ -36,7 +36,7 @@ from app.core.plural import day_in_words
 from app.money import overview
 from app.money import queries as money_queries
 from app.money.ledger.book import price_of_round
-from app.money.ledger.service import called, load_ledger_book
+from app.money.ledger.service import cue_label, load_ledger_book
 from app.money.schemas import FiguresRead
 from app.money.settlement import end_statement, open_cues, settle_end
 from app.money.work.service import price_of
@@ -95,7 +95,7 @@ def agree_to_statement(
     session: Session,
     actor: Actor,
     contract_id: UUID,
-    signature: Signature,
+    signature: SignatureRequest,
 ) -> None:
     """Say yes to the statement for the caller's party; with the last yes the contract is settled and ends."""
     contract, party = locked_for_party(session, actor, contract_id)
@@ -144,7 +144,7 @@ def _settle(
         "text_sha256_of_amendment": notice.statement_sha256,
         "owed": money(read.figures.accepted_minor, contract.currency),
         "to_pay": money(read.figures.due_minor, contract.currency),
-        "cut": {str(one.cue_id): states[one.cue_id].value for one in open_cues(session, contract)},
+        "cut": {str(cue.cue_id): states[cue.cue_id].value for cue in open_cues(session, contract)},
     }
     record.append(session, contract.id, "settled", facts, by=by)
     lapse_open(session, contract)
@@ -174,11 +174,13 @@ def _ensure_unsettled(session: Session, contract: Contract) -> None:
         is_ended = contract.state is ContractState.ENDED
         raise AlreadyEnded(
             "nothing is owed under this contract, so it needs no settlement",
-            fix=way_on(contract.state, contract.kind) if is_ended else "end it on the contract's page",
+            fix=next_action_hint(contract.state, contract.kind) if is_ended else "end it on the contract's page",
         )
-    is_open = any(one.accepted_at is None and one.cut_at is None for one in plan_queries.cues_of(session, contract.id))
+    is_open = any(cue.accepted_at is None and cue.cut_at is None for cue in plan_queries.cues_of(session, contract.id))
     if contract.state is ContractState.ENDED and not is_open:
-        raise AlreadyEnded("this contract has ended and is settled", fix=way_on(contract.state, contract.kind))
+        raise AlreadyEnded(
+            "this contract has ended and is settled", fix=next_action_hint(contract.state, contract.kind)
+        )
 
 
 def _open_notice(session: Session, contract: Contract) -> Notice:
@@ -204,8 +206,8 @@ def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.
     is_settled = notice is not None and notice.settled_at is not None
     states = work_states(session, contract)
     statement = end_statement(session, contract, states)
-    milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
-    covered = {one.cue_id: one for one in plan_queries.cues_of(session, contract.id)}
+    milestones = {milestone.id: milestone.name for milestone in plan_queries.milestones_of(session, contract.id)}
+    covered = {cue.cue_id: cue for cue in plan_queries.cues_of(session, contract.id)}
     prefix = contract.project.cue_prefix
     party = party_of(actor, contract) if actor else None
     now = load_ledger_book(session, contract)
@@ -223,16 +225,16 @@ def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.
         deposit_at_end=terms.deposit_at_end,
         cues=[
             schemas.StatedCueRead(
-                cue=overview.brief(covered[one.cue_id].cue, prefix),
-                milestone=milestones[one.milestone_id],
-                state=one.state,
-                was_cut=one.was_cut and not _was_cut_by(notice, covered[one.cue_id].cut_at),
-                price_minor=one.price_minor,
-                part_bp=one.part_bp,
-                owed_minor=one.owed_minor,
-                clause=one.clause,
+                cue=overview.brief(covered[cue.cue_id].cue, prefix),
+                milestone=milestones[cue.milestone_id],
+                state=cue.state,
+                was_cut=cue.was_cut and not _was_cut_by(notice, covered[cue.cue_id].cut_at),
+                price_minor=cue.price_minor,
+                part_bp=cue.part_bp,
+                owed_minor=cue.owed_minor,
+                clause=cue.clause,
             )
-            for one in statement.cues
+            for cue in statement.cues
         ],
         cues_minor=statement.cues_minor,
         deposit_minor=statement.deposit_minor,
@@ -284,11 +286,11 @@ def _open_points(session: Session, contract: Contract, terms: MoneyTerms) -> lis
     rounds = [
         schemas.OpenPointRead(
             kind="round",
-            text=f"round {one.number} of {called(one.cue, prefix)}",
-            amount_minor=price_of_round(cues[one.cue_id], terms.extra_round_bp),
+            text=f"round {extra_round.number} of {cue_label(extra_round.cue, prefix)}",
+            amount_minor=price_of_round(cues[extra_round.cue_id], terms.extra_round_bp),
         )
-        for one in money_queries.extra_rounds_of(session, contract.id)
-        if one.agreed_at is None and one.dropped_at is None
+        for extra_round in money_queries.extra_rounds_of(session, contract.id)
+        if extra_round.agreed_at is None and extra_round.dropped_at is None
     ]
     by_day = terms.price_mode is PriceMode.DAY_RATE
     days = [

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 
-from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.facts import format_long_date
 from app.agreements.clauses.terms import DepositAtEnd
 from app.agreements.clauses.text import literal
 from app.agreements.rules import WORK_STATE_WORDS, Party, WorkState
@@ -34,7 +34,7 @@ def statement_text(ending: EndingRead, studio: str) -> str:
 
     figures = ending.figures
     ends = (
-        f"It ends when both agree to this statement, else when {in_words(notice.ends_on)} is over (UTC)."
+        f"It ends when both agree to this statement, else when {format_long_date(notice.ends_on)} is over (UTC)."
         if notice.ends_on
         else "It ends when both agree to this statement."
     )
@@ -57,7 +57,8 @@ def statement_text(ending: EndingRead, studio: str) -> str:
         f"# {literal(statement_title(ending))}",
         f"Between **{literal(studio)}** (the studio) and **{literal(ending.designer.name)}** (the designer).",
         f"Notice {notice.number}: {literal(notice.given_by)} gave it for "
-        f"{PARTY_WORDS[notice.party].lower()} on {in_words(notice.given_at.date())}. Reason: {literal(notice.reason)}",
+        f"{PARTY_WORDS[notice.party].lower()} on {format_long_date(notice.given_at.date())}. "
+        f"Reason: {literal(notice.reason)}",
         f"{ends} Every cue counts by the state of its work then.",
         "\n".join(
             ["| Cue | Milestone | State | Price | Part | Owed |", "| --- | --- | --- | --- | --- | --- |"]

@@ -14,7 +14,7 @@ from app.agreements.errors import (
     NotYourContract,
 )
 from app.agreements.signing.endpoints import SIGNING, signature_sent
-from app.agreements.signing.service import Signature
+from app.agreements.signing.service import SignatureRequest
 from app.amendments import change_orders, ending, schemas
 from app.amendments.errors import (
     AlreadyEnded,
@@ -76,7 +76,7 @@ def withdraw_notice(
 def agree_to_statement(
     contract_id: UUID,
     actor: Annotated[Actor, allows(Audience.PROJECT)],
-    signature: Annotated[Signature, Depends(signature_sent)],
+    signature: Annotated[SignatureRequest, Depends(signature_sent)],
     session: DbSession,
 ) -> schemas.EndingRead:
     """Say yes to the statement for the caller's party; with the second yes the contract is settled and ends."""
@@ -146,7 +146,7 @@ def accept_change_order(
     contract_id: UUID,
     change_order_number: OrderNumber,
     actor: Annotated[Actor, allows(Audience.PROJECT)],
-    signature: Annotated[Signature, Depends(signature_sent)],
+    signature: Annotated[SignatureRequest, Depends(signature_sent)],
     session: DbSession,
 ) -> schemas.ChangeOrdersRead:
     """Say yes to a change order for the caller's party; with the second yes it is in force."""

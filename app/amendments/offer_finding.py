@@ -8,7 +8,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.facts import format_long_date
 from app.agreements.models import ContractCue
 from app.agreements.plan.queries import agreed_terms, covered_elsewhere
 from app.agreements.rules import WorkState
@@ -28,7 +28,7 @@ from app.amendments.offer_rules import (
 )
 from app.amendments.rules import ChangeOrderState
 from app.money import queries as money_queries
-from app.money.ledger.service import called
+from app.money.ledger.service import cue_label
 from app.projects.models import Spec
 from app.projects.specs.service import read_spec
 from app.sound_lists.models import Cue
@@ -111,14 +111,14 @@ class Found:
                 yield offer
 
     def _name(self, cue: Cue) -> str:
-        return called(cue, self._reviewer.prefix)
+        return cue_label(cue, self._reviewer.prefix)
 
     def _open_milestone(self, wanted: UUID | None = None) -> UUID | None:
         """Return a milestone that work can be added to: the wanted one where it is open, else the first."""
         open_ = [
-            one.id
-            for one in self._reviewer.milestones.values()
-            if not one.is_deposit and not self._reviewer.is_done(one.id)
+            milestone.id
+            for milestone in self._reviewer.milestones.values()
+            if not milestone.is_deposit and not self._reviewer.is_done(milestone.id)
         ]
         return wanted if wanted in open_ else next(iter(open_), None)
 
@@ -182,7 +182,9 @@ class Found:
         """Return the changes of a cue after the last one that a change order or a dismissal has settled."""
         settled = self._settled_offers.revision_of(kind, cue_id)
         return [
-            one for one in changes if one.revision > settled and not self._settled_offers.has_order(settlers, one.at)
+            change
+            for change in changes
+            if change.revision > settled and not self._settled_offers.has_order(settlers, change.at)
         ]
 
     def _described(self, one: ContractCue, changes: Sequence[ListChange]) -> Iterator[Offer]:
@@ -219,7 +221,7 @@ class Found:
         yield Offer(
             f"{OfferKind.NEEDED}:{one.cue_id}:{last.revision}",
             OfferKind.NEEDED,
-            f"{self._name(one.cue)} is needed on {in_words(is_on)} instead of {in_words(was_on)}.",
+            f"{self._name(one.cue)} is needed on {format_long_date(is_on)} instead of {format_long_date(was_on)}.",
             last.by,
             last.at,
             schemas.OfferedChange(kind="move_date", milestone_id=one.milestone_id, due_on=is_on),
@@ -238,7 +240,7 @@ class Found:
         yield Offer(
             f"{OfferKind.ANSWERED}:{question_id}",
             OfferKind.ANSWERED,
-            f"A question on {self._name(one.cue)} was answered after {in_words(due_on)}, the day on which it was due.",
+            f"A question on {self._name(one.cue)} was answered after {format_long_date(due_on)}, when it was due.",
             who,
             answered_at,
             schemas.OfferedChange(kind="move_date", milestone_id=one.milestone_id, due_on=moved),

@@ -37,7 +37,7 @@ def offers(session: Session, reviewer: Reviewer, party: Party) -> list[schemas.C
 
 def dismiss(session: Session, actor: Actor, reviewer: Reviewer, party: Party, key: str, *, reason: str) -> None:
     """Note for good that a party wants no change order for something; callers hold the contract's lock."""
-    known = {one.offer: one for one in offers(session, reviewer, party)}
+    known = {offer.offer: offer for offer in offers(session, reviewer, party)}
     if key not in known:
         raise OfferSettled(
             "this is no longer offered: a change order has it, or your party dismissed it",
@@ -51,7 +51,7 @@ def taken_up(session: Session, reviewer: Reviewer, party: Party, keys: Sequence[
     """Return those of the named offers that stand; a change order that is proposed settles them."""
     if not keys:
         return []
-    open_now = {one.offer for one in offers(session, reviewer, party)}
+    open_now = {offer.offer for offer in offers(session, reviewer, party)}
     return [key for key in dict.fromkeys(keys) if key in open_now]
 
 

@@ -80,13 +80,13 @@ class Difference:
 def changed_plan(plan: Sequence[Planned], differences: Sequence[Difference]) -> list[Planned]:
     """Return a plan with its changes."""
     after = {one.milestone_id: one for one in plan}
-    for one in differences:
-        now = after[one.milestone_id]
-        after[one.milestone_id] = replace(
+    for difference in differences:
+        now = after[difference.milestone_id]
+        after[difference.milestone_id] = replace(
             now,
-            amount_minor=now.amount_minor + one.amount_minor,
-            cues=now.cues + one.cues,
-            due_on=one.due_on or now.due_on,
+            amount_minor=now.amount_minor + difference.amount_minor,
+            cues=now.cues + difference.cues,
+            due_on=difference.due_on or now.due_on,
         )
     return list(after.values())
 

@@ -16,8 +16,8 @@ from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
 from app.agreements.record import service as record
 from app.agreements.rules import Party, ensure_another_person, ensure_same_text
-from app.agreements.signing.rules import Yes
-from app.agreements.signing.service import Signature, amendment_order_of, facts_of_signature, proof_of
+from app.agreements.signing.rules import Signature
+from app.agreements.signing.service import SignatureRequest, amendment_order_of, facts_of_signature, proof_of
 from app.amendments import queries
 from app.amendments.models import AmendmentAcceptance
 from app.core.events import publish
@@ -41,7 +41,7 @@ def sign(
     kind: str,
     facts: dict[str, Any],
     text_sha256: str,
-    signature: Signature,
+    signature: SignatureRequest,
 ) -> bool:
     """Record a yes to a text under the contract's lock; return whether all who sign it have given theirs.
 
@@ -84,7 +84,7 @@ def sign(
         },
         by=person.id,
     )
-    turn = order.turn([*_yeses(given), Yes(party, person.id)])
+    turn = order.turn([*_yeses(given), Signature(party, person.id)])
     if Party.STUDIO in turn.parties and turn.signer is not None:
         publish(
             session,
@@ -119,8 +119,8 @@ def signatures(
     return Signatures(1 + max(1, len(order.signers)), is_mine)
 
 
-def _yeses(given: Sequence[AmendmentAcceptance]) -> list[Yes]:
-    return [Yes(one.party, one.person_id) for one in given]
+def _yeses(given: Sequence[AmendmentAcceptance]) -> list[Signature]:
+    return [Signature(one.party, one.person_id) for one in given]
 
 
 def _called(kind: str) -> str:

@@ -56,15 +56,15 @@ def _verified(session: Session, store: Store, contract_id: str) -> Verified:
     except Exception as error:
         fault = f"the contract cannot be read: {first_line(error)}"
         return Verified(contract_id, "a contract", 0, [fault])
-    return Verified(contract_id, title, entries, faults_of(session, store, contract))
+    return Verified(contract_id, title, entries, validation_errors(session, store, contract))
 
 
-def faults_of(session: Session, store: Store, contract: Contract) -> list[str]:
+def validation_errors(session: Session, store: Store, contract: Contract) -> list[str]:
     """Return what is wrong with the record, the texts and the tables of a contract.
 
     Tables are held against a record that is whole; where it is not, that is what has to be looked into first.
     """
-    of_record = list(_or_why_not("the record", record.faults_of(session, contract)))
+    of_record = list(_or_why_not("the record", record.validation_errors(session, contract)))
     of_texts = _or_why_not("texts and PDFs", record.text_faults(session, store, contract))
     return [*of_record, *of_texts, *([] if of_record else table_faults(session, contract))]
 

@@ -185,6 +185,6 @@ def last_reads(session: Session, actor: Actor, project_id: UUID) -> Sequence[Las
     project_access(session, actor, project_id).ensure_team()
     newest = queries.newest_version(session, project_id)
     reads = queries.newest_reads(session, project_id)
-    engaged = [one for one in engagements_of(session, [project_id]) if one.ended_at is None]
+    engaged = [engagement for engagement in engagements_of(session, [project_id]) if engagement.ended_at is None]
     found = [(one, reads.get(one.designer_id)) for one in engaged]
     return [LastRead(one, read, newest - (read.version.number if read else 0)) for one, read in found]

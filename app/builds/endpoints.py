@@ -48,7 +48,7 @@ from app.builds.schemas import (
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.bodies import REPORT_BODY_BYTES, accepts_body
 from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.core.web.per_user_limit import FairShare, TooManyAtOnce
+from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 
@@ -56,7 +56,7 @@ router = APIRouter(prefix="/v1", tags=["builds"])
 PAGE = 50
 XLSX = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 Target = Annotated[str | None, Query(description="A target of the spec; its first when left out.")]
-PDFS = FairShare(1, "PDF")  # of the two that a process has in hand
+PDFS = PerUserLimit(1, "PDF")  # of the two that a process has in hand
 BINARY = {"schema": {"type": "string", "format": "binary"}}
 
 

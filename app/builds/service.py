@@ -116,5 +116,5 @@ def _accepted_warnings(
         if run is None:
             continue
         findings = [*run.report["findings"], *(over_set.findings if over_set else ())]
-        if codes := {str(one["code"]) for one in findings if one["severity"] == "warning"}:
+        if codes := {str(finding["code"]) for finding in findings if finding["severity"] == "warning"}:
             yield codes, run, take

@@ -49,7 +49,7 @@ class Command:
 
 def command_tree(cli: typer.Typer) -> Command:
     """Return the program with all its commands."""
-    (group,) = [one for one in client_parser()._actions if isinstance(one, argparse._SubParsersAction)]
+    (group,) = [action for action in client_parser()._actions if isinstance(action, argparse._SubParsersAction)]
     return _of_typer(typer.main.get_command(cli), (PROGRAM,), group.choices)
 
 
@@ -76,14 +76,16 @@ def _argument(param: TyperOption) -> Argument:
 
 def _of_parser(parser: argparse.ArgumentParser, path: tuple[str, ...], what: str) -> Command:
     arguments = tuple(
-        Argument(tuple(one.option_strings), one.help or "", one.nargs != 0, tuple(map(str, one.choices or ())))
-        for one in parser._actions
-        if one.option_strings
+        Argument(
+            tuple(action.option_strings), action.help or "", action.nargs != 0, tuple(map(str, action.choices or ()))
+        )
+        for action in parser._actions
+        if action.option_strings
     )
-    groups = [one for one in parser._actions if isinstance(one, argparse._SubParsersAction)]
+    groups = [action for action in parser._actions if isinstance(action, argparse._SubParsersAction)]
     below = [
-        _of_parser(group.choices[one.dest], (*path, one.dest), one.help or "")
+        _of_parser(group.choices[choices_action.dest], (*path, choices_action.dest), choices_action.help or "")
         for group in groups
-        for one in group._choices_actions
+        for choices_action in group._choices_actions
     ]
     return Command(path, what, arguments, tuple(below))

@@ -48,7 +48,8 @@ def bash(program: Command) -> str:
     """Return a script for bash 3.2 and newer."""
     commands = list(program.all())
     words = "\n".join(
-        f"    {_quoted(one.line)}) words={_quoted(_names(one))}; flags={_quoted(_flags(one))};;" for one in commands
+        f"    {_quoted(command.line)}) words={_quoted(_names(command))}; flags={_quoted(_flags(command))};;"
+        for command in commands
     )
     return f"""# Completion of {PROGRAM} for bash.
 _soundlist_completion() {{
@@ -76,10 +77,10 @@ def zsh(program: Command) -> str:
     """Return a script for zsh; to be loaded, or stored as `_soundlist` in a folder of `fpath`."""
     commands = list(program.all())
     words = "\n".join(
-        f"    {_quoted(one.line)})\n"
-        f"      offered=({_described((below.path[-1], below.help) for below in one.below)})\n"
-        f"      flags=({_described((flag, argument.help) for argument in one.arguments for flag in argument.flags)});;"
-        for one in commands
+        f"    {_quoted(command.line)})\n"
+        f"      offered=({_described((below.path[-1], below.help) for below in command.below)})\n"
+        f"      flags=({_described((flag, given.help) for given in command.arguments for flag in given.flags)});;"
+        for command in commands
     )
     return f"""#compdef {PROGRAM}
 # Completion of {PROGRAM} for zsh.
@@ -127,11 +128,11 @@ def fish(program: Command) -> str:
         '  test "$command" = "$argv[1]"',
         "end",
     ]
-    for one in commands:
-        condition = _fish(f'__soundlist_at "{one.line}"')
+    for command in commands:
+        condition = _fish(f'__soundlist_at "{command.line}"')
         begin = f"complete -c {PROGRAM} -n {condition}"
-        lines += [f"{begin} -f -a {_fish(below.path[-1])} -d {_fish(below.help)}" for below in one.below]
-        for argument in one.arguments:
+        lines += [f"{begin} -f -a {_fish(below.path[-1])} -d {_fish(below.help)}" for below in command.below]
+        for argument in command.arguments:
             flags = " ".join(f"-l {flag[2:]}" if flag.startswith("--") else f"-s {flag[1:]}" for flag in argument.flags)
             values = f" -x -a {_fish(' '.join(argument.values))}" if argument.values else " -r" * argument.takes_value
             lines.append(f"{begin} {flags}{values} -d {_fish(argument.help)}")
@@ -147,15 +148,15 @@ def _flags(command: Command) -> str:
 
 
 def _patterns(commands: list[Command]) -> str:
-    return "|".join(_quoted(one.line) for one in commands)
+    return "|".join(_quoted(command.line) for command in commands)
 
 
 def _values(commands: list[Command], offer: Callable[[Sequence[str]], str]) -> str:
     """Return the cases of options that a value follows: what is offered for it, nothing of ours for a free text."""
     return "\n".join(
-        f"    {'|'.join(_quoted(f'{one.line} {flag}') for flag in argument.flags)}) {offer(argument.values)};;"
-        for one in commands
-        for argument in one.arguments
+        f"    {'|'.join(_quoted(f'{command.line} {flag}') for flag in argument.flags)}) {offer(argument.values)};;"
+        for command in commands
+        for argument in command.arguments
         if argument.takes_value
     )
 

@@ -56,7 +56,9 @@ def postings(project: Annotated[UUID, typer.Argument(help="Id of the project.")]
             found = project_by_id(session, project)
             if found is None:
                 raise refusal([f"no project {project}"])
-            shown = [(one, queries.sent_bids(session, one.id)) for one in queries.postings_in(session, project)]
+            shown = [
+                (posting, queries.sent_bids(session, posting.id)) for posting in queries.postings_in(session, project)
+            ]
             typer.echo(documents.markdown_of(found.name, shown), nl=False)
     finally:
         runtime.close()

@@ -80,7 +80,7 @@ def _faults_of_pdf(session: Session, path: Path, content: bytes) -> list[str]:
             return ["it was not sealed by this server"]
     if found.seal is not None:
         contract, version = found.seal.contract, found.seal.version
-        names = ", ".join(f"{one.name} for the {one.party}" for one in found.acceptances)
+        names = ", ".join(f"{acceptance.name} for the {acceptance.party}" for acceptance in found.acceptances)
         typer.echo(
             f"{path}: untouched. {contract.title}, version {version.number} between {contract.project.studio.name} and "
             f"{contract.designer.name}, SHA-256 of the text {version.text_sha256}, signed by {names}"

@@ -57,7 +57,7 @@ def desk(options: argparse.Namespace) -> int:
     if not servers:
         raise Refusal("no server yet; create a token on your page Account, then: soundlist desk add https://…")
     if options.server is not None:
-        servers = [one for one in servers if one.name == options.server]
+        servers = [server for server in servers if server.name == options.server]
         if not servers:
             raise Refusal(f'no server is called "{options.server}"; soundlist desk list names them')
     with ThreadPoolExecutor(AT_ONCE) as pool:

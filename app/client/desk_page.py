@@ -54,7 +54,7 @@ class Line(NamedTuple):
 
 def html_of(heads: Sequence[str], lines: Sequence[Line], remarks: Sequence[str], written_at: datetime) -> str:
     """Return the page; remarks name servers that did not answer, or not in full."""
-    said = "".join(f"<li>{_text(one)}</li>" for one in remarks)
+    said = "".join(f"<li>{_text(remark)}</li>" for remark in remarks)
     count = counted(len(lines), "cue")
     if lines:
         head = "".join(f'<th scope="col">{_text(one)}</th>' for one in heads)

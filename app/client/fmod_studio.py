@@ -59,7 +59,7 @@ def import_in_studio(options: argparse.Namespace) -> int:
 def project_in(folder: Path) -> Path:
     """Return the project of FMOD Studio in a folder that has a pack beside it; raise Refusal where one is missing."""
     projects = sorted(folder.glob("*.fspro")) if folder.is_dir() else []
-    projects = [one for one in projects if not one.name.startswith("._")]
+    projects = [project for project in projects if not project.name.startswith("._")]
     if len(projects) != 1:
         found = f"{len(projects)} .fspro files" if projects else "no .fspro file"
         raise Refusal(f"{folder} has {found}; name the folder of one FMOD Studio project")

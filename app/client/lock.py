@@ -48,7 +48,7 @@ class Lock:
         """The content of the lock file."""
         lines = [HEAD, ABOUT, f"project\t{self.project}", f"target\t{self.target}"]
         entries = sorted(self.entries.values(), key=lambda one: one.path)
-        return "".join(f"{line}\n" for line in [*lines, *(one.line for one in entries)])
+        return "".join(f"{line}\n" for line in [*lines, *(entry.line for entry in entries)])
 
 
 def read_lock(root: Path) -> Lock | None:

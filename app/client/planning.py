@@ -121,7 +121,7 @@ def listing_of(said: Any) -> Listing:
         ) from None
     if len(files) > MAX_FILES:
         raise Refusal(f"the server names {len(files):,} files; at most {MAX_FILES:,} are pulled")
-    ensure_distinct(one.path for one in files)
+    ensure_distinct(file.path for file in files)
     return listing
 
 
@@ -160,7 +160,7 @@ def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, ope
     """
     plan = Plan()
     known = lock.entries if lock else {}
-    places = {path: place_of(root, path) for path in {*known, *(one.path for one in listing.files)}}
+    places = {path: place_of(root, path) for path in {*known, *(file.path for file in listing.files)}}
     found = {path: content_sha256(place) for path, place in places.items()}
     there = {sha256: places[path] for path, sha256 in found.items() if sha256 and path in known}
     for wanted in listing.files:
@@ -210,7 +210,7 @@ def _why_kept(content: str | None, before: Entry | None, *, is_pulled: bool, for
 def _add_gone(
     plan: Plan, listing: Listing, known: dict[str, Entry], places: dict[str, Path], found: dict[str, str | None]
 ) -> None:
-    approved = {one.path for one in listing.files}
+    approved = {file.path for file in listing.files}
     respelled = {folded(path): places[path] for path in approved}
     waiting = {one.path: one.reason for one in listing.missing}
     for path, entry in sorted(known.items()):

@@ -50,8 +50,8 @@ def _gate(listing: Listing, plan: Plan, *, prune: bool) -> int:
     open_files += left
     if not open_files:
         return DONE
-    for one in open_files:
-        say(f"not final  {shown(one.path)}  {shown(one.cue)}: {shown(one.reason)}")
+    for file in open_files:
+        say(f"not final  {shown(file.path)}  {shown(file.cue)}: {shown(file.reason)}")
     warn(
         f"{len(open_files)} of the game's files {'is' if len(open_files) == 1 else 'are'} not the final sound "
         "(--no-placeholders). Nothing was written"

@@ -94,7 +94,7 @@ def _likely_stems(
     ]
     taken = filled_variations(session, {one.cue_id for one in likely if one and one.variation is None})
     others = [names.sure(stored_name(name), people) for name in body.proposed]
-    places = [(one.cue.id, one.variation) for one in slots if one]
+    places = [(slot.cue.id, slot.variation) for slot in slots if slot]
     for cue_id, variation in (*places, *((one.cue_id, one.variation) for one in (*likely, *others) if one)):
         if cue_id in taken and variation is not None:
             taken[cue_id].add(variation)

@@ -214,7 +214,7 @@ class AnalysedTake(NamedTuple):
             pcm_sha256=self.pcm_sha256,
             facts=self.facts,
             measurements={"integrated_lufs": self.integrated_lufs, "short_loudness_lufs": self.short_loudness_lufs},
-            findings=tuple(audio_checks.Finding.from_dict(one) for one in self.findings),
+            findings=tuple(audio_checks.Finding.from_dict(finding) for finding in self.findings),
             likeness_print=self.likeness_print,
         )
 

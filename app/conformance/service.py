@@ -292,7 +292,7 @@ def read_check(session: Session, take: Take, *, designer_id: UUID | None = None)
 def findings_read(report: Report, spec: audio_checks.DeliverySpec, codes_waived: Collection[str]) -> list[FindingRead]:
     """Return a report's findings as they are shown: whether they were let through, and what a fix does about each."""
     findings = with_waived(report["findings"], codes_waived)
-    return [FindingRead.model_validate(one) for one in with_offers(findings, fix_offers(report, spec))]
+    return [FindingRead.model_validate(with_offer) for with_offer in with_offers(findings, fix_offers(report, spec))]
 
 
 def _waiver_read(waiver: Waiver) -> WaiverRead:

@@ -96,7 +96,7 @@ def same_sounds(session: Session, take: Take, pcm_sha256: str | None, spec: Spec
     if pcm_sha256 is None:
         return ()
     whole = parsed_spec(spec.toml)
-    judged = [_judged(one, whole, None) for one in queries.same_sounds(session, take, pcm_sha256)]
+    judged = [_judged(same_sound, whole, None) for same_sound in queries.same_sounds(session, take, pcm_sha256)]
     found = audio_checks.set_findings(judged)
     return _plain(found[-1]) if found else ()
 

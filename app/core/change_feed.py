@@ -52,7 +52,7 @@ class Viewer:
 class Audience(Protocol):
     """The changes that a viewer may see."""
 
-    def rooms_seen(self, scope: Scope, rooms: Collection[str]) -> set[str]:
+    def visible_rooms(self, scope: Scope, rooms: Collection[str]) -> set[str]:
         """Return the rooms of a project whose changes the viewer may see."""
 
 
@@ -79,7 +79,7 @@ class Stream:
     def add(self, changed: Mapping[Scope, Collection[str]]) -> None:
         """Queue the changes that the viewer may see."""
         for scope, rooms in changed.items():
-            if seen := self.sight.rooms_seen(scope, rooms):
+            if seen := self.sight.visible_rooms(scope, rooms):
                 self.pending.setdefault(scope, set()).update(seen)
                 self.woken.set()
 
@@ -113,7 +113,7 @@ class ChangeFeed:
         self._seen: set[UUID] = set()
         self._read_at = 0.0
 
-    def ensure_room(self, person_id: UUID) -> None:
+    def ensure_stream_limit(self, person_id: UUID) -> None:
         """Raise TooManyStreams if a person, or the whole process, has reached its limit."""
         own = sum(stream.viewer.person_id == person_id for stream in self._streams)
         if own >= MAX_STREAMS_OF_ONE_PERSON or len(self._streams) >= MAX_STREAMS:

@@ -23,7 +23,7 @@ from sqlalchemy.orm import DeclarativeBase, Session
 from sqlalchemy.sql.dml import ReturningInsert
 from uuid_utils import uuid7
 
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
 
 CONSTRAINT_NAMES = {
     "ix": "ix_%(table_name)s_%(column_0_N_name)s",
@@ -178,7 +178,7 @@ class Database:
         self._alone = self._writer if self.is_sqlite else self._plain
 
     @contextmanager
-    def reading(self, reach: Reach | None = None) -> Iterator[Session]:
+    def reading(self, reach: AccessScope | None = None) -> Iterator[Session]:
         """Give a session that sees one moment and changes nothing: closing it rolls back.
 
         Without a reach it is the server's own: jobs, and what happens before it is known who comes.
@@ -204,7 +204,7 @@ class Database:
             return connection.execute(statement, values).all()
 
     @contextmanager
-    def writing(self, reach: Reach | None = None) -> Iterator[Session]:
+    def writing(self, reach: AccessScope | None = None) -> Iterator[Session]:
         """Give a session whose work is committed when the block ends, and undone when it raises."""
         with self._session(self._writer, self._write, reach) as session, session.begin():
             yield session
@@ -216,7 +216,7 @@ class Database:
             connection.commit()
             return written.rowcount
 
-    def _session(self, engine: sa.Engine, begins: str, reach: Reach | None) -> Session:
+    def _session(self, engine: sa.Engine, begins: str, reach: AccessScope | None) -> Session:
         if reach is None:
             return _Session(engine, expire_on_commit=False, info=self.session_info)
         is_guarded = not self.is_sqlite
@@ -246,13 +246,13 @@ def ensure_open(connection: Any, _record: Any, _proxy: Any) -> None:
         raise sa.exc.InvalidatePoolError from error
 
 
-def bind_reach(session: Session, reach: Reach) -> None:
+def bind_reach(session: Session, reach: AccessScope) -> None:
     """Let a session that has not begun its transaction begin it within this reach."""
     if REACH in session.info:
         session.info[REACH] = reach
 
 
-def widen_reach(session: Session, reach: Reach) -> None:
+def set_access_scope(session: Session, reach: AccessScope) -> None:
     """Continue a request's transaction as another caller, once that caller is known."""
     if REACH not in session.info:
         return
@@ -342,7 +342,7 @@ def _begin_with_reach(session: Session, _transaction: Any, connection: sa.Connec
 
 
 def _apply_reach(session: Session, connection: sa.Connection, *before: str) -> None:
-    reach: Reach = session.info[REACH]
+    reach: AccessScope = session.info[REACH]
     session.info[APPLIED_REACH] = reach
     known = ", ".join(f"'{value}'" if value else "null" for value in (reach.person_id, reach.project_id))
     _send(connection, *before, f"SELECT {SET_REACH}({known})", f"SET LOCAL ROLE {REQUEST_ROLE}")

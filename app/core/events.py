@@ -21,7 +21,7 @@ _low_priority: Collection[str] = ()
 
 
 class UnknownEvent(Exception):
-    """app/rooms.py names no subscribers for this event."""
+    """app/registry.py names no subscribers for this event."""
 
 
 def connect(

@@ -175,7 +175,9 @@ async def _addresses_of(resolver: Resolver, host: str, port: int, *, is_local: b
         addresses = await asyncio.to_thread(resolver, host, port)
     except (OSError, UnicodeError):
         addresses = []
-    is_allowed = [ipaddress.ip_address(each).is_loopback if is_local else is_public(each) for each in addresses]
+    is_allowed = [
+        ipaddress.ip_address(address).is_loopback if is_local else is_public(address) for address in addresses
+    ]
     if not is_allowed or not all(is_allowed):
         raise AddressRefused(f"{host} has no public address")
     return addresses

@@ -40,12 +40,12 @@ class Parsers:
             file_bytes=0,
             result_bytes=RESULT_BYTES,
             preload=(__name__, *self._modules),
-            rehearsal=rehearse,
+            rehearsal=preload,
         )
 
     def start(self) -> None:
         """Start the server process, so that no request has to wait for it."""
-        self._sandbox.call(rehearse)
+        self._sandbox.call(preload)
 
     def call(self, function: Callable[..., Result], *args: Any, refusal: type[Refused]) -> Result:
         """Run a function in a child and return its result; raise `refusal` if it refuses or gives no answer.
@@ -75,7 +75,7 @@ class Parsers:
         self._sandbox.close()
 
 
-def rehearse() -> None:
+def preload() -> None:
     """Import modules that are otherwise loaded on first use."""
     parse_spec(new_spec())
     for name in ("ascii", *CODE_PAGES.values()):

@@ -67,7 +67,7 @@ def decode(source: Path | BytesIO, limits: PictureLimits, *, within_px: int) -> 
     return Picture(drawn, width, height, frames)
 
 
-def rehearse() -> None:
+def preload() -> None:
     """Load what decodes and writes pictures, for all the children to come."""
     from PIL import Image
 

@@ -191,7 +191,7 @@ def find(
 
     A designer finds reasons and labels of their own versions.
     """
-    return finding.find(session, actor, project_id, q)
+    return finding.search(session, actor, project_id, q)
 
 
 @router.get("/find")

@@ -60,7 +60,9 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
     book, terms = load_ledger_book(session, contract), terms_of(session, contract)
     milestones = milestones_read(session, contract, book)
     rounds, cues = money_queries.extra_rounds_of(session, contract.id), priced_by_cue(session, contract)
-    invoices = [invoice_read(session, contract, book, one) for one in money_queries.invoices_of(session, contract.id)]
+    invoices = [
+        invoice_read(session, contract, book, invoice) for invoice in money_queries.invoices_of(session, contract.id)
+    ]
     slips = _slips(session, contract.project_id, milestones) if with_slips else {}
     return schemas.ContractMoney(
         contract_id=contract.id,
@@ -82,7 +84,7 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
         ],
         billable_minor=sum(line.amount_minor for line in book.billable),
         next_invoice=_next_number(session, contract),
-        open_invoices=[one for one in invoices if one.state != "paid"],
+        open_invoices=[invoice for invoice in invoices if invoice.state != "paid"],
         last_days_to_pay=_last_days_to_pay(invoices),
     )
 
@@ -97,7 +99,7 @@ def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schem
     book = load_ledger_book(session, contract)
     milestones = milestones_read(session, contract, book)
     milestone = next(one for one in milestones if one.id == milestone_id)
-    listed = [one.cue for one in plan_queries.cues_of(session, contract.id) if one.milestone_id == milestone_id]
+    listed = [cue.cue for cue in plan_queries.cues_of(session, contract.id) if cue.milestone_id == milestone_id]
     status = Statuses(session, access, listed).status
     is_party = party_of(actor, contract) is not None
     slips = _slips(session, contract.project_id, milestones) if is_party and contract.agreed_at else {}
@@ -112,16 +114,16 @@ def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schem
         currency=contract.currency,
         release=contract.release_clause,
         milestone=milestone,
-        cues=[schemas.MilestoneCue(**dict(one), status=status[one.cue.id]) for one in milestone.cues],
+        cues=[schemas.MilestoneCue(**dict(cue), status=status[cue.cue.id]) for cue in milestone.cues],
         slip=slips.get(milestone_id),
         slips=list(slips.values()),
         slip_growth_days=growth_days([slip.days for slip in slips.values()]),
         estimates=estimates_of(session, contract) if is_party else None,
         lines=lines,
         invoices=[
-            invoice_read(session, contract, book, one)
-            for one in money_queries.invoices_of(session, contract.id)
-            if one.id in invoiced
+            invoice_read(session, contract, book, invoice)
+            for invoice in money_queries.invoices_of(session, contract.id)
+            if invoice.id in invoiced
         ],
     )
 
@@ -132,13 +134,17 @@ def _next_number(session: Session, contract: Contract) -> int:
 
 
 def _last_days_to_pay(invoices: list[InvoiceRead]) -> int | None:
-    return next((one.days_to_pay for one in reversed(invoices) if one.days_to_pay is not None), None)
+    return next((invoice.days_to_pay for invoice in reversed(invoices) if invoice.days_to_pay is not None), None)
 
 
 def _slips(session: Session, project_id: UUID, milestones: list[MilestoneRead]) -> dict[UUID, schemas.MilestoneSlip]:
     """Return how late each milestone is that is finished or whose day is over."""
     now = clock.now()
-    over = [one for one in milestones if one.due_on is not None and (one.done_at or one.due_on < now.date())]
+    over = [
+        milestone
+        for milestone in milestones
+        if milestone.due_on is not None and (milestone.done_at or milestone.due_on < now.date())
+    ]
     unsettled = [cue.cue.id for one in over for cue in one.cues if cue.cut_in is None]
     turns = turns_of(session, project_id, unsettled) if unsettled else {}
     slips: dict[UUID, schemas.MilestoneSlip] = {}

@@ -37,7 +37,9 @@ STEPS = 500  # cues of which the project page shows one by one where they stand
 def me(session: Session, actor: Actor) -> schemas.Me:
     """Return who is signed in, and everything they can open."""
     person = session.get_one(Person, actor.person)
-    engagements = {each.project_id: each for each in queries.my_engagements(session, person.id)}
+    engagements = {
+        my_engagement.project_id: my_engagement for my_engagement in queries.my_engagements(session, person.id)
+    }
     liaisons = queries.my_liaisons(session, actor)
     required_by = second_factor_queries.studios_waiting_for_factor(
         session, person.id, except_studio_id=actor.second_factor_studio_id

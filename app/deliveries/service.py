@@ -30,7 +30,7 @@ from app.deliveries.rules import (
     stored_name,
 )
 from app.deliveries.schemas import CueBrief, TakeAdded, TakeDetail, TakeRead
-from app.deliveries.slots import Matching, Slot, guess_of, matching_for, slot_given, slot_named
+from app.deliveries.slots import Matching, Slot, guess_slot, matching_for, slot_given, slot_named
 from app.deliveries.take_states import note_delivered, place_take
 from app.projects.errors import ProjectNotFound
 from app.projects.models import Project
@@ -317,7 +317,7 @@ def _read(project: Project, take: Take, matching: Matching | None) -> TakeRead:
         return TakeRead(**_facts_of(project, take), discarded_at=take.discarded_at, sure=None, guesses=[])
     sure = matching.sure(take)
     guesses = [] if sure else matching.guesses(take)
-    shown = sure and guess_of(take, sure)
+    shown = sure and guess_slot(take, sure)
     return TakeRead(**_facts_of(project, take), discarded_at=None, sure=shown, guesses=guesses)
 
 

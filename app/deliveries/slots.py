@@ -69,7 +69,7 @@ class Matching:
     def guesses(self, take: Take) -> list[CueGuess]:
         """Return up to three cues that a take may be for, the likeliest first."""
         found = self.names.guesses(take.file_name, [take.designer.name], self.prefixes)
-        return [guess_of(take, one) for one in found]
+        return [guess_slot(take, one) for one in found]
 
 
 def matching_for(session: Session, project_id: UUID, designer_id: UUID | None) -> Matching:
@@ -78,7 +78,7 @@ def matching_for(session: Session, project_id: UUID, designer_id: UUID | None) -
     return Matching(names, names.index.shared_prefixes(queries.tray_names(session, project_id, designer_id)))
 
 
-def guess_of(take: Take, match: MatchedCue) -> CueGuess:
+def guess_slot(take: Take, match: MatchedCue) -> CueGuess:
     """Return a match as it is answered, with the name that the file is going to have."""
     becomes = named_for(take.file_name, match.stem) if match.variation is not None else None
     facts = dataclasses.asdict(match)
@@ -87,6 +87,6 @@ def guess_of(take: Take, match: MatchedCue) -> CueGuess:
 
 def stems_of_slots(session: Session, slots: Sequence[Slot]) -> list[str | None]:
     """Return the stems that the list gives to places, in their order; None for a cut cue, which has none."""
-    owned = sound_lists.stems_by_cue(session, {one.cue.id for one in slots})
+    owned = sound_lists.stems_by_cue(session, {slot.cue.id for slot in slots})
     stems = {cue_id: dict(of_cue) for cue_id, of_cue in owned.items()}
-    return [stems.get(one.cue.id, {}).get(one.variation) for one in slots]
+    return [stems.get(slot.cue.id, {}).get(slot.variation) for slot in slots]

@@ -240,10 +240,18 @@ class _Maker:
     def _add_references(self) -> None:
         path = f"/projects/{self._project}/references"
         there = {one["version"]["file_name"] for one in self._producer.ask("GET", path)["items"]}
-        for one in demo_references():
-            if one.file_name not in there:
-                said = {"caption": one.caption, "terms": one.terms, "start_s": one.start_s, "end_s": one.end_s}
-                body = {"upload_id": self._producer.send_reference(self._project, one), "cue_id": self._cues[one.cue]}
+        for demo_reference in demo_references():
+            if demo_reference.file_name not in there:
+                said = {
+                    "caption": demo_reference.caption,
+                    "terms": demo_reference.terms,
+                    "start_s": demo_reference.start_s,
+                    "end_s": demo_reference.end_s,
+                }
+                body = {
+                    "upload_id": self._producer.send_reference(self._project, demo_reference),
+                    "cue_id": self._cues[demo_reference.cue],
+                }
                 self._producer.ask("POST", path, json=body | said)
 
     def _deliver(self, note: str, sounds: list[DemoSound]) -> None:

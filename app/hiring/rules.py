@@ -132,7 +132,7 @@ def ensure_can_open(state: PostingState, *, lines: int, phase: PostingPhase, unt
     if until is not None and until < today:
         errors.append(FieldProblem(where="bids_until_on", message="is over"))
     if errors:
-        raise PostingInvalid("; ".join(f"{one['where']} {one['message']}" for one in errors), errors=errors)
+        raise PostingInvalid("; ".join(f"{error['where']} {error['message']}" for error in errors), errors=errors)
 
 
 def takes_bids(state: PostingState, until: date | None, today: date) -> bool:
@@ -197,7 +197,7 @@ def ensure_bid_fits(asked: Sequence[Mapping[str, Any]], content: Mapping[str, An
     if content["from_on"] and content["to_on"] and content["to_on"] < content["from_on"]:
         errors.append(FieldProblem(where="to_on", message="ends before it begins"))
     if errors:
-        raise BidInvalid("; ".join(f"{one['where']} {one['message']}" for one in errors), errors=errors)
+        raise BidInvalid("; ".join(f"{error['where']} {error['message']}" for error in errors), errors=errors)
 
 
 def ensure_sendable(content: Mapping[str, Any]) -> None:

@@ -10,7 +10,7 @@ from app.accounts.authentication import new_secret, sha256_of
 from app.accounts.queries import actor_for_person
 from app.accounts.rules import Actor, MemberChange
 from app.core import clock
-from app.core.db import bypass_row_policies, widen_reach
+from app.core.db import bypass_row_policies, set_access_scope
 from app.money import queries
 from app.money.errors import CalendarNotFound
 from app.money.models import CalendarLink
@@ -59,5 +59,5 @@ def holder_of(session: Session, secret: str) -> tuple[Actor, CalendarLink]:
         raise CalendarNotFound(
             "this calendar link is unknown or was replaced", fix="create a new calendar link on the project's page"
         )
-    widen_reach(session, actor.reach)
+    set_access_scope(session, actor.reach)
     return actor, link

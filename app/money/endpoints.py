@@ -82,14 +82,14 @@ def save_plan(
 def _planned(body: schemas.PlanSet) -> list[PlannedMilestone]:
     return [
         PlannedMilestone(
-            name=one.name,
-            amount_minor=one.amount_minor,
-            due_on=one.due_on,
-            is_deposit=one.is_deposit,
-            tax_bp=one.tax_bp,
-            cues=[PlannedCue(cue.cue_id, cue.price_minor, cue.estimate_min) for cue in one.cues],
+            name=milestone.name,
+            amount_minor=milestone.amount_minor,
+            due_on=milestone.due_on,
+            is_deposit=milestone.is_deposit,
+            tax_bp=milestone.tax_bp,
+            cues=[PlannedCue(cue.cue_id, cue.price_minor, cue.estimate_min) for cue in milestone.cues],
         )
-        for one in body.milestones
+        for milestone in body.milestones
     ]
 
 

@@ -145,7 +145,7 @@ def ledger(session: Session, actor: Actor, contract_id: UUID) -> schemas.LedgerR
 def ledger_lines(session: Session, contract: Contract) -> list[schemas.LedgerLineRead]:
     """Return every line of a contract's ledger in words, in the order of their writing."""
     cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
-    milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
+    milestones = {milestone.id: milestone.name for milestone in plan_queries.milestones_of(session, contract.id)}
     numbers = {invoice.id: invoice.full_number for invoice in queries.invoices_of(session, contract.id)}
     references = {payment.id: payment.reference for payment in queries.payments_of(session, contract.id)}
     return [
@@ -225,7 +225,7 @@ def cue_money(session: Session, actor: Actor, cue_id: UUID) -> schemas.CueMoneyR
 
     is_reversible = of_it.is_accepted and of_it.cut_in is None
     siblings = [cue for cue in cues if cue.milestone_id == of_it.milestone_id and cue.cut_in is None]
-    milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
+    milestones = {milestone.id: milestone.name for milestone in plan_queries.milestones_of(session, contract.id)}
     accepted = sum(cue.is_accepted for cue in siblings)
     return schemas.CueMoneyRead(
         contract_id=contract.id,

@@ -49,11 +49,11 @@ def schedule_slip_of(
     studio_s = sum(
         int((until - since).total_seconds())
         for since, until in _stretches(turns, late_from, end)
-        if turns and all(_holder_at(each, since) is Holder.STUDIO for each in turns)
+        if turns and all(_holder_at(turn, since) is Holder.STUDIO for turn in turns)
     )
     whole_s = int((end - late_from).total_seconds())
     if not whole_s:  # the first moment of the first late day
-        is_studios = bool(turns) and all(_holder_at(each, end) is Holder.STUDIO for each in turns)
+        is_studios = bool(turns) and all(_holder_at(turn, end) is Holder.STUDIO for turn in turns)
         return ScheduleSlip(days, 0 if is_studios else days, days if is_studios else 0)
     designer_days, studio_days = split(days, [whole_s - studio_s, studio_s])
     return ScheduleSlip(days, designer_days, studio_days)

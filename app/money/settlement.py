@@ -26,7 +26,7 @@ from app.money.ending import Statement, statement_of
 from app.money.errors import ExtraRoundNotFound, OtherPartyNeeded, RoundAlreadySettled
 from app.money.ledger.book import CLAUSES, Entry, PricedCue, price_of_round, settle_bonus, settle_shares
 from app.money.ledger.rules import LineKind
-from app.money.ledger.service import called, load_ledger_book, priced, rules_of, write
+from app.money.ledger.service import cue_label, load_ledger_book, priced, rules_of, write
 from app.money.models import ExtraRound
 from app.money.work.service import mark_agreed
 from app.money.work.worked_hours import HourBook
@@ -85,7 +85,7 @@ def record_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id:
         return
     prefix = session.get_one(Project, covered.project_id).cue_prefix
     to = session.get_one(Person, to_id).name
-    facts = {"cue": called(covered.cue, prefix), "to": to, "clause": SILENCE, "waits_until": last_day.isoformat()}
+    facts = {"cue": cue_label(covered.cue, prefix), "to": to, "clause": SILENCE, "waits_until": last_day.isoformat()}
     record.append(session, contract_id, "reminded", facts, by=None)
 
 
@@ -107,7 +107,7 @@ def settle_cut(session: Session, cue_id: UUID, *, state: WorkState, person_id: U
         settle(session, covered.contract_id, person_id)
 
 
-def take_out(session: Session, covered: ContractCue, *, state: WorkState, person_id: UUID) -> None:
+def cancel_cue(session: Session, covered: ContractCue, *, state: WorkState, person_id: UUID) -> None:
     """Count a cue as cut under its contract alone; callers hold the contract's lock, and settle."""
     _cut(session, covered, state, person_id)
 
@@ -171,7 +171,10 @@ def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID)
     terms = terms_of(session, contract)
     if number <= terms.rounds_included or not price_of_round(_priced(covered), terms.extra_round_bp):
         return None
-    if any(one.cue_id == cue_id and one.number == number for one in queries.extra_rounds_of(session, contract.id)):
+    if any(
+        extra_round.cue_id == cue_id and extra_round.number == number
+        for extra_round in queries.extra_rounds_of(session, contract.id)
+    ):
         return None  # a change order agreed to it beforehand
     proposed = add_round(session, contract, cue_id, number=number, person_id=person_id)
     _record(session, covered, "round_proposed", person_id, {"round": number})
@@ -304,5 +307,5 @@ def _record(
     rows: RowChanges | None = None,
 ) -> None:
     prefix = session.get_one(Project, covered.project_id).cue_prefix
-    facts = {"cue": called(covered.cue, prefix), "cue_id": str(covered.cue_id), **(facts or {})}
+    facts = {"cue": cue_label(covered.cue, prefix), "cue_id": str(covered.cue_id), **(facts or {})}
     record.append(session, covered.contract_id, kind, facts, by=by, on_behalf_of=on_behalf_of, rows=rows)

@@ -7,7 +7,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
-from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.facts import format_long_date
 from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
 from app.agreements.record import signed_checkpoints as heads
@@ -127,7 +127,7 @@ def notify_invoice(runtime: Runtime, payload: Payload) -> None:
         notifier = Notifier(runtime, session, project, payload["event_id"])
         line = (
             f"Invoice {invoice.full_number} for {contract.title}: {payload['total']}, to be paid by "
-            f"{in_words(invoice.due_on)}. Record the payment once it is made."
+            f"{format_long_date(invoice.due_on)}. Record the payment once it is made."
         )
         for recipient in queries.producer_addresses(session, project.studio_id):
             notifier.notify(recipient, "invoices", "an invoice to pay", line, page="money")
@@ -174,7 +174,7 @@ def notify_reminder(runtime: Runtime, payload: Payload) -> None:
             f"One delivery has {'; '.join(undecided)} for the same place: approve the one that you mean. "
             "Until somebody chooses, it is not accepted automatically."
             if undecided
-            else f"Without a response it is accepted automatically after {in_words(last_day)}, "
+            else f"Without a response it is accepted automatically after {format_long_date(last_day)}, "
             "as agreed in its contract."
         )
         approver = queries.address_of(session, UUID(payload["approver_id"]))
@@ -213,7 +213,7 @@ def mail_heads(runtime: Runtime, _payload: Payload) -> None:
     for contract_id in contract_ids:
         with runtime.database.writing() as session:
             contract = lock_contract(session, contract_id)
-            head = heads.head_of(runtime.settings, contract)
+            head = heads.signed_checkpoint(runtime.settings, contract)
             recipients = {queries.address_of(session, contract.designer_id)}
             recipients |= queries.producer_addresses(session, contract.studio_id)
             project = session.get_one(Project, contract.project_id)

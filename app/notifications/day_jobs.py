@@ -1,6 +1,6 @@
 """Mails about the days that contracts name."""
 
-from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.facts import format_long_date
 from app.agreements.clauses.named_term_queries import contracts_with_days
 from app.agreements.models import DateReminder
 from app.agreements.reminders import near_days
@@ -26,6 +26,6 @@ def remind_of_days(runtime: Runtime, _payload: Payload) -> None:
             recipients |= queries.producer_addresses(session, contract.studio_id)
             event_id = f"day:{contract.id}:{named.term}:{named.day}"
             notifier = Notifier(runtime, session, contract.project, event_id)
-            line = f"{contract.title}: {named.words} on {in_words(named.day)}."
+            line = f"{contract.title}: {named.words} on {format_long_date(named.day)}."
             for recipient in recipients:
                 notifier.notify(recipient, "contract:day", "a day in a contract", line, page=f"contracts/{contract.id}")

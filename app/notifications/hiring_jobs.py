@@ -74,7 +74,7 @@ def notify_posting_answer(runtime: Runtime, payload: Payload) -> None:
     with runtime.database.writing() as session:
         question = session.get_one(PostingQuestion, UUID(payload["question_id"]))
         posting = session.get_one(Posting, question.posting_id)
-        joined = [one.person_id for one in candidates_of(session, posting.id) if one.person_id]
+        joined = [candidate.person_id for candidate in candidates_of(session, posting.id) if candidate.person_id]
         wanted = joined if question.is_for_all else [question.asked_by]
         for person_id in wanted:
             address = queries.address_of(session, person_id)

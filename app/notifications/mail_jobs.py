@@ -83,7 +83,7 @@ def _send(runtime: Runtime, mail_id: UUID) -> None:
         stop_url=f"{base_url}/v1/mail-choices/{token}/stop" if token and claimed.news not in ALWAYS_MAILED else None,
     )
     if pictures := spots.pictures_of(shown):
-        mail.add_html(message, html_of(text, pictures), {each.cid: each.png for each in pictures.values()})
+        mail.add_html(message, html_of(text, pictures), {picture.cid: picture.png for picture in pictures.values()})
     try:
         mail.send(runtime.settings.smtp_url, message)
     except (aiosmtplib.SMTPException, OSError) as error:

@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
 from app.core.db import bypass_row_policies
-from app.core.jobs.queue import JobCount, JobQueue, Lane, UnfinishedJob
+from app.core.jobs.queue import FairnessPartition, JobCount, JobQueue, UnfinishedJob
 from app.core.storage import Store
 from app.core.web.bodies import LARGEST_INTEGER
 from app.core.web.http import Page, bad_cursor, number_in
@@ -75,7 +75,7 @@ def parked_studio_job(session: Session, actor: Actor, studio_id: UUID, job_id: s
 
 def server_operations(session: Session, *, queue: JobQueue, alive_within: timedelta) -> ServerOperations:
     """Return the whole server's jobs and workers to its operator."""
-    lanes, in_hand = queue.lanes()[:LANES_SHOWN], queue.in_hand()
+    lanes, running_jobs_by_worker = queue.lanes()[:LANES_SHOWN], queue.running_jobs_by_worker()
     alive = {beat.worker_id for beat in queue.heartbeats(within=alive_within)}
     return ServerOperations(
         counts=_counts_read(queue.counts()),
@@ -85,7 +85,7 @@ def server_operations(session: Session, *, queue: JobQueue, alive_within: timede
                 id=beat.worker_id,
                 beat_at=beat.beat_at,
                 is_alive=beat.worker_id in alive,
-                running=in_hand.get(beat.worker_id, 0),
+                running=running_jobs_by_worker.get(beat.worker_id, 0),
             )
             for beat in queue.heartbeats(within=WORKERS_SHOWN)
         ],
@@ -126,7 +126,7 @@ def retry(queue: JobQueue, job: JobRead) -> JobRead:
     return job.model_copy(update={"state": JobState.WAITING})
 
 
-def _names_of(session: Session, works: Sequence[UnfinishedJob | Lane]) -> dict[UUID, str]:
+def _names_of(session: Session, works: Sequence[UnfinishedJob | FairnessPartition]) -> dict[UUID, str]:
     with bypass_row_policies(session):  # an operator need not be a member of the studios whose jobs these are
         return queries.studio_names(session, {work.studio_id for work in works if work.studio_id})
 
@@ -176,7 +176,7 @@ def _counts_read(counts: Sequence[JobCount]) -> list[JobCountRead]:
     ]
 
 
-def _lanes_read(lanes: Sequence[Lane], names: Mapping[UUID, str]) -> list[LaneRead]:
+def _lanes_read(lanes: Sequence[FairnessPartition], names: Mapping[UUID, str]) -> list[LaneRead]:
     return [
         LaneRead(
             studio_id=lane.studio_id,

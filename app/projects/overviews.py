@@ -49,7 +49,11 @@ class ProjectOverview:
     @property
     def own_engagement(self) -> Engagement | None:
         """The caller's running engagement."""
-        running = (one for one in self.engagements if one.designer_id == self.person_id and one.ended_at is None)
+        running = (
+            engagement
+            for engagement in self.engagements
+            if engagement.designer_id == self.person_id and engagement.ended_at is None
+        )
         return next(running, None)
 
 

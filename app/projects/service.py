@@ -9,13 +9,13 @@ from sqlalchemy.orm import Session
 import audio_checks
 from app.accounts.authentication import sha256_of
 from app.accounts.queries import membership, studio_locked
-from app.accounts.quotas.service import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_quota
 from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.accounts.service import ensure_producer_of
 from app.core import clock
-from app.core.db import bypass_row_policies, widen_reach
+from app.core.access_scope import AccessScope
+from app.core.db import bypass_row_policies, set_access_scope
 from app.core.events import publish
-from app.core.reach import Reach
 from app.projects import queries
 from app.projects.approval import queries as approval_queries
 from app.projects.errors import (
@@ -153,7 +153,7 @@ def create_project(
 ) -> Project:
     """Create a project with the field's default spec; its creator is the approver until another is named."""
     ensure_producer_of(session, actor, studio_id)
-    ensure_room(session, studio_id, QuotaKind.PROJECTS, queries.projects_count)
+    ensure_quota(session, studio_id, QuotaKind.PROJECTS, queries.projects_count)
     project = Project(
         studio_id=studio_id, name=name, description=description, cue_prefix=cue_prefix, created_by=actor.person
     )
@@ -318,5 +318,5 @@ def invitation_by_secret(session: Session, secret: str) -> ProjectInvitation:
         invitation = queries.invitation_by_secret(session, sha256_of(secret))
     if invitation is None:
         raise InvitationNotFound("this invitation is unknown, withdrawn or expired", fix="ask the studio for a new one")
-    widen_reach(session, Reach(project_id=invitation.project_id))
+    set_access_scope(session, AccessScope(project_id=invitation.project_id))
     return invitation

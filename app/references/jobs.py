@@ -60,5 +60,5 @@ def _sandbox() -> Sandbox:
         memory_bytes=MEMORY_BYTES,
         file_bytes=FILE_BYTES,
         preload=(drawing.__name__,),
-        rehearsal=pictures.rehearse,
+        rehearsal=pictures.preload,
     )

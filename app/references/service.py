@@ -8,7 +8,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.quotas.service import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_quota
 from app.accounts.rules import Actor
 from app.core import clock
 from app.core.errors import FieldProblem
@@ -50,7 +50,7 @@ def ensure_may_upload(session: Session, actor: Actor, project_id: UUID, length: 
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()
     studio_id = access.project.studio_id
-    ensure_room(session, studio_id, QuotaKind.REFERENCE_BYTES, queries.kept_reference_bytes, added=length)
+    ensure_quota(session, studio_id, QuotaKind.REFERENCE_BYTES, queries.kept_reference_bytes, added=length)
     return studio_id
 
 

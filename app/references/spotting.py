@@ -36,7 +36,7 @@ def add_spotted_cues(
     cues = add_cues(session, actor, clip.project_id, rows)
     references = [_part_of(clip, cue, mark, actor) for cue, mark in zip(cues, marks, strict=True)]
     session.execute(insert(Reference), references)
-    session.execute(insert(ReferenceVersion), [_version_of(clip, one["id"], actor) for one in references])
+    session.execute(insert(ReferenceVersion), [_version_of(clip, reference["id"], actor) for reference in references])
     return access, cues
 
 

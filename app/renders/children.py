@@ -24,7 +24,7 @@ MEMORY_BYTES = 1 << 30
 @cache
 def sandbox() -> Sandbox:
     """Return the sandbox of what draws and renders."""
-    return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=MEMORY_BYTES, rehearsal=drawing.rehearse)
+    return Sandbox(timeout_s=TIMEOUT_S, memory_bytes=MEMORY_BYTES, rehearsal=drawing.preload)
 
 
 @cache

@@ -227,7 +227,7 @@ def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) ->
     return {"rendered": rendered, "drawing": drawing}
 
 
-def rehearse() -> None:
+def preload() -> None:
     """Check, draw and render a sound of our own once, for all the children to come."""
     recipe = {
         "target": Target(name="rehearsal", sample_rate_hz=44_100, bit_depth=16),

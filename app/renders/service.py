@@ -35,7 +35,7 @@ def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead
     specs = {take.project_id: current_spec(session, take.project_id)}
     renders = queries.current_renders(session, specs, [take])[take.id]
     fix = made_fix_of(session, take.id)
-    hashes = [take.master_sha256, *(one.sha256 for one in renders.values() if one and one.sha256)]
+    hashes = [take.master_sha256, *(render.sha256 for render in renders.values() if render and render.sha256)]
     if fix is not None and fix.sha256 is not None:
         hashes.append(fix.sha256)
     pictures = queries.pictures_of_sounds(session, [take.studio_id], hashes)

@@ -283,7 +283,7 @@ def newest_answers(session: Session, note_ids: Collection[UUID]) -> dict[UUID, N
         .options(joinedload(NoteAnswer.take), joinedload(NoteAnswer.author))
         .order_by(NoteAnswer.id)
     )
-    return {note_id: one for one in answers if (note_id := one.comment_id or one.change_request_id)}
+    return {note_id: answer for answer in answers if (note_id := answer.comment_id or answer.change_request_id)}
 
 
 def check_runs_of(session: Session, take_id: UUID) -> Sequence[CheckRun]:

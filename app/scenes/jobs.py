@@ -101,5 +101,5 @@ def _sandbox() -> Sandbox:
         memory_bytes=MEMORY_BYTES,
         file_bytes=FILE_BYTES,
         preload=("numpy", "audio_checks", listening.__name__),
-        rehearsal=listening.rehearse,
+        rehearsal=listening.preload,
     )

@@ -102,7 +102,7 @@ def compare(path: str, against_path: str, folder: str) -> Compared:
     whole, left = float(np.square(sound).sum()), float(np.square(difference).sum())
     bands = [average_spectrum(one) for one in (path, against_path, Path(folder, DIFFERENCE))]
     longest = max(bands, key=lambda one: len(one.centres_hz))
-    levels = [_levels(one.levels_dbfs, len(longest.centres_hz)) for one in bands]
+    levels = [_levels(band.levels_dbfs, len(longest.centres_hz)) for band in bands]
     return {
         "lag_s": lag / rate_hz,
         "gain_db": 20 * math.log10(abs(gain)) if gain else 0.0,
@@ -168,6 +168,6 @@ def _write(path: Path, samples: Samples, rate_hz: int) -> None:
         file.writeframes(np.clip(np.rint(samples * 32_768), -32_768, 32_767).astype("<i2").tobytes())
 
 
-def rehearse() -> None:
+def preload() -> None:
     """Load what decodes sounds, for all the children to come."""
     import soundfile  # noqa: F401

@@ -74,7 +74,7 @@ def likeliest_neighbours(of: Candidate, candidates: Sequence[Candidate]) -> list
         frequency = 0 if one.loops else -one.variations
         return nearness, not one.loops, frequency, -level, abs(one.position - of.position), one.position
 
-    return sorted((one for one in candidates if one.cue_id != of.cue_id), key=order)[:MOST_NEIGHBOURS]
+    return sorted((candidate for candidate in candidates if candidate.cue_id != of.cue_id), key=order)[:MOST_NEIGHBOURS]
 
 
 def spots_in(text: str) -> list[float]:

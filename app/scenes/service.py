@@ -96,12 +96,19 @@ def scene_of(session: Session, actor: Actor, take_id: UUID, *, measured: bool = 
     cue = playable.cue
     audit = queries.newest_audit(session, cue.project_id)
     neighbours = _neighbours(session, playable, audit.id if audit else None)
-    gains = queries.gains_in_game(session, audit.id, [cue.id, *(one.cue.id for one in neighbours)]) if audit else {}
+    gains = (
+        queries.gains_in_game(session, audit.id, [cue.id, *(neighbour.cue.id for neighbour in neighbours)])
+        if audit
+        else {}
+    )
     clips = queries.clips(session, cue)
     spots = _spots_of(cue)
     starts = [0.0] if cue.loop else spots or [FIRST_SPOT_S]
     lanes = [_take_lane(SOUND, playable, starts, gains)]
-    lanes += [_take_lane(str(one.cue.id), one, _starts_of(one.cue, starts), gains) for one in neighbours]
+    lanes += [
+        _take_lane(str(neighbour.cue.id), neighbour, _starts_of(neighbour.cue, starts), gains)
+        for neighbour in neighbours
+    ]
     lanes += _bed_lanes(session, cue)
     sounds = queries.scene_sounds(
         session, access.project.studio_id, [lane.sound[0] for lane in lanes], measured=measured
@@ -129,7 +136,10 @@ def _neighbours(session: Session, playable: PlayableTake, audit_id: UUID | None)
     gains = queries.gains_in_game(session, audit_id, [one.cue.id for one in found]) if audit_id else {}
     by_cue = {one.cue.id: one for one in found}
     candidates = [_candidate(one, gains) for one in found]
-    return [by_cue[one.cue_id] for one in likeliest_neighbours(_candidate(playable, {}), candidates)]
+    return [
+        by_cue[likeliest_neighbour.cue_id]
+        for likeliest_neighbour in likeliest_neighbours(_candidate(playable, {}), candidates)
+    ]
 
 
 def _candidate(playable: PlayableTake, gains: Mapping[UUID, float]) -> Candidate:

@@ -51,7 +51,7 @@ class PlaylistInvalid(Invalid):
     """A playlist says what cannot be; `errors` names each field."""
 
 
-class KeysHeld(Conflict):
+class ControlTaken(Conflict):
     """Another person holds the keys of the session."""
 
 

@@ -76,7 +76,7 @@ def _chosen(session: Session, access: ProjectAccess, body: GuestLinkAdd) -> list
             if body.playlist_id is None:
                 raise _invalid("playlist_id", "name the playlist")
             playlist = playlist_in(session, access, body.playlist_id)
-            takes = [one.take.id for one in queries.playlist_takes(session, playlist.id)]
+            takes = [playlist_take.take.id for playlist_take in queries.playlist_takes(session, playlist.id)]
         case kind:
             is_palette = kind is SharedKind.PALETTE
             takes = heard_takes(queries.candidates(session, project_id, *queries.approved(palette=is_palette)))
@@ -155,8 +155,8 @@ def visits_of(
             )
         )
     return [
-        GuestVisitRead(id=one.id, guest_name=one.guest_name, opened_at=one.opened_at, played=played[one.id])
-        for one in visits
+        GuestVisitRead(id=visit.id, guest_name=visit.guest_name, opened_at=visit.opened_at, played=played[visit.id])
+        for visit in visits
     ]
 
 

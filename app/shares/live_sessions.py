@@ -11,7 +11,7 @@ from app.core import clock
 from app.core.db import insert_if_absent
 from app.projects.service import ProjectAccess
 from app.shares import live_queries, queries
-from app.shares.errors import KeysHeld, ListenerNotFound, PlayheadMoved, PlaylistInvalid
+from app.shares.errors import ControlTaken, ListenerNotFound, PlayheadMoved, PlaylistInvalid
 from app.shares.models import LiveListener, LiveSession, Playlist
 from app.shares.playlist_schemas import LiveKeys, LiveMove, LiveRead, LiveReport
 from app.shares.playlists import playlist_of_team
@@ -59,7 +59,9 @@ def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> L
     now = clock.now()
     live = _locked(session, playlist_id)
     if _holder(session, live, now) != actor.person:
-        raise KeysHeld("you do not hold the keys of this session", fix="take them while they are free, or ask for them")
+        raise ControlTaken(
+            "you do not hold the keys of this session", fix="take them while they are free, or ask for them"
+        )
     _ensure_on_this_page(session, actor, playlist_id, body.page_id, now)
     if body.sequence != live.sequence:
         raise PlayheadMoved("the playhead was moved since", fix="read the session again")
@@ -79,7 +81,7 @@ def pass_keys(session: Session, actor: Actor, playlist_id: UUID, body: LiveKeys)
     live = _locked(session, playlist_id)
     holder_id = _holder(session, live, now)
     if holder_id not in (None, actor.person) or (holder_id is None and body.act != "take"):
-        raise KeysHeld(
+        raise ControlTaken(
             "another person holds the keys" if holder_id else "you do not hold the keys", fix="ask who holds them"
         )
     if body.act != "take":
@@ -152,34 +154,38 @@ def _ensure_on_this_page(
 ) -> None:
     listener = live_queries.listener(session, playlist_id, actor.person)
     if listener is not None and is_elsewhere(now, page_id, listener.page_id, listener.seen_at):
-        raise KeysHeld("you hold the keys on another page of yours", fix="take the keys here first")
+        raise ControlTaken("you hold the keys on another page of yours", fix="take the keys here first")
 
 
 def _locked(session: Session, playlist_id: UUID) -> LiveSession:
     live = live_queries.live_session(session, playlist_id, locked=True)
     if live is None:
-        raise KeysHeld("nobody is in this session yet", fix="join it first")
+        raise ControlTaken("nobody is in this session yet", fix="join it first")
     return live
 
 
 def _present(session: Session, playlist_id: UUID, now: datetime) -> set[UUID]:
     listeners = live_queries.listeners_of(session, playlist_id)
-    return set(present_now(now, [(one.person_id, one.seen_at) for one in listeners]))
+    return set(present_now(now, [(listener.person_id, listener.seen_at) for listener in listeners]))
 
 
 def _holder(session: Session, live: LiveSession, now: datetime) -> UUID | None:
     listeners = live_queries.listeners_of(session, live.playlist_id)
-    return holder_now(now, live.holder_id, [(one.person_id, one.seen_at) for one in listeners])
+    return holder_now(now, live.holder_id, [(listener.person_id, listener.seen_at) for listener in listeners])
 
 
 def _read(session: Session, actor: Actor, playlist_id: UUID, page_id: UUID | None, now: datetime) -> LiveRead:
     live = live_queries.live_session(session, playlist_id)
     listeners = live_queries.listeners_of(session, playlist_id)
-    seen = [(one.person_id, one.seen_at) for one in listeners]
+    seen = [(listener.person_id, listener.seen_at) for listener in listeners]
     present = present_now(now, seen)
-    people = {one.person_id: PersonBrief.model_validate(one.person) for one in listeners if one.person_id in present}
+    people = {
+        listener.person_id: PersonBrief.model_validate(listener.person)
+        for listener in listeners
+        if listener.person_id in present
+    }
     holder_id = holder_now(now, live.holder_id, seen) if live else None
-    own = next((one for one in listeners if one.person_id == actor.person), None)
+    own = next((listener for listener in listeners if listener.person_id == actor.person), None)
     elsewhere = own is not None and is_elsewhere(now, page_id, own.page_id, own.seen_at)
     position_s = playhead_s(now, live.position_s, live.set_at, is_playing=live.is_playing) if live else 0.0
     return LiveRead(

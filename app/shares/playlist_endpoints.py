@@ -10,7 +10,7 @@ from app.core.web.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.shares import live_sessions, playlists
 from app.shares.errors import (
-    KeysHeld,
+    ControlTaken,
     ListenerNotFound,
     NothingToShare,
     PlayheadMoved,
@@ -97,7 +97,7 @@ def report_presence(playlist_id: UUID, body: LiveReport, session: DbSession, act
 
 @router.put(
     "/playlists/{playlist_id}/live/playhead",
-    responses=problems(PlaylistNotFound, TeamNeeded, KeysHeld, PlayheadMoved, PlaylistInvalid),
+    responses=problems(PlaylistNotFound, TeamNeeded, ControlTaken, PlayheadMoved, PlaylistInvalid),
 )
 def move_playhead(playlist_id: UUID, body: LiveMove, session: DbSession, actor: Actor = TEAM) -> LiveRead:
     """Play, pause, seek or go to another version, for everyone in the session."""
@@ -105,7 +105,8 @@ def move_playhead(playlist_id: UUID, body: LiveMove, session: DbSession, actor: 
 
 
 @router.put(
-    "/playlists/{playlist_id}/live/keys", responses=problems(PlaylistNotFound, TeamNeeded, KeysHeld, ListenerNotFound)
+    "/playlists/{playlist_id}/live/keys",
+    responses=problems(PlaylistNotFound, TeamNeeded, ControlTaken, ListenerNotFound),
 )
 def pass_keys(playlist_id: UUID, body: LiveKeys, session: DbSession, actor: Actor = TEAM) -> LiveRead:
     """Take the keys while they are free or on another page of one's own, hand them to another, or put them down."""

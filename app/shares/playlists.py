@@ -161,10 +161,10 @@ def playlist_in(session: Session, access: ProjectAccess, playlist_id: UUID) -> P
 def read_playlist(session: Session, access: ProjectAccess, playlist: Playlist) -> PlaylistRead:
     """Return a playlist as it is shown."""
     takes = _takes_heard(session, access, playlist)
-    drawn = thumbs(session, [one.picture.id for one in takes if one.picture])
+    drawn = thumbs(session, [take.picture.id for take in takes if take.picture])
     scope = approval_scope(session, access)
     position = queries.position_of(session, playlist.id, access.actor.person)
-    take_ids = {one.take.id for one in takes}
+    take_ids = {take.take.id for take in takes}
     is_here = position is not None and position.take_id in take_ids
     heard = heard_among(session, access.actor.person, take_ids) if access.is_team else None
     return PlaylistRead(
@@ -175,20 +175,20 @@ def read_playlist(session: Session, access: ProjectAccess, playlist: Playlist) -
         made_by=PersonBrief.model_validate(queries.maker_of(session, playlist)),
         takes=[
             PlaylistTake(
-                **sound_places(one.picture, drawn.get(one.picture.id) if one.picture else None),
-                take_id=one.take.id,
-                cue_id=one.cue.id,
-                cue_label=label(access.project.cue_prefix, one.cue.number),
-                cue_name=one.cue.name,
-                category=one.cue.category,
-                variation=one.take.variation if one.cue.variations > 1 else None,
-                number=one.take.number or 0,
-                label=one.take.label if access.only_designer_id in (None, one.take.designer_id) else None,
-                state=one.take.state,
-                may_approve=scope.covers(one.cue.category),
-                is_heard=None if heard is None else one.take.id in heard,
+                **sound_places(take.picture, drawn.get(take.picture.id) if take.picture else None),
+                take_id=take.take.id,
+                cue_id=take.cue.id,
+                cue_label=label(access.project.cue_prefix, take.cue.number),
+                cue_name=take.cue.name,
+                category=take.cue.category,
+                variation=take.take.variation if take.cue.variations > 1 else None,
+                number=take.take.number or 0,
+                label=take.take.label if access.only_designer_id in (None, take.take.designer_id) else None,
+                state=take.take.state,
+                may_approve=scope.covers(take.cue.category),
+                is_heard=None if heard is None else take.take.id in heard,
             )
-            for one in takes
+            for take in takes
         ],
         position=PositionSet(take_id=position.take_id, at_s=position.at_s) if position and is_here else None,
         may_share=access.is_producer or access.is_liaison or access.is_approver,

@@ -82,10 +82,13 @@ class Candidate(NamedTuple):
 def heard_takes(candidates: Iterable[Candidate]) -> list[UUID]:
     """Return the take that is heard of each variation, in the order given: the approved one, else the newest."""
     best: dict[tuple[UUID, int], Candidate] = {}
-    for one in candidates:
-        known = best.setdefault((one.cue_id, one.variation), one)
-        if (one.state is TakeState.APPROVED, one.number) > (known.state is TakeState.APPROVED, known.number):
-            best[one.cue_id, one.variation] = one
+    for candidate in candidates:
+        known = best.setdefault((candidate.cue_id, candidate.variation), candidate)
+        if (candidate.state is TakeState.APPROVED, candidate.number) > (
+            known.state is TakeState.APPROVED,
+            known.number,
+        ):
+            best[candidate.cue_id, candidate.variation] = candidate
     return [one.take_id for one in best.values()]
 
 

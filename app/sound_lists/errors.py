@@ -47,7 +47,7 @@ class RecordingInvalid(Invalid):
     """The recording is not a WAV file, is too long, or nothing is heard in it."""
 
 
-class NothingSaid(NotFound):
+class SpokenPlaceholderMissing(NotFound):
     """No person said a placeholder for this cue."""
 
 

@@ -137,7 +137,7 @@ def tidy(facts: Mapping[str, Any]) -> Facts:
     return kept
 
 
-def faults_of(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def validation_errors(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with the facts of one cue: the field, and the fault in words."""
     if not facts["name"]:
         yield "name", "enter a name for the cue"

@@ -10,7 +10,7 @@ from sqlalchemy import delete, insert
 from sqlalchemy.orm import Session
 
 import audio_checks
-from app.accounts.quotas.service import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_quota
 from app.core import clock
 from app.core.db import new_id
 from app.core.events import publish
@@ -29,10 +29,10 @@ from app.sound_lists.rules import (
     Facts,
     Need,
     Reverb,
-    faults_of,
     folded,
     label,
     tidy,
+    validation_errors,
 )
 
 
@@ -100,7 +100,7 @@ def with_fitted_values(session: Session, project: Project, edits: Sequence[Edit]
 
 def row_faults(session: Session, project: Project, edits: Sequence[Edit]) -> list[RowFault]:
     """Return what is wrong with rows, by themselves, with each other and with the rest of the list."""
-    faults = [RowFault(edit.row, field, message) for edit in edits for field, message in faults_of(edit.facts)]
+    faults = [RowFault(edit.row, field, message) for edit in edits for field, message in validation_errors(edit.facts)]
     wrong = {fault.row for fault in faults}
     sound = [edit for edit in edits if edit.row not in wrong]
     faults += _people_faults(session, project, sound)
@@ -167,7 +167,7 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
     if not edits:
         return []
     added = sum(edit.cue is None for edit in edits)
-    ensure_room(session, project.studio_id, QuotaKind.CUES, queries.cues_count, added=added)
+    ensure_quota(session, project.studio_id, QuotaKind.CUES, queries.cues_count, added=added)
     before = [edit.before for edit in edits]
     renaming = [edit for edit in edits if edit.renames]
     _free_stems(session, [edit.cue for edit in renaming if edit.cue])

@@ -23,7 +23,11 @@ def undo_addition(session: Session, actor: Actor, project_id: UUID, cue_ids: Seq
     queries.lock_list(session, project_id)
     revision = queries.newest_revision(session, project_id)
     changes = queries.changes_of(session, revision.id) if revision else []
-    if revision is None or {change.cue_id for change in changes} != set(cue_ids) or any(one.before for one in changes):
+    if (
+        revision is None
+        or {change.cue_id for change in changes} != set(cue_ids)
+        or any(change.before for change in changes)
+    ):
         raise AdditionInUse("the list was changed since these cues were added", fix="cut the cues instead")
     cues = queries.cues_by_id(session, project_id, set(cue_ids))
     if any(cue.edition != FIRST_EDITION for cue in cues.values()):

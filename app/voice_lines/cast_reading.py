@@ -16,18 +16,26 @@ def read_script(session: Session, access: ProjectAccess) -> VoiceScriptRead:
     reader = ScriptReader(session, access)
     counts = Counter(line.character_id for line in reader.lines)
     castings: dict[UUID, list[CastingRead]] = defaultdict(list)
-    for one in queries.castings_of(session, access.project.id):
-        performer = one.performer.name if one.performer else None
-        castings[one.character_id].append(
-            CastingRead(language=one.language, performer=performer, directed_by=one.directed_by, cast_by=one.cast_by)
+    for casting in queries.castings_of(session, access.project.id):
+        performer = casting.performer.name if casting.performer else None
+        castings[casting.character_id].append(
+            CastingRead(
+                language=casting.language, performer=performer, directed_by=casting.directed_by, cast_by=casting.cast_by
+            )
         )
     return VoiceScriptRead(
         original_language=reader.original_language,
         length_tolerance_percent=reader.tolerance_percent,
         languages=reader.languages,
         characters=[
-            CharacterRead(id=one.id, name=one.name, notes=one.notes, lines=counts[one.id], castings=castings[one.id])
-            for one in queries.characters_of(session, access.project.id)
+            CharacterRead(
+                id=character.id,
+                name=character.name,
+                notes=character.notes,
+                lines=counts[character.id],
+                castings=castings[character.id],
+            )
+            for character in queries.characters_of(session, access.project.id)
         ],
         lines=len(reader.lines),
         may_change=may_change(access),

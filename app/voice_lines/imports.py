@@ -123,7 +123,7 @@ def _plan(
 
 def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) -> list[RowFault]:
     """Give each new text the cue that owns its name, or a cue to add; return what is wrong with names."""
-    new = [one for plan in plans for one in plan.new_texts]
+    new = [text for plan in plans for text in plan.new_texts]
     stems = {id(one): stem_in_language(one.language, one.plan.spoken.file_name) for one in new}
     owners = stem_owners(session, project.id, {folded(stem) for stem in stems.values()}) if new else {}
     pinned = {text.cue_id for text in queries.texts_of(session, project.id)}
@@ -166,7 +166,7 @@ class _Writer:
         self._project = project
         self._person_id = person_id
         self._of = {"studio_id": project.studio_id, "project_id": project.id}
-        self._characters = {one.folded: one for one in queries.characters_of(session, project.id)}
+        self._characters = {character.folded: character for character in queries.characters_of(session, project.id)}
 
     def set_original_language(self, language: str) -> None:
         """Take the language of the first script for the original one, where nobody has set it."""
@@ -184,7 +184,7 @@ class _Writer:
         for line in (*lines, *(line for _, line in placed)):
             line.position = places[line.id]
         self._session.flush()
-        self._add_cues([one for plan in plans for one in plan.new_texts if one.edit])
+        self._add_cues([text for plan in plans for text in plan.new_texts if text.edit])
         for plan, line in placed:
             self._write_texts(plan, line)
         self._session.flush()
@@ -264,9 +264,11 @@ def _answer(
         refused_names=refused,
         columns=[
             ScriptColumn(
-                name=one.name, meaning=one.meaning, samples=[text for text in samples[one.place] if text][:SAMPLES]
+                name=column.name,
+                meaning=column.meaning,
+                samples=[text for text in samples[column.place] if text][:SAMPLES],
             )
-            for one in columns
+            for column in columns
         ],
         rows=rows,
         errors=[
@@ -276,7 +278,7 @@ def _answer(
         added=sum(row.action == "add" for row in rows),
         changed=sum(row.action == "change" for row in rows),
         same=sum(row.action == "same" for row in rows),
-        cues_added=sum(one.edit is not None for plan in plans for one in plan.new_texts),
+        cues_added=sum(text.edit is not None for plan in plans for text in plan.new_texts),
         stale=sum(change.makes_stale for row in rows for change in row.changes),
         not_in_script=missing,
         imported=imported,

@@ -41,7 +41,7 @@ PAGE = 200
 NOT_TRANSLATED = LineStatus(LineState.NO_TEXT)
 
 
-class _Said(NamedTuple):
+class LanguageTexts(NamedTuple):
     """The texts of one language, and what was delivered of them."""
 
     texts: Mapping[UUID, VoiceText]  # by line
@@ -87,7 +87,7 @@ class ScriptReader:
         """Return every line in one language."""
         return self._reads(language, self._said(language), self.lines)
 
-    def _reads(self, language: str, said: _Said, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
+    def _reads(self, language: str, said: LanguageTexts, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
         """Return some lines in one language."""
         statuses = [said.statuses.get(line.id, NOT_TRANSLATED) for line in lines]
         requested = queries.requested_changes(self._session, [one.take.id for one in statuses if one.take])
@@ -185,9 +185,9 @@ class ScriptReader:
     @cached_property
     def _castings(self) -> dict[tuple[UUID, str], Casting]:
         castings = queries.castings_of(self._session, self._project.id)
-        return {(one.character_id, one.language): one for one in castings}
+        return {(casting.character_id, casting.language): casting for casting in castings}
 
-    def _said(self, language: str) -> _Said:
+    def _said(self, language: str) -> LanguageTexts:
         texts = self._texts(language)
         versions = queries.versions_of(self._session, [text.id for text in texts.values()])
         cues = [text.cue_id for text in texts.values()]
@@ -196,7 +196,7 @@ class ScriptReader:
             line_id: line_status(takes[text.cue_id], versions[text.id], is_cut=text.cue.state is CueState.CUT)
             for line_id, text in texts.items()
         }
-        return _Said(texts, statuses)
+        return LanguageTexts(texts, statuses)
 
     def _read(
         self,

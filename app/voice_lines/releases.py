@@ -78,7 +78,7 @@ def releases_read(session: Session, access: ProjectAccess) -> ReleasesRead:
     """Return each performer with their parts and releases, and how many approved lines no release covers today."""
     project_id, today = access.project.id, clock.now().date()
     castings = queries.castings_of(session, project_id)
-    names = {one.id: one.name for one in queries.characters_of(session, project_id)}
+    names = {character.id: character.name for character in queries.characters_of(session, project_id)}
     approved = _approved_lines(session, access)
     releases = defaultdict(list)
     for release in queries.releases_of(session, project_id):
@@ -122,7 +122,7 @@ def _warning(releases: list[Release], lines: int, today: date) -> str:
     count = f"{counted(lines, 'approved line')} {verb(lines, 'has', 'have')}"
     if not releases:
         return f"{count} no release"
-    dates = [Validity(one.valid_from, one.valid_until) for one in releases]
+    dates = [Validity(release.valid_from, release.valid_until) for release in releases]
     if not is_covered(dates, today):
         return f"{count} no release that is valid today"
     return ""

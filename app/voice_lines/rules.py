@@ -150,7 +150,7 @@ def is_stale(texts: Sequence[TextFrom], received_at: datetime) -> bool:
 
 def text_at(texts: Sequence[TextFrom], moment: datetime) -> str:
     """Return the text that was the newest at a moment; the first one, where the moment is before all."""
-    before = [one for one in texts if one.written_at <= moment]
+    before = [text for text in texts if text.written_at <= moment]
     return (before or texts)[-1 if before else 0].text
 
 
@@ -219,7 +219,10 @@ def is_length_off(percent: float | None, tolerance_percent: int) -> bool:
 
 def is_covered(releases: Iterable[Validity], day: date) -> bool:
     """Whether a release is valid on a day; its first and last days count."""
-    return any(one.valid_from <= day and (one.valid_until is None or day <= one.valid_until) for one in releases)
+    return any(
+        release.valid_from <= day and (release.valid_until is None or day <= release.valid_until)
+        for release in releases
+    )
 
 
 def merged_order(present: Sequence[Place], script: Sequence[Place]) -> list[Place]:

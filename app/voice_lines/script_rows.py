@@ -92,7 +92,7 @@ def columns_of(
                 meaning = ScriptField.IGNORE
             _take(taken, meaning, name)
         columns.append(Column(place, name, str(meaning)))
-    spoken = [one.meaning for one in columns if one.meaning not in set(ScriptField)]
+    spoken = [column.meaning for column in columns if column.meaning not in set(ScriptField)]
     if len(spoken) > MAX_LANGUAGES:
         raise ScriptUnreadable(f"a script may have {MAX_LANGUAGES} languages; this one has {len(spoken)}")
     if ScriptField.CHARACTER not in taken or not spoken:

@@ -108,7 +108,9 @@ def cast(
 def performer_named(session: Session, access: ProjectAccess, name: str) -> Performer:
     """Return the performer of that name in the locked list of a project; a new one where there is none."""
     key, project = folded(name), access.project
-    known = next((one for one in queries.performers_of(session, project.id) if one.folded == key), None)
+    known = next(
+        (performer for performer in queries.performers_of(session, project.id) if performer.folded == key), None
+    )
     if known is None:
         known = Performer(studio_id=project.studio_id, project_id=project.id, name=name, folded=key)
         session.add(known)

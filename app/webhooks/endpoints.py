@@ -66,7 +66,7 @@ def list_webhooks(
     found = service.webhooks_of(session, actor, studio_id)
     return WebhooksRead(
         items=[_read(webhook, clock.now()) for webhook in found],
-        projects=[WebhookProject.model_validate(one) for one in service.projects_of(session, studio_id)],
+        projects=[WebhookProject.model_validate(project) for project in service.projects_of(session, studio_id)],
         may_be_localhost=runtime.settings.webhook_localhost,
     )
 

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
-from audio_checks.audio.passing import Passing
 from audio_checks.audio.sandbox import Sandbox, is_inside
+from audio_checks.audio.self_deleting_file import SelfDeletingFile
 from audio_checks.errors import Unreadable
 from audio_checks.system.plural import verb
 
@@ -60,7 +60,7 @@ class Coded:
         return {f"Vorbis.{name}": text for name, text in self.comments.items()}
 
 
-def opened_as_wav(path: str | os.PathLike[str]) -> tuple[Passing, Coded]:
+def opened_as_wav(path: str | os.PathLike[str]) -> tuple[SelfDeletingFile, Coded]:
     """Return a WAV file of the decoded sound, which is deleted when it is closed, and what the coded file is.
 
     Raises
@@ -79,7 +79,7 @@ def opened_as_wav(path: str | os.PathLike[str]) -> tuple[Passing, Coded]:
         else:
             with _sandbox().child(reads=[where], writes=[decoded]) as child:
                 found = child.call(decode, where, decoded)
-        return Passing(decoded), Coded(*found)
+        return SelfDeletingFile(decoded), Coded(*found)
     except BaseException:
         with suppress(FileNotFoundError):
             os.unlink(decoded)

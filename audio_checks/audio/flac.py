@@ -23,8 +23,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks import wav
-from audio_checks.audio.passing import Passing
 from audio_checks.audio.sandbox import Sandbox, is_inside
+from audio_checks.audio.self_deleting_file import SelfDeletingFile
 from audio_checks.errors import Unreadable
 from audio_checks.metadata import CHUNKS, MOST_BYTES, MOST_CHUNKS
 from audio_checks.metadata.layouts import LAYOUTS
@@ -229,7 +229,7 @@ def opened_as_wav(path: str | os.PathLike[str]) -> io.FileIO:
             unpack(os.fspath(path), unpacked)
         else:
             _unpack_in_child(os.fspath(path), unpacked)
-        return Passing(unpacked)
+        return SelfDeletingFile(unpacked)
     except BaseException:
         with suppress(FileNotFoundError):
             os.unlink(unpacked)

@@ -99,7 +99,7 @@ def from_text(text: str) -> bytes:
     return packed
 
 
-def smooth_length(least: int) -> int:
+def next_fast_len(least: int) -> int:
     """Return the smallest product of twos, threes and fives that is no less: a length that transforms fast."""
     best = 1 << max(0, least - 1).bit_length()
     fives = 1
@@ -138,7 +138,7 @@ def _banded(mono: Wave, sample_rate_hz: int) -> tuple[NDArray[np.float64], float
     """Return the weighted wave at 8 kHz, and the share of the power in its band."""
     common = math.gcd(sample_rate_hz, RATE_HZ)
     unit = sample_rate_hz // common  # whole units last a whole number of samples at both rates
-    units = smooth_length(-(-(len(mono) + sample_rate_hz // 50) // unit))
+    units = next_fast_len(-(-(len(mono) + sample_rate_hz // 50) // unit))
     length, short = units * unit, units * (RATE_HZ // common)
     spectrum = np.fft.rfft(mono, length)
     kept = spectrum[: min(short // 2, len(spectrum) - 1) + 1]

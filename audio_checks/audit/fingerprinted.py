@@ -15,7 +15,7 @@ from audio_checks.audio.audio_file import AudioFile
 from audio_checks.audio.coded import comments_in, whole_frames
 from audio_checks.audio.sandbox import Sandbox, is_inside
 from audio_checks.audit.fingerprint import FINGERPRINTED_S, fingerprint
-from audio_checks.audit.plays import ApprovedPlay
+from audio_checks.audit.plays import ApprovedPlayback
 from audio_checks.errors import SandboxFailed, Unreadable
 from audio_checks.metadata.mark import cue_marked
 
@@ -68,7 +68,7 @@ class FingerprintedFile:
     trouble: str = ""
     cue: str | None = None
     take: str | None = None
-    plays: tuple[ApprovedPlay, ...] | None = None
+    plays: tuple[ApprovedPlayback, ...] | None = None
 
     @property
     def duration_s(self) -> float:

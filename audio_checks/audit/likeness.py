@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.audit.fingerprint import PIECE, RATE_HZ, Wave, smooth_length, wave_of
+from audio_checks.audit.fingerprint import PIECE, RATE_HZ, Wave, next_fast_len, wave_of
 
 Spectrum = NDArray[np.complexfloating[Any, Any]]
 Lines = NDArray[np.floating[Any]]
@@ -115,7 +115,7 @@ def likeness(approved: Waves, built: Waves) -> Likeness | None:
     at, fraction = place
     first, last = max(0, at), min(len(approved.wave), at + len(built.wave))
     mine, theirs = approved.wave[first:last], built.wave[first - at : last - at]
-    length = smooth_length(len(mine) + 16)
+    length = next_fast_len(len(mine) + 16)
     one, other = np.fft.rfft(mine, length), np.fft.rfft(theirs, length)
     cross = one * np.conj(other)
     hz = np.arange(len(cross)) * (RATE_HZ / length)
@@ -139,7 +139,7 @@ def _powers(spectrum: Spectrum) -> NDArray[np.float64]:
 def _best_place(approved: Waves, built: Waves) -> tuple[int, float] | None:
     """Return where in the approved sound the build's begins: in whole samples, and a fraction of one."""
     mine, theirs = len(approved.wave), len(built.wave)
-    length = smooth_length(mine + theirs)
+    length = next_fast_len(mine + theirs)
     halves = np.abs(np.fft.irfft(approved.spectrum(length) * np.conj(built.spectrum(length)), 2 * length)) * 2
     together = np.maximum(np.maximum(halves[0::2], halves[1::2]), np.roll(halves[1::2], 1))
     places = np.arange(-theirs + 1, mine)

@@ -23,7 +23,7 @@ from typing import Any
 
 from audio_checks.audit.fingerprint import FINGERPRINT_VERSION, PIECE_BYTES, as_text, from_text, pieces_of
 from audio_checks.audit.fingerprinted import FingerprintedFile
-from audio_checks.audit.plays import ApprovedPlay
+from audio_checks.audit.plays import ApprovedPlayback
 from audio_checks.errors import SpecError
 from audio_checks.system.atomic_write import write_atomically
 from audio_checks.system.text_files import read_text
@@ -83,7 +83,7 @@ def manifest_entry(one: FingerprintedFile) -> dict[str, Any]:
     }
 
 
-def _play_entry(play: ApprovedPlay) -> dict[str, Any]:
+def _play_entry(play: ApprovedPlayback) -> dict[str, Any]:
     return {
         "object": play.object_path,
         "gain_db": None if play.gain_db is None else round(play.gain_db, 3) + 0.0,
@@ -214,7 +214,7 @@ def _plays_schema() -> dict[str, Any]:
     }
 
 
-def _read_plays(plays: object, where: str) -> tuple[ApprovedPlay, ...] | None:
+def _read_plays(plays: object, where: str) -> tuple[ApprovedPlayback, ...] | None:
     if plays is None:
         return None
     if not isinstance(plays, list) or len(plays) > MOST_PLAYS:
@@ -222,7 +222,7 @@ def _read_plays(plays: object, where: str) -> tuple[ApprovedPlay, ...] | None:
     return tuple(_read_play(play, f"{where}.plays[{place}]") for place, play in enumerate(plays))
 
 
-def _read_play(play: object, where: str) -> ApprovedPlay:
+def _read_play(play: object, where: str) -> ApprovedPlayback:
     wanted = 'wanted {"object": text, "gain_db": number or null, "parts": [...]}'
     if not isinstance(play, dict) or set(play) != {"object", "gain_db", "parts"}:
         raise SpecError(wanted, where=where)
@@ -231,7 +231,7 @@ def _read_play(play: object, where: str) -> ApprovedPlay:
         raise SpecError(wanted, where=where)
     if len(parts) > MOST_PARTS:
         raise SpecError(f"has more than {MOST_PARTS} parts", where=where)
-    return ApprovedPlay(play["object"], play["gain_db"], tuple(_read_part(part, where) for part in parts))
+    return ApprovedPlayback(play["object"], play["gain_db"], tuple(_read_part(part, where) for part in parts))
 
 
 def _read_part(part: object, where: str) -> tuple[str, str, float]:

@@ -48,7 +48,7 @@ def candidates(wave: Wave, moments: Sequence[bytes]) -> list[int]:
     """
     if not moments:
         return []
-    counts = np.array([len(one) // MOMENT_BYTES for one in moments])
+    counts = np.array([len(moment) // MOMENT_BYTES for moment in moments])
     kept = np.frombuffer(b"".join(moments), np.int8).reshape(-1, MOMENT_BYTES).astype(np.float32)
     windows = _windows(wave)
     places = [place + shift for place in _loudest(windows, ASKED) for shift in range(-NEAR, NEAR + 1)]

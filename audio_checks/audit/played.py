@@ -87,7 +87,11 @@ def _judged(entry: Entry, project: Project, limit_db: float) -> Entry:
     if not used:
         return _joined(entry, "unused", NOT_PLAYED[project.engine], None)
     drifted = [play for play in used if abs(play.drift_db or 0.0) >= limit_db]
-    harms = list(dict.fromkeys(f"{one.setting}: {one.harm}" for play in used for one in play.sound.conversions))
+    harms = list(
+        dict.fromkeys(
+            f"{conversion.setting}: {conversion.harm}" for play in used for conversion in play.sound.conversions
+        )
+    )
     state = list(dict.fromkeys(what for play in used for what in play.state))
     if drifted:
         worst = max(drifted, key=lambda play: abs(play.drift_db or 0.0))

@@ -14,7 +14,7 @@ LEAST_DB = 0.05  # of a part that has moved; factors are written with some digit
 
 
 @dataclass(frozen=True)
-class ApprovedPlay:
+class ApprovedPlayback:
     """How one object played a sound when it was approved.
 
     Attributes
@@ -88,7 +88,9 @@ class Play:
     @property
     def state(self) -> tuple[str, ...]:
         """The names of what changes the level with the game's state."""
-        return tuple(dict.fromkeys(one.what for one in self.sound.depends if one.on in ("state", "script", "loudness")))
+        return tuple(
+            dict.fromkeys(depend.what for depend in self.sound.depends if depend.on in ("state", "script", "loudness"))
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Return the play as JSON has it."""
@@ -101,18 +103,20 @@ class Play:
         }
 
 
-def approved_plays(sounds: Iterable[PlayedSound]) -> tuple[ApprovedPlay, ...]:
+def approved_plays(sounds: Iterable[PlayedSound]) -> tuple[ApprovedPlayback, ...]:
     """Return how a sound is played now, to be kept as approved; ways that nothing begins are left out."""
     return tuple(
-        ApprovedPlay(
-            one.object_path, one.gain_db, tuple((part.object_path, part.property, part.gain_db) for part in one.parts)
+        ApprovedPlayback(
+            sound.object_path,
+            sound.gain_db,
+            tuple((part.object_path, part.property, part.gain_db) for part in sound.parts),
         )
-        for one in sounds
-        if one.is_used is not False
+        for sound in sounds
+        if sound.is_used is not False
     )
 
 
-def held_to(sounds: Sequence[PlayedSound], approved: Sequence[ApprovedPlay] | None) -> tuple[Play, ...]:
+def held_to(sounds: Sequence[PlayedSound], approved: Sequence[ApprovedPlayback] | None) -> tuple[Play, ...]:
     """Return each way in which a sound is played with the approved one beside it.
 
     Parameters
@@ -124,12 +128,12 @@ def held_to(sounds: Sequence[PlayedSound], approved: Sequence[ApprovedPlay] | No
         held to the nearest approved one.
     """
     plays: list[Play] = []
-    free: dict[str, list[ApprovedPlay]] = defaultdict(list)
+    free: dict[str, list[ApprovedPlayback]] = defaultdict(list)
     for one in approved or ():
         free[one.object_path].append(one)
     for sound in sounds:
         if not approved:
-            was = ApprovedPlay("", 0.0)
+            was = ApprovedPlayback("", 0.0)
         elif own := free.get(sound.object_path):
             was = own.pop(0) if len(own) > 1 else own[0]
         else:

@@ -15,7 +15,7 @@ TRIMMED_S = 0.005  # as `audit` says it
 
 
 @dataclass(frozen=True)
-class KnownSound:
+class SoundSignature:
     """What a file is recognised by.
 
     Attributes
@@ -55,7 +55,7 @@ class Difference:
     is_trimmed: bool
 
 
-def known_sound(path: str) -> KnownSound:
+def sound_signature(path: str) -> SoundSignature:
     """Return what a file is recognised by; Unreadable where it cannot be read.
 
     Parameters
@@ -67,10 +67,10 @@ def known_sound(path: str) -> KnownSound:
     if found.trouble or found.pcm_sha256 is None:
         raise Unreadable(found.trouble, "R1", "recognise:unreadable", "deliver it as WAV or FLAC")
     moments = moments_of(wave_of(found.fingerprint)) if found.fingerprint else b""
-    return KnownSound(found.pcm_sha256, found.sample_rate_hz, found.fingerprint, moments)
+    return SoundSignature(found.pcm_sha256, found.sample_rate_hz, found.fingerprint, moments)
 
 
-def sounds_of_manifest(text: str) -> list[tuple[str, KnownSound]]:
+def sounds_of_manifest(text: str) -> list[tuple[str, SoundSignature]]:
     """Return path and recognisable facts of each sound of a manifest; SpecError where it is none.
 
     Parameters
@@ -82,7 +82,7 @@ def sounds_of_manifest(text: str) -> list[tuple[str, KnownSound]]:
     known = [(one, one.fingerprint) for one in parse_manifest(text) if one.fingerprint is not None]
     found = [(one, packed, moments_of(wave_of(packed))) for one, packed in known]
     return [
-        (one.path, KnownSound(one.pcm_sha256 or "", one.sample_rate_hz, packed, moments))
+        (one.path, SoundSignature(one.pcm_sha256 or "", one.sample_rate_hz, packed, moments))
         for one, packed, moments in found
         if moments
     ]
@@ -110,13 +110,15 @@ def difference_of(first: bytes, second: bytes) -> Difference | None:
         Either may be the longer one.
     """
     one, other = Waves(first), Waves(second)
-    if (found := _held(one, other)) is not None:
+    if (found := _match_within(one, other)) is not None:
         return found
-    turned = _held(other, one)  # a cut may take the loudest part, so the length does not say which is the whole one
+    turned = _match_within(
+        other, one
+    )  # a cut may take the loudest part, so the length does not say which is the whole one
     return None if turned is None else replace(turned, gain_db=-turned.gain_db)
 
 
-def _held(whole: Waves, part: Waves) -> Difference | None:
+def _match_within(whole: Waves, part: Waves) -> Difference | None:
     found = likeness(whole, part)
     if found is None or not found.is_same_sound:
         return None

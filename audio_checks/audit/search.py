@@ -45,7 +45,7 @@ class Search:
         for frames in sorted({_frames(cells) for cells in built}):
             places = [place for place, cells in enumerate(built) if _frames(cells) == frames]
             moments = [_moments(built[place], frames) for place in places]
-            first = np.cumsum([0, *(len(one) for one in moments)])[:-1]
+            first = np.cumsum([0, *(len(moment) for moment in moments)])[:-1]
             rows = _normed(np.concatenate(moments))
             for columns, all_moments, starts in self._parts(frames):
                 agreeing = np.maximum.reduceat(rows @ all_moments.T, starts, axis=1)

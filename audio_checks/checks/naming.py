@@ -114,7 +114,7 @@ def _against_rule(stem: str, extension: str, spec: DeliverySpec) -> Iterator[Fin
 
         why = name_tokens.misfit(stem, naming.tokens, naming.separator)
         if why is not None:
-            form = naming.separator.join(f"[{one.name}]" if one.optional else one.name for one in naming.tokens)
+            form = naming.separator.join(f"[{token.name}]" if token.optional else token.name for token in naming.tokens)
             yield Finding(
                 code="naming:tokens",
                 message=f'name "{_short(stem)}": {_short(why, 2)}',

@@ -52,8 +52,8 @@ def commands_of(parser: argparse.ArgumentParser, words_of: Callable[[str, str], 
     words_of : callable
         Returns the words that an argument takes, by command and metavar; empty where any text will do.
     """
-    (group,) = [one for one in parser._actions if isinstance(one, argparse._SubParsersAction)]
-    what = {one.dest: one.help or "" for one in group._choices_actions}
+    (group,) = [action for action in parser._actions if isinstance(action, argparse._SubParsersAction)]
+    what = {choices_action.dest: choices_action.help or "" for choices_action in group._choices_actions}
     return [
         Command(name, what[name], tuple(_argument(name, action, words_of) for action in command._actions))
         for name, command in group.choices.items()
@@ -83,8 +83,8 @@ def bash(commands: Sequence[Command]) -> str:
             for argument in command.arguments
             if argument.flags and argument.kind != "flag"
         ]
-        places = [one for one in command.arguments if not one.flags and one.kind == "words"]
-        here = " ".join(shlex.quote(word) for one in places for word in one.words)
+        places = [argument for argument in command.arguments if not argument.flags and argument.kind == "words"]
+        here = " ".join(shlex.quote(word) for place in places for word in place.words)
         cases.append(
             "\n".join(
                 [
@@ -120,13 +120,13 @@ def _bash_words(argument: Argument) -> str:
 
 def zsh(commands: Sequence[Command]) -> str:
     """Return a script for zsh; to be loaded, or stored as `_audio-checks` in a folder of `fpath`."""
-    listed = "\n".join(f"    {_zsh_text(f'{one.name}:{one.what}')}" for one in commands)
+    listed = "\n".join(f"    {_zsh_text(f'{command.name}:{command.what}')}" for command in commands)
     cases = "\n".join(
         "\n".join(
             [
                 f"    {command.name})",
                 "      _arguments -s \\",
-                " \\\n".join(f"        {_zsh_argument(one)}" for one in command.arguments),
+                " \\\n".join(f"        {_zsh_argument(argument)}" for argument in command.arguments),
                 "      ;;",
             ]
         )

@@ -21,7 +21,7 @@ WORD_WIDTH = len("refused") + 2
 def report_text(run: FixRun, *, colour: bool, summary: bool = True) -> str:
     """Return what was done to each file and what is left, with a line that sums up unless it is left out."""
     ink = Ink(colour)
-    blocks = ["\n".join(_lines(one, ink)) + "\n" for one in run.files if one.state != "fine"]
+    blocks = ["\n".join(_lines(file, ink)) + "\n" for file in run.files if file.state != "fine"]
     if not summary:
         return "\n".join(blocks)
     counts, files = run.counts(), f"{len(run.files)} file{'' if len(run.files) == 1 else 's'}"

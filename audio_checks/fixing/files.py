@@ -123,7 +123,7 @@ class FixRun:
                 target=self.target,
                 category=self.category,
                 cue=slot[0] if slot else None,
-                beside=[one.fixed.path for one in self.files if one.fixed and one.fixed.path],
+                beside=[file.fixed.path for file in self.files if file.fixed and file.fixed.path],
             )
         finally:
             _remove_if_empty(place, self.folder)
@@ -133,13 +133,13 @@ class FixRun:
         return {
             "schema_version": SCHEMA_VERSION,
             "tool": {"name": "audio-checks", "version": TOOL_VERSION},
-            "files": [one.to_dict() for one in self.files],
+            "files": [file.to_dict() for file in self.files],
             "summary": {"files": len(self.files), **self.counts()},
         }
 
     def counts(self) -> dict[str, int]:
         """Return how many files are in each state."""
-        return {state: sum(one.state == state for one in self.files) for state in STATES}
+        return {state: sum(file.state == state for file in self.files) for state in STATES}
 
 
 def _fix_folders(orders: list[tuple[FixRun, list[tuple[Found, DeliverySpec]]]]) -> list[dict[str, FixedFile]]:

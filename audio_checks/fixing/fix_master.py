@@ -230,7 +230,7 @@ class _Work:
 
     def _with_whole_header(self, before: FileReport) -> Path | None:
         """Return a copy of the master that the strict reader takes; None where no header makes it whole."""
-        if not any(one.code in header.SIZES for one in before.findings):
+        if not any(finding.code in header.SIZES for finding in before.findings):
             return None
         whole = self._scratch()
         try:
@@ -253,7 +253,7 @@ class _Work:
             start_s = (layout.frames - plan.cut_tail) / rate
             yield Repair("tail", codes["tail"], words, start_s, layout.duration_s)
         if plan.removes_offset and self._offset is not None:
-            percent = 100 * max(abs(one) for one in self._offset.values)
+            percent = 100 * max(abs(value) for value in self._offset.values)
             edges = "" if self._offset.is_exact else ", from zero at the edges"
             words = f"DC offset of {percent:.2f} % taken out{edges}"
             first_s, end_s = self._offset.first / rate, self._offset.end / rate
@@ -276,7 +276,7 @@ class _Work:
             yield Repair("name", codes["name"], f"renamed to {plan.name}")
 
     def _left(self, report: FileReport, plan: Plan) -> tuple[Left, ...]:
-        offered = ((one, fix_offer(one, report, self._view)) for one in report.findings)
+        offered = ((finding, fix_offer(finding, report, self._view)) for finding in report.findings)
         return tuple(Left(finding, _why(offer, plan)) for finding, offer in offered)
 
     def _nothing(self, before: FileReport, name: str, plan: Plan) -> FixedMaster:
@@ -317,7 +317,7 @@ def _ensure_depth_is_true(report: FileReport) -> None:
 
 
 def _errors(report: FileReport) -> set[str]:
-    return {one.code for one in report.findings if one.severity == "error"}
+    return {finding.code for finding in report.findings if finding.severity == "error"}
 
 
 def _why(offer: Offer, plan: Plan) -> str:

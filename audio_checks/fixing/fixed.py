@@ -87,13 +87,13 @@ class FixedMaster:
             "name": self.name,
             "repairs": [
                 {
-                    "kind": one.kind,
-                    "codes": list(one.codes),
-                    "words": one.words,
-                    "start_s": one.start_s,
-                    "end_s": one.end_s,
+                    "kind": repair.kind,
+                    "codes": list(repair.codes),
+                    "words": repair.words,
+                    "start_s": repair.start_s,
+                    "end_s": repair.end_s,
                 }
-                for one in self.repairs
+                for repair in self.repairs
             ],
             "left": [{**one.finding.to_dict(), "why": one.why} for one in self.left],
             "conforms": self.conforms,

@@ -36,7 +36,7 @@ def valid_name(name: str, spec: DeliverySpec) -> str | None:
     """
     if _is_valid(name, spec):
         return name
-    return next((one for one in _candidates(name, spec) if _is_valid(one, spec)), None)
+    return next((candidate for candidate in _candidates(name, spec) if _is_valid(candidate, spec)), None)
 
 
 @dataclass(frozen=True)

@@ -158,7 +158,7 @@ def plan_adoption(
         taken |= dict.fromkeys(_keys(free, group), group[0].file.path)
         oddities += _renamed(free, group)
         kept.append((free, group))
-    cues = _with_categories(kept, played, {_category(one): one for one in categories})
+    cues = _with_categories(kept, played, {_category(category): category for category in categories})
     adopted = [one.file for _, group in kept for one in group]
     oddities += _odd_formats(adopted)
     if project is not None:
@@ -189,7 +189,7 @@ def _named(files: Sequence[ShippedFile], skipped: list[SkippedFile]) -> Iterator
             why = "its name has no letter or digit; rename it"
             skipped.append(SkippedFile(file.path, "name", why))
         else:
-            yield _Named(file, tuple(one for one in folders if one not in ("", ".", "..")), stem, name)
+            yield _Named(file, tuple(folder for folder in folders if folder not in ("", ".", "..")), stem, name)
 
 
 def _possible_name(stem: str) -> str:
@@ -208,7 +208,7 @@ def _grouped(
 ) -> list[tuple[str, list[_Named]]]:
     """Return files by cue: those of one random container are a set, then numbered ones as their names say."""
     sets = list(_random_sets(named, played))
-    in_sets = {one.file.path for _, files in sets for one in files}
+    in_sets = {file.file.path for _, files in sets for file in files}
     by_name = _by_name([one for one in named if one.file.path not in in_sets], oddities)
     return sorted([*sets, *by_name], key=lambda group: group[1][0].file.path)
 
@@ -220,7 +220,7 @@ def _random_sets(named: Sequence[_Named], played: Mapping[str, PlayedFile]) -> I
         if (by := played.get(one.file.path)) is not None and by.random_set:
             held[by.random_set].append(one)
     for random_set, files in held.items():
-        numbers = [found for one in files if (found := _NUMBERED.fullmatch(one.name)) is not None]
+        numbers = [found for file in files if (found := _NUMBERED.fullmatch(file.name)) is not None]
         bases = {number[1] for number in numbers}
         base, in_order = "", files
         if len(numbers) == len(files) and len(bases) == 1:
@@ -240,16 +240,16 @@ def _by_name(named: Sequence[_Named], oddities: list[Oddity]) -> list[tuple[str,
     groups: list[tuple[str, list[_Named]]] = []
     in_sets: set[str] = set()
     for (_, base), places in numbered.items():
-        files = [one for number in sorted(places) for one in places[number]]
+        files = [place for number in sorted(places) for place in places[number]]
         if len(files) == 1:
             continue
         if sorted(places) == list(range(1, len(files) + 1)) and len(files) <= MOST_VARIATIONS and _possible_name(base):
             groups.append((_possible_name(base), files))
-            in_sets.update(one.file.path for one in files)
+            in_sets.update(file.file.path for file in files)
         else:
             shown = ", ".join(str(number) for number in sorted(places)[:8])
             why = f"numbers {shown} of {base} found; a set counts 1, 2, 3 without a gap, so each file is its own cue"
-            oddities += [Oddity(one.file.path, "numbering", why) for one in files]
+            oddities += [Oddity(file.file.path, "numbering", why) for file in files]
     return [*groups, *((one.name, [one]) for one in named if one.file.path not in in_sets)]
 
 
@@ -260,7 +260,7 @@ def _keys(file_name: str, group: Sequence[_Named]) -> list[str]:
 def _free_name(file_name: str, group: Sequence[_Named], owned: Mapping[str, str], taken: Mapping[str, str]) -> str:
     """Return a name that nobody has: with the folders before it, and at last with a letter behind it."""
     free = file_name
-    folders = [word for one in reversed(group[0].folders) if (word := slug(one)[:20])]
+    folders = [word for folder in reversed(group[0].folders) if (word := slug(folder)[:20])]
     count = 0
     while any(key in taken or key in owned for key in _keys(free, group)):
         if folders and len(free) < MOST_CHARS:
@@ -290,8 +290,8 @@ def _with_categories(
     cues = []
     for (file_name, group), word, tree, plays in zip(kept, words, trees, of_group, strict=True):
         folders = [_category(one) for one in tree or group[0].folders]
-        own = [one for one in folders[shared_of_tree if tree else shared :] if one]
-        category = next((known[one] for one in folders if one in known), own[0] if own else "")
+        own = [folder for folder in folders[shared_of_tree if tree else shared :] if folder]
+        category = next((known[folder] for folder in folders if folder in known), own[0] if own else "")
         if not category and word and counts[word] >= SHARED_PREFIX_FILES:
             category = word
         name = re.sub(r"[\s_.\-]+", " ", file_name).strip() or file_name

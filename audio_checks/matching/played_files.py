@@ -49,7 +49,7 @@ def set_name(random_set: str) -> str:
 
 
 def _played(engine: Engine, sounds: Sequence[PlayedSound]) -> PlayedFile:
-    used = [one for one in sounds if one.is_used is not False]
+    used = [sound for sound in sounds if sound.is_used is not False]
     shown = used or sounds
     first = next((one for one in shown if one.random_set), shown[0])
     events = dict.fromkeys(event for one in used for event in one.events)

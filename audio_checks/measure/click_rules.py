@@ -66,10 +66,10 @@ class Candidate(NamedTuple):
 def strongest(doubts: list[Candidate]) -> list[Candidate]:
     """Return, of doubts that one click may have raised, the one that stands out most."""
     foremost: list[Candidate] = []
-    for one in sorted(doubts):
+    for doubt in sorted(doubts):
         last = foremost[-1] if foremost else None
-        if last is None or one[:2] != last[:2] or one.cell - last.cell >= one.rules[0].cells:
-            foremost.append(one)
-        elif one.stands > last.stands:
-            foremost[-1] = one
+        if last is None or doubt[:2] != last[:2] or doubt.cell - last.cell >= doubt.rules[0].cells:
+            foremost.append(doubt)
+        elif doubt.stands > last.stands:
+            foremost[-1] = doubt
     return foremost

@@ -227,12 +227,12 @@ class Clicks:
         """
         dull = max(1, round(self._cell / DULL_FRAMES))  # frames that are taken as one
         known = total - BURST - 1 - -(-self._around(dull) // self._cell)
-        ready = strongest([one for one in self._candidates if one.cell < known])
-        self._candidates = [one for one in self._candidates if one.cell >= known]
+        ready = strongest([candidate for candidate in self._candidates if candidate.cell < known])
+        self._candidates = [candidate for candidate in self._candidates if candidate.cell >= known]
         for (channel, rules), alike in groupby(ready, key=itemgetter(0, 1)):
             doubts, sharpness = list(alike), cells.sharpness[channel]
             for rule in rules:
-                asked = [one for one in doubts if one.stands >= rule.stands]
+                asked = [doubt for doubt in doubts if doubt.stands >= rule.stands]
                 frames = origin + np.array([one.cell for one in asked], np.int64) * self._cell
                 for place in self._clicks_by(rule, samples[channel], frames, dull) if asked else ():
                     cell, power = asked[place].cell, asked[place].power

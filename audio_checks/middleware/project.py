@@ -96,7 +96,7 @@ def _project_in(folder: Path) -> Path:
     if (folder / "Assets").is_dir() and (folder / "ProjectSettings").is_dir():
         return folder
     files = [one for one in sorted(folder.iterdir()) if not one.name.startswith("._")]  # which macOS leaves
-    found = [one for one in files if one.suffix.lower() in (".wproj", ".fspro") or one.name == "project.godot"]
+    found = [file for file in files if file.suffix.lower() in (".wproj", ".fspro") or file.name == "project.godot"]
     if len(found) != 1:
         which = f"more than one project: {', '.join(one.name for one in found[:4])}" if found else "no project"
         raise ProjectRefused(f"{folder}: holds {which}; {WANTED}")

@@ -197,7 +197,9 @@ class _Reading:
         for name, plays in self._events.values():
             ids = dict.fromkeys(plays)
             for _ in range(MOST_EVENTS_DEEP):
-                more = [one for id_ in ids if id_ in self._events for one in self._events[id_][1] if one not in ids]
+                more = [
+                    event for id_ in ids if id_ in self._events for event in self._events[id_][1] if event not in ids
+                ]
                 if not more:
                     break
                 ids.update(dict.fromkeys(more))

@@ -22,7 +22,7 @@ from audio_checks.placeholders.speech import synthesize_speech
 from audio_checks.render.channels import ensure_codable
 from audio_checks.render.coding import Coder
 from audio_checks.render.dither import DITHERED_TO_BITS, quantised
-from audio_checks.render.turns import gain_of
+from audio_checks.render.twiddles import gain_of
 from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 from audio_checks.spec.sound_list import SoundList
 from audio_checks.spec.sound_names import stems_of
@@ -212,7 +212,7 @@ class _Form:
                 'name a --target, or add "wav" to [accept] containers',
             )
         layouts = sorted((LAYOUTS[name] for name in accept.layouts or ()), key=lambda one: one.channels)
-        fitting = [one for one in layouts if accept.channels is None or one.channels in accept.channels]
+        fitting = [layout for layout in layouts if accept.channels is None or layout.channels in accept.channels]
         channels = fitting[0].channels if fitting else min(accept.channels or (1,))
         mask = fitting[0].masks[0] if fitting and channels > 2 and fitting[0].masks else None
         if target is not None:

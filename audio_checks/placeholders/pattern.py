@@ -5,7 +5,7 @@ import hashlib
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.render.turns import cos_sin_pi
+from audio_checks.render.twiddles import cos_sin_pi
 
 LOWEST_HZ = 347.0
 STEPS = (1.0, 9 / 8, 5 / 4, 3 / 2, 5 / 3, 2.0, 9 / 4, 5 / 2)  # no two of them clash

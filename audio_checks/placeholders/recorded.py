@@ -10,7 +10,7 @@ from audio_checks import wav
 from audio_checks.errors import RenderRefused
 from audio_checks.measure.edges import Edges
 from audio_checks.placeholders.speech import at_rate
-from audio_checks.render.turns import gain_of
+from audio_checks.render.twiddles import gain_of
 
 SAMPLE_RATE_HZ, BIT_DEPTH = 48_000, 24
 LONGEST_S = 10.0

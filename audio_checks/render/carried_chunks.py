@@ -69,7 +69,7 @@ def carried_chunks(
         before = [chunk for chunk in before if chunk[0] != "smpl"]
         after = [chunk for chunk in after if chunk[0] != "smpl"]
         if new_loops or any(_says_more_than_loops(payload) for payload in samplers[:1]):
-            before.append(("smpl", sampler(move.to_hz, [(0, *one) for one in new_loops], *samplers[:1])))
+            before.append(("smpl", sampler(move.to_hz, [(0, *loop) for loop in new_loops], *samplers[:1])))
     number = _placeholder_number(sound)
     if number is not None and not all_chunks:
         after.append(comment_chunk(number))

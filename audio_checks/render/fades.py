@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from audio_checks.render.turns import cos_sin_pi
+from audio_checks.render.twiddles import cos_sin_pi
 
 Block = NDArray[np.float64]
 

@@ -208,4 +208,4 @@ def in_words(rendered: Rendered) -> str:
             parts.append(f"{loss.trimmed_s[0]:.3f} s and {loss.trimmed_s[1]:.3f} s of silence cut")
     if rendered.loop_fit_frames:
         parts.append(f"loop fitted by {rendered.loop_fit_frames:+.2f} frames")
-    return "; ".join([*parts, *(f"warning: {one.sentence}; {one.fix}" for one in rendered.warnings)])
+    return "; ".join([*parts, *(f"warning: {warning.sentence}; {warning.fix}" for warning in rendered.warnings)])

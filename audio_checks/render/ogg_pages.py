@@ -111,4 +111,4 @@ def _with_comments(packet: bytes, begins: bytes, comments: Comments) -> bytes:
 def comment_list(comments: Comments) -> bytes:
     """Return a list of Vorbis comments: how many, then each with its length."""
     entries = [f"{name}={text}".encode() for name, text in comments]
-    return len(entries).to_bytes(4, "little") + b"".join(len(one).to_bytes(4, "little") + one for one in entries)
+    return len(entries).to_bytes(4, "little") + b"".join(len(entry).to_bytes(4, "little") + entry for entry in entries)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from audio_checks.errors import RenderRefused
 from audio_checks.kernel import convert, fourier, hush
 from audio_checks.render.resample_plan import WINDOWS, Plan, plan_for
-from audio_checks.render.turns import cos_sin_pi, turns_of
+from audio_checks.render.twiddles import cos_sin_pi, twiddle_factors
 
 SERIES_END = 1e-17
 
@@ -156,7 +156,7 @@ def loop_blocks(
 
 def _on_grid(plan: Plan, reader: "_Reader", frames_out: int, at_once: int) -> Iterator[NDArray[np.float64]]:
     """Yield the new frames where blocks of both rates begin together."""
-    turns_in, turns_out = turns_of(plan.block_in), turns_of(plan.block_out)
+    turns_in, turns_out = twiddle_factors(plan.block_in), twiddle_factors(plan.block_out)
     positions = np.arange(at_once * plan.hop_out, dtype=np.int64) * plan.down
     heard_from = positions // plan.up + (plan.edge_in - plan.reach)
     heard_until = -(-positions // plan.up) + (plan.edge_in + plan.reach)
@@ -241,7 +241,7 @@ def _moved_block(plan: Plan, window: NDArray[np.float64], count: int, late: floa
     """Return `count` new frames: the block moved as a whole to its middle, each frame by its own rest from there."""
     bins = len(plan.response)
     real, imaginary = window.copy(), np.zeros_like(window)
-    fourier(real, imaginary, turns_of(plan.block_in))
+    fourier(real, imaginary, twiddle_factors(plan.block_in))
     real, imaginary = real[:, :bins] * plan.response, imaginary[:, :bins] * plan.response
     offsets = (np.arange(count, dtype=np.float64) - (count - 1) / 2) * (drift * plan.up / plan.down)
     middle = late + drift * (count - 1) / 2
@@ -267,7 +267,7 @@ def _backwards(plan: Plan, real: NDArray[np.float64], imaginary: NDArray[np.floa
     mirror = slice(size - 1, size // 2, -1)
     count = size - 1 - size // 2
     whole_imaginary[:, mirror], whole_real[:, mirror] = real[:, 1 : count + 1], -imaginary[:, 1 : count + 1]
-    fourier(whole_real, whole_imaginary, turns_of(size))
+    fourier(whole_real, whole_imaginary, twiddle_factors(size))
     return whole_imaginary
 
 

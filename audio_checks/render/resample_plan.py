@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.kernel import fourier
-from audio_checks.render.turns import kaiser_sinc, turns_of
+from audio_checks.render.twiddles import kaiser_sinc, twiddle_factors
 
 PASSBAND = 0.95  # of the new Nyquist frequency; the stop band begins at the new Nyquist frequency itself
 ATTENUATION_DB = 200.0
@@ -83,7 +83,7 @@ def _laid_plan(sample_rate_hz: int, to_hz: int, hop_wanted: int, shelf: float) -
     centred, imaginary = np.zeros((1, block_in)), np.zeros((1, block_in))
     centred[0, : half + 1] = taps[half:]
     centred[0, -half:] = taps[:half]
-    fourier(centred, imaginary, turns_of(block_in))
+    fourier(centred, imaginary, twiddle_factors(block_in))
     response = centred[0, : block_out // 2 + 1] / block_in
     if block_out % 2 == 0:
         response[-1] = 0.0

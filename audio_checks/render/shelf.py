@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.kernel import fourier
-from audio_checks.render.turns import cos_sin_pi, gain_of, turns_of
+from audio_checks.render.twiddles import cos_sin_pi, gain_of, twiddle_factors
 
 WINDOW_FRAMES = 4_096
 MOST_GAIN = gain_of(6.0)
@@ -37,7 +37,7 @@ def compensating_gain(blocks: Iterable[NDArray[np.float64]], channels: int, samp
     power = np.zeros(WINDOW_FRAMES)
     hop = WINDOW_FRAMES // 2
     window = cos_sin_pi((np.arange(WINDOW_FRAMES) + 0.5) / WINDOW_FRAMES)[1]
-    turns = turns_of(WINDOW_FRAMES)
+    turns = twiddle_factors(WINDOW_FRAMES)
     held = np.zeros((channels, hop))
     for block in chain(blocks, [np.zeros((WINDOW_FRAMES, channels))]):
         held = np.concatenate((held, block.T), axis=1)

@@ -28,7 +28,7 @@ from audio_checks.render.rendered import Loss, Rendered, SeamFigures, Spectra
 from audio_checks.render.resample import frames_after, loop_fit_frames, resample_blocks
 from audio_checks.render.shelf import compensating_gain
 from audio_checks.render.survey import Survey, seam_of
-from audio_checks.render.turns import gain_of
+from audio_checks.render.twiddles import gain_of
 from audio_checks.report.findings import Finding
 from audio_checks.spec.codings import CODINGS
 
@@ -66,7 +66,9 @@ class Work:
         self._cut = self._survey.silence_frames(recipe.trim_below_dbfs)
         self._kept = layout.frames - sum(self._cut)
         self._frames = frames_after(self._kept, *rates, loop=self._circular)
-        self._fitted = () if self._circular else tuple(fitted_loop(*one, self._frames, *rates) for one in self._points)
+        self._fitted = (
+            () if self._circular else tuple(fitted_loop(*point, self._frames, *rates) for point in self._points)
+        )
         self._new_points = (
             ((0, self._frames - 1),)
             if self._circular and self._points

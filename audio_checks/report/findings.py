@@ -139,7 +139,7 @@ class FileReport:
 
     def count(self, severity: Severity, *, waived: bool | None = None) -> int:
         """Return the number of findings of one severity; of those waived, or those not, when asked."""
-        return sum(one.severity == severity and waived in (None, one.waived) for one in self.findings)
+        return sum(finding.severity == severity and waived in (None, finding.waived) for finding in self.findings)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file's entry in the report."""
@@ -248,7 +248,10 @@ def with_waivers(entry: FileReport, waived: Mapping[str, frozenset[str]]) -> Fil
     if not codes:
         return entry
     return replace(
-        entry, findings=tuple(replace(one, waived=True) if one.code in codes else one for one in entry.findings)
+        entry,
+        findings=tuple(
+            replace(finding, waived=True) if finding.code in codes else finding for finding in entry.findings
+        ),
     )
 
 

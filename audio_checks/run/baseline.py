@@ -63,10 +63,10 @@ def add_to_baseline(path: str | Path, entries: Iterable[FileReport]) -> int:
     count = 0
     for entry in sorted(entries, key=lambda one: one.path):
         sound = entry.pcm_sha256 or entry.sha256
-        new = sorted({one.code for one in entry.findings} - known.get(sound or "", frozenset()))
+        new = sorted({finding.code for finding in entry.findings} - known.get(sound or "", frozenset()))
         if sound is None or not new or entry.verdict == "unjudged":
             continue
-        count += sum(one.code in new for one in entry.findings)
+        count += sum(finding.code in new for finding in entry.findings)
         if sound in added:  # two files of one sound
             added[sound]["codes"] = sorted({*added[sound]["codes"], *new})
         else:

@@ -315,7 +315,7 @@ def _context(task: Task) -> bytes:
         _tool(),
         os.path.basename(task.path),
         [spec.sha256, spec.category, spec.target.name if spec.target else None] if spec else None,
-        [getattr(cue, one.name) for one in fields(cue) if one.compare] if cue else None,
+        [getattr(cue, field.name) for field in fields(cue) if field.compare] if cue else None,
         task.unlisted,
         task.listed_name,
     ]

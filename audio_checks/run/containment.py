@@ -58,7 +58,7 @@ def failed_checks(file: AudioFile, failed: Mapping[str, Exception]) -> tuple[Unj
     entries = []
     for check in all_checks().values():
         read = [*check.figures, *(judgements.figures_of(check.judgement) if check.judgement else ())]
-        figures = tuple(one for one in dict.fromkeys(read) if one in errors)
+        figures = tuple(fromkey for fromkey in dict.fromkeys(read) if fromkey in errors)
         error = errors[figures[0]] if figures else failed.get(check.judgement or "")
         if error is not None:
             entries.append(Unjudged(check.name, figures, in_words(error)))

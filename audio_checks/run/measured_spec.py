@@ -62,10 +62,12 @@ def spec_from(
         Called with the first report of each file as it is finished.
     """
     files = _judged(MEASURING, paths, jobs, done)
-    readable = [one for one in files if one.facts is not None]
+    readable = [file for file in files if file.facts is not None]
     text = _text(name, readable, ())
     entries = _judged(text, paths, jobs)
-    failing = {one.check for entry in entries for one in entry.findings if one.severity == "error"} - {"structure"}
+    failing = {finding.check for entry in entries for finding in entry.findings if finding.severity == "error"} - {
+        "structure"
+    }
     if failing:
         text = _text(name, readable, sorted(failing))
         entries = _judged(text, paths, jobs)
@@ -73,7 +75,7 @@ def spec_from(
         text,
         len(readable),
         sum(bool(entry.count("warning", waived=False)) for entry in entries),
-        tuple((one.path, one.findings[0].message) for one in files if one.facts is None and one.findings),
+        tuple((file.path, file.findings[0].message) for file in files if file.facts is None and file.findings),
     )
 
 
@@ -87,13 +89,13 @@ def _judged(
 
 def _text(name: str, files: Sequence[FileReport], warned: Iterable[str]) -> str:
     lines = ["format = 1", f"name = {json.dumps(name, ensure_ascii=False)}".replace("\x7f", "\\u007f"), "", "[accept]"]
-    facts = [one.facts for one in files if one.facts is not None]
+    facts = [file.facts for file in files if file.facts is not None]
     count = len(facts)
     lines.append(
         f"# measured from {counted(count, 'file')}; values of fewer than {100 * COMMON:.0f} % of them are left out"
     )
-    coded = [one for one in facts if one.get("bit_rate_kbps") is not None]
-    plain = [one for one in facts if one.get("bit_rate_kbps") is None]
+    coded = [fact for fact in facts if fact.get("bit_rate_kbps") is not None]
+    plain = [fact for fact in facts if fact.get("bit_rate_kbps") is None]
     for key, listed, those in (
         ("container", "containers", facts),
         ("encoding", "encodings", facts),
@@ -102,11 +104,11 @@ def _text(name: str, files: Sequence[FileReport], warned: Iterable[str]) -> str:
         ("channels", "channels", facts),
     ):
         lines += _listed(listed, Counter(one[key] for one in those))
-    lines += _range("duration_s", [one["duration_s"] for one in facts], 0.01)
+    lines += _range("duration_s", [fact["duration_s"] for fact in facts], 0.01)
     lines += _range("bit_rate_kbps", [one["bit_rate_kbps"] for one in coded], 1.0)
-    measured = [one.to_dict()["measurements"] or {} for one in files]
+    measured = [file.to_dict()["measurements"] or {} for file in files]
     peaks = [one["true_peak_dbtp"] for one in measured if one.get("true_peak_dbtp") is not None]
-    over = sum(one > USUAL_PEAK_DBTP for one in peaks)
+    over = sum(peak > USUAL_PEAK_DBTP for peak in peaks)
     limit_dbtp = USUAL_PEAK_DBTP if over <= COMMON * count else math.ceil(10 * max(peaks)) / 10
     above = f"{over:,} of {counted(count, 'file')} {verb(over, 'is', 'are')}"
     lines += ["", "[limits]", "silence_below_dbfs = -90.0"]

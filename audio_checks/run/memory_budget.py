@@ -82,7 +82,7 @@ class Memory:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the figures as plain values."""
-        categories = [one.to_dict() for one in self.categories]
+        categories = [category.to_dict() for category in self.categories]
         return {"target": self.target, "total": self.total.to_dict(), "categories": categories}
 
 

@@ -163,7 +163,7 @@ def measure_file(
     Unreadable
         The file breaks a rule of structure.
     """
-    wanted = {one: PRESETS[one] for one in presets}
+    wanted = {preset: PRESETS[preset] for preset in presets}
     with AudioFile(path, name=name) as file:
         measurements = file.measurements.to_dict()
         judged, failed = make_judgements(judgements.names(), file, kind)
@@ -322,7 +322,7 @@ def _judge(
         found.append(_unlisted())
     findings = [one for one in (graded(finding, spec) for finding in found) if one is not None]
     findings = as_listed(findings, file.name, task.cue)
-    verdict: Verdict = "rejected" if any(one.severity == "error" for one in findings) else "conforming"
+    verdict: Verdict = "rejected" if any(finding.severity == "error" for finding in findings) else "conforming"
     findings = [*crashed, *findings]
     return FileReport(
         path=shown,

@@ -43,9 +43,9 @@ def set_findings(files: Sequence[JudgedFile]) -> list[tuple[Finding, ...]]:
 
 def offset_from_set_lu(files: Sequence[JudgedFile]) -> list[float | None]:
     """Return how much louder each file of one cue is than its other variations, in LU; None where it is not known."""
-    readable = [one for one in files if one.was_read]
+    readable = [file for file in files if file.was_read]
     off = iter(variation_set.offset_from_set_lu(readable))
-    return [next(off) if one.was_read else None for one in files]
+    return [next(off) if file.was_read else None for file in files]
 
 
 def _graded(findings: Sequence[Finding], spec: DeliverySpec) -> Iterator[Finding]:

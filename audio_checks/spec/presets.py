@@ -139,8 +139,11 @@ def new_spec(preset: str = "44k1", *, name: str = "New project", targets: Sequen
     """
     if preset not in PRESETS:
         raise ValueError(f"no preset {preset!r}; presets: {', '.join(PRESETS)}")
-    if unknown := [one for one in targets if one not in target_presets.TARGET_PRESETS]:
+    if unknown := [target for target in targets if target not in target_presets.TARGET_PRESETS]:
         raise ValueError(f"no target {unknown[0]!r}; targets: {', '.join(target_presets.TARGET_PRESETS)}")
-    made = "\n".join(target_presets.TARGET_PRESETS[one].to_toml() for one in dict.fromkeys(targets)) or _TARGETS[preset]
+    made = (
+        "\n".join(target_presets.TARGET_PRESETS[fromkey].to_toml() for fromkey in dict.fromkeys(targets))
+        or _TARGETS[preset]
+    )
     quoted = json.dumps(name, ensure_ascii=False).replace("\x7f", "\\u007f")
     return _TEXT.format(name=quoted, accept=_ACCEPT[preset], targets=made)

@@ -11,8 +11,8 @@ from typing import NamedTuple
 from audio_checks.errors import Unreadable
 from audio_checks.system.plural import counted, verb
 from audio_checks.wav.files import shrunk
+from audio_checks.wav.header_warnings import EXPORT_AGAIN, of_format
 from audio_checks.wav.layout import AMBISONIC_TAIL, EXTENSIBLE, FLOAT, GUID_TAIL, PCM, Chunk, StructureWarning
-from audio_checks.wav.oddities import EXPORT_AGAIN, of_format
 from audio_checks.wav.other_containers import CODECS, EXPORT_WAV
 
 MAX_CHANNELS = 1_024  # also libsndfile's

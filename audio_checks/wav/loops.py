@@ -6,8 +6,8 @@ import struct
 from typing import Literal, NamedTuple
 
 from audio_checks.system.plural import counted
+from audio_checks.wav.header_warnings import EXPORT_AGAIN
 from audio_checks.wav.layout import SampleLoop, StructureWarning
-from audio_checks.wav.oddities import EXPORT_AGAIN
 
 HEADER_BYTES, LOOP_BYTES, MAX_LOOPS = 36, 24, 1_024
 MOST_BYTES = HEADER_BYTES + LOOP_BYTES * MAX_LOOPS

@@ -12,9 +12,10 @@ from typing import BinaryIO, Literal
 
 from audio_checks.errors import Unreadable
 from audio_checks.system.plural import verb
-from audio_checks.wav import oddities
+from audio_checks.wav import header_warnings
 from audio_checks.wav.files import read_up_to
 from audio_checks.wav.format_chunk import read_format
+from audio_checks.wav.header_warnings import EXPORT_AGAIN, Sizes64
 from audio_checks.wav.layout import (
     PCM,
     STREAM_SIZE,
@@ -23,7 +24,6 @@ from audio_checks.wav.layout import (
     WavLayout,
 )
 from audio_checks.wav.loops import MOST_BYTES, Loops, read_loops
-from audio_checks.wav.oddities import EXPORT_AGAIN, Sizes64
 from audio_checks.wav.other_containers import EXPORT_WAV, OTHER_CONTAINERS
 
 MAX_CHUNKS = 10_000
@@ -103,7 +103,7 @@ class _Reading:
             raise Unreadable(
                 "the file holds no sound: its data chunk is empty", "R6", "structure:no-frames", EXPORT_AGAIN
             )
-        counted, ds64_counts = oddities.of_counts(self.read, chunks, frames, sizes64)
+        counted, ds64_counts = header_warnings.frame_count_warnings(self.read, chunks, frames, sizes64)
         if sizes64 and ds64_counts and sizes64.frames not in (0, frames):
             raise Unreadable(
                 f"the ds64 chunk counts {sizes64.frames} frames, but the data chunk holds {frames}",
@@ -114,8 +114,8 @@ class _Reading:
         self.warnings += counted
         if sizes64:
             declared_data_size = int.from_bytes(self.read(data.offset - 4, 4), "little")
-            self.warnings += oddities.of_sizes(declared_riff_size, declared_data_size, sizes64)
-        self.warnings += oddities.of_padding(self.read, chunks, self.size)
+            self.warnings += header_warnings.of_sizes(declared_riff_size, declared_data_size, sizes64)
+        self.warnings += header_warnings.of_padding(self.read, chunks, self.size)
         loops = self.loops(chunks, frames)
         self.warnings += loops.warnings
         return WavLayout(

@@ -63,10 +63,12 @@ def wwise_plants(project: Path) -> Iterator[Plant]:
         for element in root.iter():
             id_ = element.get("ID", "")
             if element.tag in HOLDERS:
-                moved = [sounds[one] for one in sounds if id_ in above[one]]
+                moved = [sounds[sound] for sound in sounds if id_ in above[sound]]
                 name = "Volume"
             elif element.tag == "Bus":
-                moved = [sounds[one] for one in sounds if bus_of[one] and id_ in list(_above(bus_of[one], parent))]
+                moved = [
+                    sounds[sound] for sound in sounds if bus_of[sound] and id_ in list(_above(bus_of[sound], parent))
+                ]
                 name = "BusVolume"
             else:
                 continue

@@ -25,13 +25,13 @@ def write_unity(root: Path, sounds: int, gains: Gains) -> Path:
     mixer = _hex("mixer")
     buses = range(-(-sounds // IN_BUS))
     groups = range(-(-sounds // IN_CONTAINER))
-    holds = {100 + bus: [1_000 + one for one in groups if one * IN_CONTAINER // IN_BUS == bus] for bus in buses}
+    holds = {100 + bus: [1_000 + group for group in groups if group * IN_CONTAINER // IN_BUS == bus] for bus in buses}
     text = (
         f"{YAML}--- !u!241 &1\nAudioMixerController:\n  m_Name: main\n  m_OutputGroup: {{fileID: 0}}\n"
         "  m_MasterGroup: {fileID: 50}\n  m_StartSnapshot: {fileID: 60}\n  m_ExposedParameters: []\n"
         + _group(50, "Master", list(holds))
         + "".join(_group(id_, f"bus_{id_ - 100}", children) for id_, children in holds.items())
-        + "".join(_group(1_000 + one, f"group_{one}", []) for one in groups)
+        + "".join(_group(1_000 + group, f"group_{group}", []) for group in groups)
         + "--- !u!245 &60\nAudioMixerSnapshotController:\n  m_Name: Snapshot\n  m_FloatValues:\n"
     )
     for level, base, count in (("master", 50, 1), ("bus", 100, len(buses)), ("group", 1_000, len(groups))):

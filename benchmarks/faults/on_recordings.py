@@ -76,7 +76,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "sound.wav")
         for number, (_, _, is_coded, samples, rate) in enumerate(sounds):
-            flagged.update({one.check for one in findings_in(write_wav(path, samples, rate=rate))})
+            flagged.update({finding.check for finding in findings_in(write_wav(path, samples, rate=rate))})
             for place, fault in enumerate(FAULTS):
                 if (fault.check, fault.name) in BEYOND:
                     continue

@@ -142,7 +142,7 @@ def test_jobs_that_are_done_are_not_read_to_report_the_others(server: RunningSer
     """They are kept for a month: only an index that holds none of them will do."""
     jobs, engine, studio_id = server.runtime.queue, server.runtime.database.engine, made.project_id
     with heard(engine) as statements:
-        jobs.counts(), jobs.lanes(studio_id), jobs.in_hand()
+        jobs.counts(), jobs.lanes(studio_id), jobs.running_jobs_by_worker()
         jobs.unfinished(limit=50), jobs.unfinished(studio_id=studio_id, state="parked", after=(1, "x"))
     with planning(engine) as connection:
         plans = [plan_of(connection, each) for each in statements if "workflow_status" in each[0]]

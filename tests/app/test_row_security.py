@@ -11,8 +11,8 @@ from psycopg import sql
 from sqlalchemy.orm import Session
 
 from app import tables  # noqa: F401
-from app.core.db import Base, Database, UtcDateTime, bypass_row_policies, new_id, widen_reach
-from app.core.reach import NOBODY, Reach
+from app.core.access_scope import NOBODY, AccessScope
+from app.core.db import Base, Database, UtcDateTime, bypass_row_policies, new_id, set_access_scope
 from app.migrate import migrate
 from app.row_security import (
     ADD_ONLY,
@@ -44,9 +44,9 @@ HERE, THERE = new_id(), new_id()  # two studios
 PROJECTS = {HERE: (new_id(), new_id()), THERE: (new_id(),)}
 MEMBER, DESIGNER, ELSEWHERE = new_id(), new_id(), new_id()
 READERS = {
-    "a member": Reach(person_id=MEMBER),
-    "an engaged designer": Reach(person_id=DESIGNER),
-    "a build": Reach(project_id=PROJECTS[HERE][0]),
+    "a member": AccessScope(person_id=MEMBER),
+    "an engaged designer": AccessScope(person_id=DESIGNER),
+    "a build": AccessScope(project_id=PROJECTS[HERE][0]),
 }
 
 
@@ -131,9 +131,9 @@ def test_nobody_sees_another_studio(database: Database, name: str):
     for who, reach in READERS.items():
         with database.reading(reach) as session:
             assert seen(session, name) <= {HERE}, who
-    with database.reading(Reach(person_id=MEMBER)) as session:
+    with database.reading(AccessScope(person_id=MEMBER)) as session:
         assert seen(session, name) == {HERE}
-    with database.reading(Reach(person_id=ELSEWHERE)) as session:
+    with database.reading(AccessScope(person_id=ELSEWHERE)) as session:
         assert seen(session, name) == {THERE}
 
 
@@ -143,10 +143,10 @@ def test_nobody_sees_another_studio(database: Database, name: str):
 def test_designers_and_builds_see_their_project_alone(database: Database, name: str):
     table = Base.metadata.tables[name]
     one, other = PROJECTS[HERE]
-    with database.reading(Reach(person_id=MEMBER)) as session:
+    with database.reading(AccessScope(person_id=MEMBER)) as session:
         if "project_id" in table.columns:
             assert projects_seen(session, name) == {one, other}
-    for reach in (Reach(person_id=DESIGNER), Reach(project_id=one)):
+    for reach in (AccessScope(person_id=DESIGNER), AccessScope(project_id=one)):
         with database.reading(reach) as session:
             if "project_id" in table.columns or name == "projects_projects":
                 assert projects_seen(session, name) == {one}
@@ -158,16 +158,16 @@ def test_designers_and_builds_see_their_project_alone(database: Database, name: 
 def test_designers_read_playlists_of_their_project_and_the_team_alone_writes_them(database: Database, name: str):
     table = Base.metadata.tables[name]
     one = PROJECTS[HERE][0]
-    with database.reading(Reach(person_id=DESIGNER)) as session:
+    with database.reading(AccessScope(person_id=DESIGNER)) as session:
         assert projects_seen(session, name) == {one}
-    with database.reading(Reach(project_id=one)) as session:
+    with database.reading(AccessScope(project_id=one)) as session:
         assert projects_seen(session, name) == set(), "no build reads them"
     for person, rows in ((DESIGNER, 0), (MEMBER, 2)):
-        with database.writing(Reach(person_id=person)) as session:
+        with database.writing(AccessScope(person_id=person)) as session:
             assert session.execute(sa.update(table).values(studio_id=HERE)).rowcount == rows
     with (
         pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
-        database.writing(Reach(person_id=DESIGNER)) as session,
+        database.writing(AccessScope(person_id=DESIGNER)) as session,
     ):
         session.execute(sa.insert(table).values(row_of(table, HERE, one)))
 
@@ -175,14 +175,14 @@ def test_designers_read_playlists_of_their_project_and_the_team_alone_writes_the
 def test_where_a_designer_stopped_in_a_playlist_is_their_own(database: Database):
     table = Base.metadata.tables["shares_playlist_positions"]
     one, other = PROJECTS[HERE]
-    with database.writing(Reach(person_id=DESIGNER)) as session:
+    with database.writing(AccessScope(person_id=DESIGNER)) as session:
         session.execute(sa.insert(table).values(row_of(table, HERE, one) | {"person_id": DESIGNER}))
         assert set(session.scalars(sa.select(table.c.person_id))) == {DESIGNER}
         session.rollback()
     for wrong in ({"person_id": new_id()}, {"person_id": DESIGNER, "project_id": other}):
         with (
             pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
-            database.writing(Reach(person_id=DESIGNER)) as session,
+            database.writing(AccessScope(person_id=DESIGNER)) as session,
         ):
             session.execute(sa.insert(table).values(row_of(table, HERE, one) | wrong))
 
@@ -197,28 +197,28 @@ def test_the_team_shares_views_of_the_review_queue_alone(database: Database):
     }
     with database.writing() as session:
         session.execute(sa.insert(table), list(views.values()))
-    with database.reading(Reach(person_id=MEMBER)) as session:
+    with database.reading(AccessScope(person_id=MEMBER)) as session:
         pages = session.execute(sa.select(table.c.page, table.c.person_id)).all()
         lists = [person for page, person in pages if page is not ViewedPage.REVIEW_QUEUE]
     assert lists == [MEMBER]
     with database.writing() as session:
-        session.execute(sa.delete(table).where(table.c.id.in_([one["id"] for one in views.values()])))
+        session.execute(sa.delete(table).where(table.c.id.in_([view["id"] for view in views.values()])))
 
 
 @pytest.mark.parametrize("name", sorted(CONFIDENTIAL))
 def test_bids_and_scores_are_seen_by_their_parties_alone(database: Database, name: str):
     table = Base.metadata.tables[name]
     rows_seen, all_rows = (projects_seen, set(PROJECTS[HERE])) if "project_id" in table.columns else (seen, {HERE})
-    with database.reading(Reach(person_id=MEMBER)) as session:
+    with database.reading(AccessScope(person_id=MEMBER)) as session:
         assert rows_seen(session, name) == all_rows
-    for reach in (Reach(person_id=DESIGNER), Reach(project_id=PROJECTS[HERE][0])):
+    for reach in (AccessScope(person_id=DESIGNER), AccessScope(project_id=PROJECTS[HERE][0])):
         with database.reading(reach) as session:
             assert rows_seen(session, name) == set()
     if "designer_id" in table.columns:
         own = row_of(table, HERE, PROJECTS[HERE][0]) | {"designer_id": DESIGNER}
         with database.writing() as session:
             session.execute(sa.insert(table).values(own))
-        with database.reading(Reach(person_id=DESIGNER)) as session:
+        with database.reading(AccessScope(person_id=DESIGNER)) as session:
             assert session.scalars(sa.select(table.columns["designer_id"])).all() == [DESIGNER]
         with database.writing() as session:
             session.execute(sa.delete(table).where(table.columns["id"] == own["id"]))
@@ -226,7 +226,7 @@ def test_bids_and_scores_are_seen_by_their_parties_alone(database: Database, nam
 
 @pytest.mark.parametrize("name", sorted(PERSONAL))
 def test_what_is_personal_is_seen_by_its_person(database: Database, name: str):
-    with database.reading(Reach(person_id=MEMBER)) as session:
+    with database.reading(AccessScope(person_id=MEMBER)) as session:
         assert seen(session, name) == {MEMBER}
 
 
@@ -234,7 +234,7 @@ def test_what_is_personal_is_seen_by_its_person(database: Database, name: str):
 def test_nobody_writes_into_another_studio(database: Database, name: str):
     table = Base.metadata.tables[name]
     studio = table.columns["id" if name == "accounts_studios" else "studio_id"]
-    with database.writing(Reach(person_id=MEMBER)) as session:
+    with database.writing(AccessScope(person_id=MEMBER)) as session:
         for statement in (sa.update(table).values({studio.name: HERE}), sa.delete(table)):
             if name in NEVER_ALTERED | READ_ONLY:
                 continue  # the next test
@@ -246,7 +246,7 @@ def test_nobody_writes_into_another_studio(database: Database, name: str):
     why = "permission denied" if name in READ_ONLY else "row-level security"
     with (
         pytest.raises(sa.exc.ProgrammingError, match=why),
-        database.writing(Reach(person_id=MEMBER)) as session,
+        database.writing(AccessScope(person_id=MEMBER)) as session,
     ):
         session.execute(sa.insert(table).values(row))
 
@@ -262,17 +262,17 @@ def test_a_designer_writes_no_other_designers_rows(database: Database, name: str
     with database.writing() as session:
         session.execute(sa.insert(table).values(row))
     try:
-        with database.writing(Reach(person_id=DESIGNER)) as session:
+        with database.writing(AccessScope(person_id=DESIGNER)) as session:
             others = session.scalar(sa.select(sa.func.count()).select_from(table).where(of_another))
             assert bool(others) == (name not in CONFIDENTIAL)
             assert session.execute(sa.update(table).values(studio_id=HERE).where(of_another)).rowcount == 0
             assert session.execute(sa.delete(table).where(of_another)).rowcount == 0
         with (
             pytest.raises(sa.exc.ProgrammingError, match="row-level security"),
-            database.writing(Reach(person_id=DESIGNER)) as session,
+            database.writing(AccessScope(person_id=DESIGNER)) as session,
         ):
             session.execute(sa.insert(table).values(row_of(table, HERE, PROJECTS[HERE][0]) | {"designer_id": new_id()}))
-        with database.writing(Reach(person_id=MEMBER)) as session:
+        with database.writing(AccessScope(person_id=MEMBER)) as session:
             assert session.execute(sa.update(table).values(studio_id=HERE).where(of_another)).rowcount >= 1
     finally:
         with database.writing() as session:
@@ -284,7 +284,11 @@ def test_nobody_writes_another_persons_account(database: Database):
     with database.writing() as session:
         for person_id in (MEMBER, DESIGNER):
             session.execute(sa.insert(people).values(row_of(people, HERE, new_id()) | {"id": person_id}))
-    for reach, own in ((Reach(person_id=DESIGNER), 1), (NOBODY, 0), (Reach(project_id=PROJECTS[HERE][0]), 0)):
+    for reach, own in (
+        (AccessScope(person_id=DESIGNER), 1),
+        (NOBODY, 0),
+        (AccessScope(project_id=PROJECTS[HERE][0]), 0),
+    ):
         with database.writing(reach) as session:
             assert session.scalar(sa.select(sa.func.count()).select_from(people)) >= 2, "anyone may be invited"
             assert session.execute(sa.update(people).values(name="taken over")).rowcount == own
@@ -300,7 +304,7 @@ def test_what_was_said_is_not_altered_even_by_its_own(database: Database, name: 
     for statement in (sa.update(table).values({owner: own}), sa.delete(table)):
         with (
             pytest.raises(sa.exc.ProgrammingError, match="permission denied"),
-            database.writing(Reach(person_id=MEMBER)) as session,
+            database.writing(AccessScope(person_id=MEMBER)) as session,
         ):
             session.execute(statement.where(table.columns[owner] == own))
 
@@ -315,7 +319,7 @@ def test_the_servers_own_tables_are_closed_to_requests(database: Database):
     ):
         with (
             pytest.raises(sa.exc.ProgrammingError, match="permission denied"),
-            database.reading(Reach(person_id=MEMBER)) as session,
+            database.reading(AccessScope(person_id=MEMBER)) as session,
         ):
             session.execute(sa.select(sa.literal(1)).select_from(sa.table(name, schema=schema)))
 
@@ -323,7 +327,7 @@ def test_the_servers_own_tables_are_closed_to_requests(database: Database):
 def test_reach_is_widened_only_for_the_named_caller(database: Database):
     with database.reading(NOBODY) as session:
         assert seen(session, "projects_projects") == set()
-        widen_reach(session, Reach(person_id=ELSEWHERE))
+        set_access_scope(session, AccessScope(person_id=ELSEWHERE))
         assert seen(session, "projects_projects") == {THERE}
         with bypass_row_policies(session):
             assert seen(session, "projects_projects") == {HERE, THERE}
@@ -335,7 +339,7 @@ def test_reach_is_widened_only_for_the_named_caller(database: Database):
 def test_who_joins_a_studio_sees_it_at_once(database: Database):
     newcomer = new_id()
     memberships = Base.metadata.tables["accounts_memberships"]
-    with database.writing(Reach(person_id=newcomer)) as session:
+    with database.writing(AccessScope(person_id=newcomer)) as session:
         assert seen(session, "projects_projects") == set()
         with bypass_row_policies(session):
             session.execute(
@@ -350,7 +354,7 @@ def test_statements_stay_prepared_when_a_request_has_only_read(database: Databas
     prepared = sa.text("select count(*) from pg_prepared_statements where statement = :statement")
     kept = []
     for _ in range(4):  # psycopg prepares what it sends again; the connection used last is used next
-        with database.reading(Reach(person_id=MEMBER)) as session:
+        with database.reading(AccessScope(person_id=MEMBER)) as session:
             session.execute(described)
             kept.append(session.scalar(prepared, {"statement": str(described)}))
     assert kept == [0, 1, 1, 1]
@@ -359,7 +363,7 @@ def test_statements_stay_prepared_when_a_request_has_only_read(database: Databas
 def test_a_reading_request_changes_nothing(database: Database):
     with (
         pytest.raises(sa.exc.DBAPIError, match="read-only transaction"),
-        database.reading(Reach(person_id=MEMBER)) as session,
+        database.reading(AccessScope(person_id=MEMBER)) as session,
     ):
         session.execute(sa.delete(Base.metadata.tables["projects_projects"]))
 

@@ -16,7 +16,11 @@ HEARD = ("get_preview", "get_peaks", "get_spectrum")
 
 def of_another() -> list[Operation]:
     """Return what reads an object that one designer made."""
-    return [one for one in operations() if set(one.parameters) & ONE_DESIGNERS and one.method == "GET"]
+    return [
+        operation
+        for operation in operations()
+        if set(operation.parameters) & ONE_DESIGNERS and operation.method == "GET"
+    ]
 
 
 @pytest.fixture(scope="module")

@@ -440,7 +440,7 @@ def every_route(target: Target) -> Iterator[int]:
     }
     people = (world.producer, world.reviewer, world.designer, world.stranger, world.nobody)
     requests = hostile_requests(
-        target.numbers.getrandbits(32), [one for one in operations() if one.name not in ENDS], ids
+        target.numbers.getrandbits(32), [operation for operation in operations() if operation.name not in ENDS], ids
     )
     for request in itertools.islice(requests, HOSTILE_REQUESTS):
         person = target.numbers.choice(people)

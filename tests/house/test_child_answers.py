@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from structlog.testing import capture_logs
 
-from app import rooms
+from app import registry
 from app.accounts.pictures.drawing import draw_square
 from app.agreements.clauses.template_files import parse_toml
 from app.conformance import fixing
@@ -30,8 +30,8 @@ from audio_checks import (
     ensure_declared,
     export_master,
     fingerprint_files,
-    known_sound,
     parse_spec,
+    sound_signature,
 )
 from audio_checks.audio.flac import unpack
 from audio_checks.audio.sandbox import returned_type
@@ -39,7 +39,7 @@ from audio_checks.audit.fingerprinted import decode
 
 DOORS: tuple[Callable[..., Any], ...] = (
     check_file, decode, draw_square, drawing.draw, drawing.prepare, export_master, fingerprint_files, fixing.fix,
-    known_sound, parse_bytes, parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes,
+    sound_signature, parse_bytes, parse_spec, parse_text, parse_toml, reel_sound.make_reel, compare_reverb_of_takes,
     timbre.measure, draw_previews, typesetting.compile_pdf, unpack, listening.compare, listening.measure_preview,
     listening.prepare_part, read_said,
 )  # fmt: skip
@@ -66,8 +66,8 @@ def inside(wanted: Any) -> Iterator[Any]:
         arguments = list(typing.get_type_hints(wanted).values())
     if not arguments:
         yield wanted
-    for one in arguments:
-        yield from inside(one)
+    for argument in arguments:
+        yield from inside(argument)
 
 
 @pytest.mark.parametrize("function", DOORS, ids=lambda function: function.__qualname__)
@@ -130,7 +130,7 @@ class Unreadable(Invalid):
 @pytest.mark.slow
 def test_a_parser_that_lies_is_refused_and_recorded_as_the_childs_fault():
     parsers = Parsers()
-    parsers.connect((*rooms.PARSERS, __name__))
+    parsers.connect((*registry.PARSERS, __name__))
     try:
         with capture_logs() as lines, pytest.raises(Unreadable, match="this is damaged"):
             parsers.call(lie_to_parsers, "text", refusal=Unreadable)

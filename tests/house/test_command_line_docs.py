@@ -36,8 +36,8 @@ def test_there_are_such_commands():
 
 
 def flags():
-    (group,) = [one for one in parser_of()._actions if isinstance(one, argparse._SubParsersAction)]
-    return {flag for command in group.choices.values() for one in command._actions for flag in one.option_strings}
+    (group,) = [action for action in parser_of()._actions if isinstance(action, argparse._SubParsersAction)]
+    return {flag for command in group.choices.values() for action in command._actions for flag in action.option_strings}
 
 
 def test_every_flag_that_the_guide_names_is_one():
@@ -46,8 +46,10 @@ def test_every_flag_that_the_guide_names_is_one():
 
 
 def test_every_flag_of_check_every_command_and_every_format_stands_in_the_guide():
-    (group,) = [one for one in parser_of()._actions if isinstance(one, argparse._SubParsersAction)]
-    of_check = {one.option_strings[-1] for one in group.choices["check"]._actions if one.option_strings} - {"--help"}
+    (group,) = [action for action in parser_of()._actions if isinstance(action, argparse._SubParsersAction)]
+    of_check = {action.option_strings[-1] for action in group.choices["check"]._actions if action.option_strings} - {
+        "--help"
+    }
     missing = {flag for flag in of_check if flag not in GUIDE and flag != "--jobs"}
     assert missing == set()
     assert all(f"`{name}`" in GUIDE for name in (*COMMANDS, *reporters.formats()))

@@ -133,9 +133,9 @@ class TestInstalling:
     def test_every_dependency_has_its_hashes(self):
         text = (ROOT / "integrations/requirements.txt").read_text()
         entries = re.split(r"^(?=[a-z])", text, flags=re.MULTILINE)[1:]
-        assert all("--hash=sha256:" in one for one in entries)
+        assert all("--hash=sha256:" in entry for entry in entries)
         needed = [re.match(r"[a-z]+", one)[0] for one in PROJECT["project"]["dependencies"]]
-        assert {one.partition("==")[0] for one in entries} >= {*needed, "setuptools"}
+        assert {entry.partition("==")[0] for entry in entries} >= {*needed, "setuptools"}
 
     def test_their_versions_are_those_that_are_tested(self):
         packages = tomllib.loads((ROOT / "uv.lock").read_text())["package"]

@@ -19,7 +19,7 @@ from httpx import Response
 from sqlalchemy import delete, update
 from sqlalchemy.orm import Session
 
-from app import rooms
+from app import registry
 from app.accounts.models import Membership, SignIn
 from app.accounts.rules import Audience, Scope
 from app.core import clock
@@ -85,7 +85,11 @@ IsRight = Callable[[Operation, Response], bool]
 
 def those(wanted: Callable[[Operation], object]) -> list[Operation]:
     """Return the operations of that sort, of all but those that ask for no credential."""
-    return [one for one in operations() if one.policy.audience is not Audience.ANYONE and wanted(one)]
+    return [
+        operation
+        for operation in operations()
+        if operation.policy.audience is not Audience.ANYONE and wanted(operation)
+    ]
 
 
 class SharedHouse(House):
@@ -149,7 +153,7 @@ def house(server: RunningServer) -> SharedHouse:
 
 
 def test_every_endpoint_declares_its_policy() -> None:
-    routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
+    routes = [route for router in registry.ROUTERS for route in api_routes(router.routes)]
     assert len(routes) > 80
     assert [route.name for route in routes if policy_of(route) is None] == []
 
@@ -166,7 +170,7 @@ def test_an_endpoint_without_policy_would_be_named() -> None:
 
 
 def test_every_endpoint_is_in_the_document_under_a_name_of_its_own() -> None:
-    named = Counter(route.name for router in rooms.ROUTERS for route in api_routes(router.routes))
+    named = Counter(route.name for router in registry.ROUTERS for route in api_routes(router.routes))
     documented = Counter(said["operationId"] for path in document()["paths"].values() for said in path.values())
     assert named == documented
     assert [name for name, times in named.items() if times > 1] == []

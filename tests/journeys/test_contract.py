@@ -154,12 +154,12 @@ def verify(parties: Parties, server: RunningServer) -> None:
     assert read["faults"] == []
     assert read == parties.studio.ask("GET", address)
     payloads = [entry["payload"] for entry in read["entries"] if entry["kind"] == "paid"]
-    reported = [json.loads(one) if isinstance(one, str) else one for one in payloads]
+    reported = [json.loads(payload) if isinstance(payload, str) else payload for payload in payloads]
     assert sum(one["amount_minor"] for one in reported) == parties.figures()["paid_minor"]
     kinds = {entry["kind"] for entry in read["entries"]}
     assert {"sent", "agreed", "planned", "accepted", "due", "cut", "round_proposed", "invoiced", "paid"} <= kinds
 
     def faults(session: Any) -> list[str]:
-        return list(record.faults_of(session, session.get_one(Contract, UUID(parties.contract))))
+        return list(record.validation_errors(session, session.get_one(Contract, UUID(parties.contract))))
 
     assert server.in_database(faults) == []

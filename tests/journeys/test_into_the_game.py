@@ -248,7 +248,7 @@ def put_right(studio: Studio, louder: dict[str, Any]) -> None:
     assert (now["heard"], now["people"], [one["is_done"] for one in now["notes"]]) == (1, 1, [True])
     states = studio.states()
     assert (states["in_build"], states["heard"], states["never_heard"]) == (cues - game.unplayed, 1, cues - 1)
-    assert cue["cue"]["id"] not in [one["cue"]["id"] for one in states["unheard"]]
+    assert cue["cue"]["id"] not in [state["cue"]["id"] for state in states["unheard"]]
     assert len(states["unheard"]) == cues - 1
 
 

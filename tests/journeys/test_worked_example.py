@@ -79,7 +79,9 @@ class Story:
         designer.look()
         designer.accept()
         engagements = self.producer.ask("GET", self.path)["engagements"]
-        return designer, next(one["id"] for one in engagements if one["designer"]["id"] == designer_id(designer))
+        return designer, next(
+            engagement["id"] for engagement in engagements if engagement["designer"]["id"] == designer_id(designer)
+        )
 
     def begin(self, engagement_id: str, title: str, stands: set[str], **terms: Any) -> "Agreement":
         """Begin a draft with clauses that stand and values for what they leave open."""

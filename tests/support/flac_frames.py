@@ -44,13 +44,13 @@ def constant(samples: Whole, bits: int) -> Iterator[tuple[int, int]]:
 def verbatim(samples: Whole, bits: int) -> Iterator[tuple[int, int]]:
     """The samples as they are."""
     yield (1 << 1, 8)
-    yield from ((int(one), bits) for one in samples)
+    yield from ((int(sample), bits) for sample in samples)
 
 
 def fixed(samples: Whole, bits: int, *, order: int, **coding: int) -> Iterator[tuple[int, int]]:
     """A fixed predictor, and what it is off by."""
     yield (8 + order << 1, 8)
-    yield from ((int(one), bits) for one in samples[:order])
+    yield from ((int(sample), bits) for sample in samples[:order])
     yield from residual(np.diff(samples, n=order), order, len(samples), **coding)
 
 
@@ -60,8 +60,8 @@ def linear(
     """A linear predictor with coefficients of 15 bits, the nearest sample first, and what it is off by."""
     order = len(coefficients)
     yield (31 + order << 1, 8)
-    yield from ((int(one), bits) for one in samples[:order])
-    yield from ((14, 4), (shift, 5), *((one, 15) for one in coefficients))
+    yield from ((int(sample), bits) for sample in samples[:order])
+    yield from ((14, 4), (shift, 5), *((coefficient, 15) for coefficient in coefficients))
     predicted = [
         sum(weight * int(samples[place - 1 - tap]) for tap, weight in enumerate(coefficients)) >> shift
         for place in range(order, len(samples))
@@ -88,8 +88,8 @@ def residual(
             yield from (((1 << width) - 1, width), (raw, 5), *((one, raw) for one in values))
             continue
         yield (parameter, width)
-        for one in values:
-            folded = 2 * one if one >= 0 else -2 * one - 1
+        for value in values:
+            folded = 2 * value if value >= 0 else -2 * value - 1
             yield (1, (folded >> parameter) + 1)
             yield (folded, parameter)
 
@@ -150,7 +150,7 @@ def all_kinds(bits: int) -> bytes:
         plain = partial(fixed, order=order, parts=order % 3)
         kinds.append((tone(), LEFT_SIDE + order % 3, [plain, partial(fixed, order=order, five=1, parameter=0)]))
     for order in range(1, 33):
-        coefficients = [2**12, *(int(one) for one in rng.integers(-40, 40, order - 1))]
+        coefficients = [2**12, *(int(integer) for integer in rng.integers(-40, 40, order - 1))]
         some = partial(linear, coefficients=coefficients, shift=12, parts=order % 2, parameter=4)
         kinds.append((tone(96), LEFT_SIDE + order % 3, [some, some]))
     escaped = partial(fixed, order=1, parts=1, raw=bits + 2)

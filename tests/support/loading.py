@@ -12,7 +12,7 @@ CODE = """(lambda before, call: (call(), sorted(set(__import__("sys").modules) -
 
 def modules_loaded(sandbox: Sandbox, module: str, name: str, *arguments: Any, **options: Any) -> list[str]:
     """Return the modules that a child loads to call a function with arguments that can be written down."""
-    given = [repr(one) for one in arguments] + [f"{key}={value!r}" for key, value in options.items()]
+    given = [repr(argument) for argument in arguments] + [f"{key}={value!r}" for key, value in options.items()]
     code = CODE.format(module=module, name=name, given=", ".join(given)).replace("\n", " ")
     with sandbox.child(reads=[arguments[0]], writes=arguments[1:]) as child:
         return list(child.call(eval, code))

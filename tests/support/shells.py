@@ -43,7 +43,7 @@ def offered_by_fish(script: Path, line: str) -> set[str]:
     environment = os.environ | {"HOME": str(script.parent)}
     ask = f"source {script}; complete -C '{line}'"
     shown = run("fish", ask, "--no-config", folder=script.parent, environment=environment)
-    return {one.partition("\t")[0] for one in shown.splitlines()}
+    return {splitline.partition("\t")[0] for splitline in shown.splitlines()}
 
 
 @contextmanager

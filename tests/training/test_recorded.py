@@ -45,7 +45,7 @@ def test_the_hash_of_its_name_reserves_a_repository():
 
 @pytest.mark.usefixtures("folder")
 def test_dry_is_what_is_stated_so_or_falls_fast():
-    found = {one.folder: one for one in recorded.recordings()}
+    found = {recording.folder: recording for recording in recorded.recordings()}
     assert set(found) == {"game/a", "pairs/muldjordkit/close"}
     np.testing.assert_allclose(found["game/a"].samples, dying(0.2), atol=1e-6)
     assert {one.folder: one.kind for one in found.values()} == {
@@ -56,7 +56,7 @@ def test_dry_is_what_is_stated_so_or_falls_fast():
 
 @pytest.mark.usefixtures("folder")
 def test_room_microphones_are_apart():
-    assert [one.folder for one in recorded.recordings(in_a_room=True)] == ["pairs/muldjordkit/ambience_L"]
+    assert [recording.folder for recording in recorded.recordings(in_a_room=True)] == ["pairs/muldjordkit/ambience_L"]
 
 
 def test_a_measured_room_loses_its_direct_sound_and_keeps_its_decay_time(tmp_path, monkeypatch):

@@ -45,7 +45,7 @@ def calendar_of(session: Session, studio_id: UUID) -> CalendarRead:
     """Return a studio's calendar, without a check of the caller."""
     return CalendarRead(
         time_zone=session.get_one(Studio, studio_id).time_zone,
-        holidays=[HolidayRead.model_validate(one) for one in holidays_of(session, {studio_id})],
+        holidays=[HolidayRead.model_validate(holiday) for holiday in holidays_of(session, {studio_id})],
     )
 
 

@@ -27,8 +27,8 @@ from app.accounts.web.request_limits import (
     ensure_within_limits,
     network_of,
 )
-from app.core.db import widen_reach
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
+from app.core.db import set_access_scope
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.core.web.idempotency import UNSAVED
 
@@ -101,7 +101,7 @@ def sign_in_with_passkey(
     ensure_within_limits(request, (rate_limits.SIGN_INS_FROM_NETWORK, network_of(request)))
     with begin() as session:
         person_id = passkeys.person_with_passkey(session, runtime.settings, body.credential)
-        widen_reach(session, Reach(person_id=person_id))
+        set_access_scope(session, AccessScope(person_id=person_id))
         person = session.get_one(Person, person_id)
         sign_in_browser(session, runtime.settings, request, response, person)
     return person

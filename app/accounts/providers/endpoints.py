@@ -44,8 +44,8 @@ from app.accounts.web.request_limits import (
     ensure_within_limits,
     network_of,
 )
-from app.core.db import widen_reach
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
+from app.core.db import set_access_scope
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.core.web.idempotency import UNSAVED
 
@@ -195,7 +195,7 @@ def give_provider_sign_in_code(
     person_id, vouching_id, next_path = provider_sign_ins.person_to_code(settings, request.cookies.get(COOKIE, ""))
     ensure_second_factor_allowed(request, str(person_id))
     with begin() as session:
-        widen_reach(session, Reach(person_id=person_id))
+        set_access_scope(session, AccessScope(person_id=person_id))
         second_factors.ensure_right_code(session, settings, person_id, body.code)
         person = session.get_one(Person, person_id)
         sign_in_browser(session, settings, request, response, person, second_factor_studio_id=vouching_id)

@@ -33,9 +33,9 @@ from app.accounts.providers.service import JSON_ONLY, client_secret_of, redirect
 from app.accounts.rules import AddressProof
 from app.accounts.second_factors import queries as second_factor_queries
 from app.core import clock, outgoing
-from app.core.db import bypass_row_policies, widen_reach
+from app.core.access_scope import AccessScope
+from app.core.db import bypass_row_policies, set_access_scope
 from app.core.outgoing import AddressRefused, RequestFailed, Resolver
-from app.core.reach import Reach
 from app.core.server_keys import sealed, unsealed
 from app.settings import Settings
 
@@ -163,7 +163,7 @@ def account_of(session: Session, studio_id: UUID, proven: ProvenPerson) -> Perso
         if person is None:
             person = people.create_person(session, email=proven.email, name=proven.name)
             verify(session, person, AddressProof.PROVIDER)
-    widen_reach(session, Reach(person_id=person.id))
+    set_access_scope(session, AccessScope(person_id=person.id))
     return person
 
 

@@ -66,7 +66,7 @@ def set_limit(session: Session, studio_id: UUID, kind: QuotaKind, maximum: int |
     session.flush()
 
 
-def ensure_room(
+def ensure_quota(
     session: Session, studio_id: UUID, kind: QuotaKind, used: Callable[[Session, UUID], int], *, added: int = 1
 ) -> None:
     """Raise QuotaReached where a studio would have more of a kind than it may; `used` counts what it has."""

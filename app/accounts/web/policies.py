@@ -50,7 +50,7 @@ def caller_key(request: Request) -> str:
     return authentication.caller_key(_credentials(request))
 
 
-class Allowed:
+class PolicyDependency:
     """The dependency that an endpoint's policy becomes; services check the project and the role."""
 
     def __init__(self, policy: Policy) -> None:
@@ -134,10 +134,10 @@ def allows(
     may see an object is part of its query and answers 404; the role in its studio or project is checked by the service,
     once the object is known to be visible. `tests/house/test_policies.py` asks every endpoint as every audience.
     """
-    return Depends(Allowed(Policy(audience, build, desk_token, recent_sign_in)))
+    return Depends(PolicyDependency(Policy(audience, build, desk_token, recent_sign_in)))
 
 
-def demo_part_of(request: Request) -> tuple[str, tuple[str, ...]] | None:
+def demo_role(request: Request) -> tuple[str, tuple[str, ...]] | None:
     """Return the person that a visitor of the demo acts as, and the choices; None for people who signed in."""
     try:
         part = authenticate(request).demo_part

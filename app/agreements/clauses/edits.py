@@ -18,7 +18,7 @@ from app.agreements.clauses.source import Letter, Piece, SourceLine, lines_with_
 from app.agreements.clauses.text import BlockKind
 from app.agreements.drafts.differences import differences
 from app.agreements.word.body import WordLine
-from app.agreements.word.line_tokens import Shown, letters_of_source, letters_of_word, likeness, line_key, tokens_of
+from app.agreements.word.line_tokens import Glyph, letters_of_source, letters_of_word, likeness, line_key, tokens_of
 
 ALIKE, NEAR = 0.4, 12  # as `comparison` pairs lines
 _MARKUP = re.compile(r"([\\*|{}])")
@@ -201,7 +201,7 @@ class _Edit:
         if word_line.kind == "table":
             yield " |"
 
-    def _compared(self, line: SourceLine, new: Sequence[Shown]) -> list[_Glyph]:
+    def _compared(self, line: SourceLine, new: Sequence[Glyph]) -> list[_Glyph]:
         """Return the characters of an edited line, those that stood in it by their places."""
         old = letters_of_source(line)
         is_plain = self._is_plain or line.kind == "head"
@@ -341,7 +341,7 @@ def _is_after(glyph: _Glyph, last: int) -> bool:
 
 
 def _words(glyphs: Sequence[_Glyph], letters: Sequence[Letter]) -> str:
-    said = (letters[one.said].letter if isinstance(one.said, int) else one.said for one in glyphs)
+    said = (letters[glyph.said].letter if isinstance(glyph.said, int) else glyph.said for glyph in glyphs)
     return "".join(one for one in said if isinstance(one, str))
 
 

@@ -35,7 +35,7 @@ OPEN_QUESTIONS = "open_questions"
 NONE_YET = "None has been written down yet."
 
 
-class Priced(Protocol):
+class PaymentTerms(Protocol):
     """What a contract, or a draft that is not saved yet, says on how it is paid."""
 
     currency: str
@@ -47,7 +47,7 @@ def facts_of(
     session: Session,
     contract: Contract,
     terms: Mapping[str, object],
-    priced: Priced | None = None,
+    priced: PaymentTerms | None = None,
     mark: Marker = unmarked,
 ) -> dict[str, str]:
     """Return the value of every variable that the server fills in, as Markdown, priced as it is or otherwise.
@@ -122,7 +122,7 @@ def _product(terms: Mapping[str, object], price: str, count: str) -> int:
     return each_minor * times if isinstance(each_minor, int) and isinstance(times, int) else 0
 
 
-def in_words(day: date) -> str:
+def format_long_date(day: date) -> str:
     """Return a day as texts write it: Friday 20 November 2026."""
     return f"{day:%A} {day.day} {day:%B %Y}"
 
@@ -131,7 +131,7 @@ def _framework(session: Session, contract: Contract) -> dict[str, str]:
     if contract.framework_id is None:
         return {"framework_title": "", "framework_agreed_on": ""}
     framework = session.get_one(Contract, contract.framework_id)
-    agreed = in_words(framework.agreed_at.date()) if framework.agreed_at else ""
+    agreed = format_long_date(framework.agreed_at.date()) if framework.agreed_at else ""
     return {"framework_title": literal(framework.title), "framework_agreed_on": agreed}
 
 
@@ -180,7 +180,7 @@ def _milestone_table(
     rows = [heads, ["---"] * len(heads)]
     for milestone in milestones:
         own = [label(cue_prefix, each.cue.number) for each in covered if each.milestone_id == milestone.id]
-        day = "at signing" if milestone.is_deposit else in_words(milestone.due_on) if milestone.due_on else ""
+        day = "at signing" if milestone.is_deposit else format_long_date(milestone.due_on) if milestone.due_on else ""
         rate = percent(milestone.tax_bp) if milestone.tax_bp is not None else ""
         amount = mark(f"milestone.{milestone.position}", money(milestone.amount_minor, currency))
         cells = [literal(milestone.name), day, ", ".join(own), amount, rate]

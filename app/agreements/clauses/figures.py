@@ -15,11 +15,11 @@ from app.agreements.clauses.rules import (
     Clause,
     Terms,
     TermValue,
-    faults_of,
     filler,
     known_terms,
     library,
     names_in,
+    validation_errors,
     variables_in,
     written_term,
 )
@@ -113,7 +113,7 @@ def faults_of_text(
     clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind, *, is_template: bool = False
 ) -> Iterator[Fault]:
     """Yield what is wrong with a text of a kind, its figures included; a template may lack what a contract needs."""
-    yield from faults_of(clauses, terms)
+    yield from validation_errors(clauses, terms)
     yield from faults_of_figures(clauses, terms, kind, is_template=is_template)
 
 

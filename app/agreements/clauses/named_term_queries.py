@@ -14,7 +14,9 @@ from app.agreements.rules import ContractState
 
 def named_terms(session: Session, contracts: Collection[Contract]) -> dict[UUID, dict[str, TermValue]]:
     """Return by contract the terms that the standing clauses of its newest version name, over its framework's."""
-    ids = {one.id for one in contracts} | {one.framework_id for one in contracts if one.framework_id}
+    ids = {contract.id for contract in contracts} | {
+        contract.framework_id for contract in contracts if contract.framework_id
+    }
     newest = (
         select(ContractVersion.contract_id, func.max(ContractVersion.number).label("number"))
         .where(ContractVersion.contract_id.in_(ids))
@@ -33,8 +35,9 @@ def named_terms(session: Session, contracts: Collection[Contract]) -> dict[UUID,
         own[contract_id] = {name: value for name, value in terms.items() if name in named}
     of_none: dict[str, TermValue] = {}
     return {
-        one.id: (own.get(one.framework_id, of_none) if one.framework_id else of_none) | own.get(one.id, of_none)
-        for one in contracts
+        contract.id: (own.get(contract.framework_id, of_none) if contract.framework_id else of_none)
+        | own.get(contract.id, of_none)
+        for contract in contracts
     }
 
 

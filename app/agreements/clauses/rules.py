@@ -154,7 +154,7 @@ def known_terms() -> Mapping[str, Term]:
     return {term.name: term for each in library() for term in each.terms}
 
 
-def begin(kind: ContractKind, *, with_music: bool = False) -> tuple[list[Clause], Terms]:
+def default_clauses(kind: ContractKind, *, with_music: bool = False) -> tuple[list[Clause], Terms]:
     """Return the clauses of a kind as the library has them; those on music stand only when asked for."""
     chosen = [each for each in library() if kind in each.kinds]
     clauses = [
@@ -183,7 +183,7 @@ def variables_in(text: str) -> list[str]:
     return list(dict.fromkeys(VARIABLE.findall(text)))
 
 
-def faults_of(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with a draft: the place, as `clauses.KEY` or `terms.NAME`, and the fault in words."""
     if not any(clause.stands for clause in clauses):
         yield "clauses", "no clause is included; a contract needs at least one"

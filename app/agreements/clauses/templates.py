@@ -10,7 +10,7 @@ from app.accounts.service import ensure_producer_of
 from app.agreements import queries
 from app.agreements.access import contract_to_change
 from app.agreements.clauses.figures import faults_of_text
-from app.agreements.clauses.rules import Clause, Terms, begin
+from app.agreements.clauses.rules import Clause, Terms, default_clauses
 from app.agreements.clauses.template_files import TemplateFields, write_toml
 from app.agreements.errors import BadTemplate, ContractVersionNotFound, TemplateNameTaken, TemplateNotFound
 from app.agreements.models import ContractTemplate
@@ -137,7 +137,7 @@ def import_template(
 
 def library_toml(kind: ContractKind) -> str:
     """Return what the library has for a kind, as a template."""
-    clauses, terms = begin(kind)
+    clauses, terms = default_clauses(kind)
     return write_toml(KIND_WORDS[kind].capitalize(), kind, clauses, terms)
 
 

@@ -23,8 +23,8 @@ def text_faults(
         *faults_of_plan(
             clauses,
             contract.kind,
-            has_amounts=any(one.amount_minor for one in milestones),
-            has_deposit=any(one.amount_minor for one in milestones if one.is_deposit),
+            has_amounts=any(milestone.amount_minor for milestone in milestones),
+            has_deposit=any(milestone.amount_minor for milestone in milestones if milestone.is_deposit),
             has_holdback=holdback_bp > 0,
         ),
     ]

@@ -16,7 +16,7 @@ from app.agreements.clauses.rules import Clause, Terms, terms_in_force
 from app.agreements.clauses.text import Block, blocks_of, head, marked
 from app.agreements.clauses.text_faults import ensure_text_whole, text_faults
 from app.agreements.drafts.documents import TextPdf
-from app.agreements.drafts.previous_contract import begun_like
+from app.agreements.drafts.previous_contract import copied_terms
 from app.agreements.drafts.versions import add_version, newest_of, text_now
 from app.agreements.errors import (
     AmountsNeeded,
@@ -42,7 +42,7 @@ from app.agreements.rules import (
     ensure_needs_contract,
     ensure_state,
     ensure_under_framework,
-    way_on,
+    next_action_hint,
 )
 from app.agreements.signing.service import signing_facts
 from app.core import clock
@@ -115,7 +115,7 @@ def create_contract(
     ensure_under_framework(kind, has_framework=framework_id is not None)
     if framework_id is not None:
         _ensure_framework(session, actor, framework_id, access.project.studio_id, engagement.designer_id)
-    clauses, terms = clause_rules.begin(kind, with_music=with_music)
+    clauses, terms = clause_rules.default_clauses(kind, with_music=with_music)
     if template_id is not None:
         template = queries.template_by_id(session, access.project.studio_id, template_id)
         if template is None or template.kind is not kind:
@@ -123,7 +123,7 @@ def create_contract(
         clauses, terms = [Clause.of(row) for row in template.clauses], dict(template.terms)
     same_as = None
     if same_as_id is not None:
-        same_as, clauses, terms = begun_like(
+        same_as, clauses, terms = copied_terms(
             session,
             actor,
             same_as_id,
@@ -190,7 +190,7 @@ def save_draft(
     where they are left out.
     """
     contract = contract_to_change(session, actor, contract_id)
-    ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
+    ensure_state(contract.state, {ContractState.DRAFT}, next_action_hint(contract.state, contract.kind))
     newest = newest_of(session, contract)
     if newest.number != based_on_version:
         raise DraftChanged(
@@ -253,7 +253,7 @@ def send(
 
 
 def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, list[Clause]]:
-    ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
+    ensure_state(contract.state, {ContractState.DRAFT}, next_action_hint(contract.state, contract.kind))
     newest = newest_of(session, contract)
     clauses = [Clause.of(row) for row in newest.clauses]
     ensure_text_whole(session, contract, newest, "nothing was sent")
@@ -265,7 +265,7 @@ def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, li
 def recall(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> None:
     """Make a sent contract a draft again, for the studio to change; its acceptances no longer count."""
     contract = contract_to_change(session, actor, contract_id)
-    ensure_state(contract.state, {ContractState.SENT}, way_on(contract.state, contract.kind))
+    ensure_state(contract.state, {ContractState.SENT}, next_action_hint(contract.state, contract.kind))
     contract.state = ContractState.DRAFT
     record.append_by(session, actor, contract, "taken_back", reason=reason)
 
@@ -278,7 +278,7 @@ def request_change(
     if party_of(actor, contract) is not Party.DESIGNER:
         raise NotYourContract("only the contract's designer requests a change; a producer recalls and edits it")
     contract = queries.lock_contract(session, contract.id)
-    ensure_state(contract.state, {ContractState.SENT}, way_on(contract.state, contract.kind, Party.DESIGNER))
+    ensure_state(contract.state, {ContractState.SENT}, next_action_hint(contract.state, contract.kind, Party.DESIGNER))
     contract.state = ContractState.DRAFT
     record.append_by(session, actor, contract, "change_requested", text=text, clause=clause_key or "")
     publish(session, "contract.change_requested", studio_id=contract.studio_id, contract_id=contract.id, text=text)

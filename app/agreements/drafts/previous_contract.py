@@ -35,7 +35,7 @@ def last_contract(
     return queries.last_sent(session, actor, access.project.studio_id, kind, engagement.designer_id)
 
 
-def begun_like(
+def copied_terms(
     session: Session, actor: Actor, same_as_id: UUID, *, studio_id: UUID, kind: ContractKind, designer_id: UUID
 ) -> tuple[Contract, list[Clause], Terms]:
     """Return a contract of the studio with its clauses and terms as another one begins with them.
@@ -48,7 +48,7 @@ def begun_like(
         raise ContractNotFound(f"the studio has no contract {same_as_id} of the kind {kind.value}")
     newest = newest_of(session, same_as)
     clauses = [Clause.of(row) for row in newest.clauses]
-    library, defaults = clause_rules.begin(kind)
+    library, defaults = clause_rules.default_clauses(kind)
     reset_names = OF_ONE_CONTRACT
     if same_as.designer_id != designer_id:
         reset_names |= OF_ONE_DESIGNER

@@ -26,10 +26,10 @@ from app.agreements.record import signed_checkpoints as heads
 from app.agreements.word.document import DOCX, Earlier, Heading, word_document
 from app.agreements.word.file import properties_of
 from app.core.web.http import CurrentRuntime, DbSession, problems
-from app.core.web.per_user_limit import FairShare, TooManyAtOnce
+from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 
 router = APIRouter(prefix="/v1", tags=["contracts"])
-COMPARISONS = FairShare(1, "comparison")  # of the four requests that read at once
+COMPARISONS = PerUserLimit(1, "comparison")  # of the four requests that read at once
 VersionNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 
@@ -169,7 +169,7 @@ def read_contract_record(
         title=contract.title,
         length=contract.record_length,
         sha256=contract.record_sha256,
-        faults=list(record.faults_of(session, contract)),
+        faults=list(record.validation_errors(session, contract)),
         entries=[schemas.RecordEntryRead.model_validate(entry) for entry in entries],
     )
 
@@ -199,6 +199,6 @@ def download_contract_head(
 ) -> Response:
     """Return the head of the record, signed: what a party keeps, and `soundlist verify --head` reads."""
     contract = visible_contract(session, actor, contract_id)
-    text = json.dumps(heads.head_of(runtime.settings, contract), ensure_ascii=False, indent=1) + "\n"
+    text = json.dumps(heads.signed_checkpoint(runtime.settings, contract), ensure_ascii=False, indent=1) + "\n"
     headers = attachment(f"{contract.title}, head.json")
     return Response(text, media_type="application/json", headers=headers)

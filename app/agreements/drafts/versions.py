@@ -19,7 +19,7 @@ from app.agreements.models import Contract, ContractVersion
 def visible_versions(session: Session, actor: Actor, contract: Contract) -> Sequence[ContractVersion]:
     """Return the versions that the caller may see, the newest first: the designer sees what was sent."""
     is_team = bool(actor.roles_in(contract.studio_id))
-    return [each for each in queries.versions_of(session, contract.id) if is_team or each.sent_at is not None]
+    return [version for version in queries.versions_of(session, contract.id) if is_team or version.sent_at is not None]
 
 
 def visible_version(session: Session, actor: Actor, contract: Contract, number: int) -> ContractVersion:

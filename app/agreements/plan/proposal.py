@@ -166,7 +166,11 @@ def _names(parts: Sequence[_Part]) -> list[str]:
 
 def _name(part: _Part) -> str:
     categories = list(dict.fromkeys(cue.category for cue in part.cues))
-    what = " and ".join(_called(each) if each else REST for each in categories) if len(categories) <= 2 else "Sounds"
+    what = (
+        " and ".join(_called(category) if category else REST for category in categories)
+        if len(categories) <= 2
+        else "Sounds"
+    )
     return what[: MAX_NAME_CHARS - 20]
 
 

@@ -20,7 +20,7 @@ from app.agreements.plan.proposal import DEPOSIT_BP, ProposedMilestone, WantedCu
 from app.agreements.plan.queries import terms_of
 from app.agreements.plan.validation import Advice, PlannedPayment, check_plan
 from app.agreements.record import service as record
-from app.agreements.rules import KIND_WORDS, ContractKind, ContractState, way_on
+from app.agreements.rules import KIND_WORDS, ContractKind, ContractState, next_action_hint
 from app.core.errors import FieldProblem
 from app.core.money import BASIS_POINTS, money
 from app.hiring.queries import bid_behind
@@ -96,20 +96,20 @@ def concepts_of(session: Session, contract: Contract) -> Concepts:
     covered = plan_queries.cues_of(session, contract.id)
     plan = [
         PlannedMilestone(
-            one.name,
-            one.amount_minor,
-            one.due_on,
-            cues=[PlannedCue(cue.cue_id, cue.price_minor) for cue in covered if cue.milestone_id == one.id],
+            milestone.name,
+            milestone.amount_minor,
+            milestone.due_on,
+            cues=[PlannedCue(cue.cue_id, cue.price_minor) for cue in covered if cue.milestone_id == milestone.id],
         )
-        for one in plan_queries.milestones_of(session, contract.id)
+        for milestone in plan_queries.milestones_of(session, contract.id)
     ]
     return concepts_in(session, contract, plan)
 
 
 def price_of(session: Session, contract: Contract, payments: Sequence[PlannedPayment]) -> Price:
     """Return the price of a plan beside the bid."""
-    total_minor = sum(one.amount_minor for one in payments)
-    deposit_minor = sum(one.amount_minor for one in payments if one.is_deposit)
+    total_minor = sum(payment.amount_minor for payment in payments)
+    deposit_minor = sum(payment.amount_minor for payment in payments if payment.is_deposit)
     bid = bid_behind(session, contract.id)
     if bid is None or bid.sent is None:
         return Price(total_minor, deposit_minor)
@@ -187,7 +187,7 @@ def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[
     if contract.state is not ContractState.DRAFT:
         raise PlanLocked(
             f"this contract is {contract.state.value}, so its plan can't be edited",
-            fix=way_on(contract.state, contract.kind),
+            fix=next_action_hint(contract.state, contract.kind),
         )
     if contract.kind in (ContractKind.NDA, ContractKind.FRAMEWORK):
         raise PlanLocked(

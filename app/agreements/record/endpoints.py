@@ -16,9 +16,9 @@ from app.agreements.errors import BadPdf
 from app.agreements.record.schemas import BoundRead, BoundSignatureRead, VerifiedRead
 from app.agreements.signing import seals
 from app.agreements.signing.seal_files import PDF_BEGINS, sealing_key
+from app.core.access_scope import NOBODY
 from app.core.db import bypass_row_policies
 from app.core.parsing_queue import ParsingBusy, parse_request
-from app.core.reach import NOBODY
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
 from app.core.web.http import CurrentRuntime, database_of, problems, set_reach
 
@@ -83,6 +83,7 @@ def _bound(found: seals.Verified) -> BoundRead | None:
         sealed_at=found.seal.sealed_at,
         is_timestamped=found.seal.is_timestamped,
         signatures=[
-            BoundSignatureRead(party=one.party, name=one.name, signed_at=one.accepted_at) for one in found.acceptances
+            BoundSignatureRead(party=acceptance.party, name=acceptance.name, signed_at=acceptance.accepted_at)
+            for acceptance in found.acceptances
         ],
     )

@@ -147,7 +147,7 @@ def entry_of(event: ContractEvent) -> Entry:
     )
 
 
-def faults_of(session: Session, contract: Contract) -> Iterator[str]:
+def validation_errors(session: Session, contract: Contract) -> Iterator[str]:
     """Yield, in words, where a contract's record is not the one that was written."""
     events = queries.events_of(session, contract.id)
     for event in events:

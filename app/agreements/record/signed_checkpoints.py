@@ -27,7 +27,7 @@ def public_key_of(settings: Settings) -> str:
     return key.public_key().public_bytes_raw().hex()
 
 
-def head_of(settings: Settings, contract: Contract) -> dict[str, Any]:
+def signed_checkpoint(settings: Settings, contract: Contract) -> dict[str, Any]:
     """Return the head of a contract's record as it is now, signed; it holds no more than both parties know."""
     facts = {
         "format": FORMAT,

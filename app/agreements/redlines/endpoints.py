@@ -28,11 +28,11 @@ from app.agreements.word.file import WordText, parse_word_file
 from app.core.parsing_queue import ParsingBusy, parse_request
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
 from app.core.web.http import DbSession, problems
-from app.core.web.per_user_limit import FairShare, TooManyAtOnce
+from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 from app.projects.errors import ProducerNeeded
 
 router = APIRouter(prefix="/v1", tags=["contracts"])
-MARKED = FairShare(2, "texts with redlines")
+MARKED = PerUserLimit(2, "texts with redlines")
 RedlineNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 
@@ -175,7 +175,7 @@ def read_word_redlines(
                 for change in read.changes
             ],
             note=read.note,
-            findings=[schemas.WordFindingRead.model_validate(one) for one in read.findings],
+            findings=[schemas.WordFindingRead.model_validate(finding) for finding in read.findings],
         )
 
 

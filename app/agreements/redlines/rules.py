@@ -164,7 +164,9 @@ def _answered(round_: Round, at: datetime, said: Mapping[str, Any]) -> Round:
     kind = RedlineAnswerKind(said["answer"])
     wording = Wording.of(said) if kind is RedlineAnswerKind.COUNTERED else None
     answer = Answer(kind, wording, said["comment"], said["by"], at)
-    redlines = [replace(one, answer=answer) if one.number == said["redline"] else one for one in round_.redlines]
+    redlines = [
+        replace(redline, answer=answer) if redline.number == said["redline"] else redline for redline in round_.redlines
+    ]
     return replace(round_, redlines=redlines)
 
 
@@ -317,7 +319,7 @@ def answered_draft(draft: Text, base: Text, round_: Round, answered: Redline) ->
     """
     clauses, terms = list(draft[0]), dict(draft[1])
     base_clauses = {clause.key: clause for clause in base[0]}
-    before = next(one for one in round_.redlines if one.number == answered.number)
+    before = next(redline for redline in round_.redlines if redline.number == answered.number)
     order = keys_in_order(base[0], round_.redlines)
     earlier = order[: order.index(answered.clause_key)]
     if (undone := before.agreed_wording) is not None:

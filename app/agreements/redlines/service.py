@@ -50,7 +50,7 @@ from app.agreements.redlines.rules import (
     with_fields_put_back,
     wording_with_fields,
 )
-from app.agreements.rules import ContractKind, ContractState, Party, ensure_state, way_on
+from app.agreements.rules import ContractKind, ContractState, Party, ensure_state, next_action_hint
 from app.agreements.word.file import WordText
 from app.agreements.word.reading import MadeFrom, ReadChanges, changes_in
 from app.core import clock
@@ -177,7 +177,7 @@ def answer(
     number that does not wait for that version, and BadRedlines for an answer that the draft could not have.
     """
     contract = contract_to_change(session, actor, contract_id)
-    ensure_state(contract.state, {ContractState.DRAFT}, way_on(contract.state, contract.kind))
+    ensure_state(contract.state, {ContractState.DRAFT}, next_action_hint(contract.state, contract.kind))
     found = rounds(session, contract)
     redline = next((one for one in found[-1].redlines if one.number == number), None) if found else None
     if redline is None or found[-1].sent_version is not None:
@@ -261,7 +261,7 @@ def _to_propose(session: Session, actor: Actor, contract_id: UUID) -> Contract:
 
 
 def _sent_version(session: Session, contract: Contract) -> ContractVersion:
-    ensure_state(contract.state, {ContractState.SENT}, way_on(contract.state, contract.kind, Party.DESIGNER))
+    ensure_state(contract.state, {ContractState.SENT}, next_action_hint(contract.state, contract.kind, Party.DESIGNER))
     return newest_of(session, contract)
 
 

@@ -26,7 +26,7 @@ from app.agreements.errors import (
 from app.agreements.signing import codes as signing_codes
 from app.agreements.signing.drawn_signatures import ensure_drawing_fits
 from app.agreements.signing.rules import AGENT_LENGTH, CODE_TRIES
-from app.agreements.signing.service import Signature
+from app.agreements.signing.service import SignatureRequest
 from app.core.web.http import CurrentRuntime, DbSession, problems, runtime_of
 
 router = APIRouter(prefix="/v1", tags=["contracts"])
@@ -43,12 +43,12 @@ SIGNING = (
 )
 
 
-async def signature_sent(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> Signature:
+async def signature_sent(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> SignatureRequest:
     """Return what the caller signs with; the code is tried before the request's transaction, so each try counts."""
     return await run_in_threadpool(_signature, request, contract_id, body)
 
 
-def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> Signature:
+def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> SignatureRequest:
     if body.drawing is not None:
         ensure_drawing_fits(body.drawing)
     runtime, agent = runtime_of(request), request.headers.get("user-agent", "")
@@ -56,7 +56,7 @@ def _signature(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> 
     if runtime.settings.smtp_url:
         actor = request.state.actor
         check = signing_codes.check(runtime.database, actor, contract_id, body.text_sha256, body.code)
-    return Signature(
+    return SignatureRequest(
         name=body.name,
         text_sha256=body.text_sha256,
         address=client_address(request),

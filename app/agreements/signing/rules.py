@@ -40,7 +40,7 @@ def is_drawn(text: str) -> bool:
 
 
 @dataclass(frozen=True)
-class Yes:
+class Signature:
     """Who has signed a text, and for whom."""
 
     party: Party
@@ -54,26 +54,26 @@ class SigningOrder:
     signers: Sequence[UUID] = ()  # none: any one producer of the studio
     first: Party | None = None  # None: in any order
 
-    def has_signed(self, party: Party, given: Collection[Yes]) -> bool:
+    def has_signed(self, party: Party, given: Collection[Signature]) -> bool:
         """Whether all who sign for a party have done so."""
         people = {yes.person_id for yes in given if yes.party is party}
         return people >= set(self.signers) if party is Party.STUDIO and self.signers else bool(people)
 
-    def parties_left(self, given: Collection[Yes]) -> list[Party]:
+    def parties_left(self, given: Collection[Signature]) -> list[Party]:
         """Return the parties whose turn it is now."""
         left = [party for party in Party if not self.has_signed(party, given)]
         return [self.first] if self.first in left else left
 
-    def next_signer(self, given: Collection[Yes]) -> UUID | None:
+    def next_signer(self, given: Collection[Signature]) -> UUID | None:
         """Return the studio's signer whose turn it is; None where any producer may sign, or all have."""
         signed = {yes.person_id for yes in given}
         return next((person_id for person_id in self.signers if person_id not in signed), None)
 
-    def turn(self, given: Collection[Yes]) -> "Turn":
+    def turn(self, given: Collection[Signature]) -> "Turn":
         """Return whose turn it is."""
         return Turn(self.parties_left(given), self.next_signer(given))
 
-    def ensure_turn(self, party: Party, person_id: UUID, given: Collection[Yes]) -> None:
+    def ensure_turn(self, party: Party, person_id: UUID, given: Collection[Signature]) -> None:
         """Raise AlreadyAccepted, NotASigner or NotYourTurn unless this person signs for this party now."""
         is_own = any(yes.person_id == person_id for yes in given)
         if is_own or self.has_signed(party, given):

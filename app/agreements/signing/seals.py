@@ -111,7 +111,7 @@ def certificate_of(
     ]
     return [
         CertificatePart("\n\n".join(head)),
-        *(signature_part(one, zone) for one in acceptances),
+        *(signature_part(acceptance, zone) for acceptance in acceptances),
         CertificatePart("\n\n".join(foot)),
     ]
 

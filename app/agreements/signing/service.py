@@ -32,7 +32,7 @@ from app.agreements.rules import (
 )
 from app.agreements.signing.codes import CodeCheck, use
 from app.agreements.signing.drawn_signatures import drawing_sha256
-from app.agreements.signing.rules import BY_CODE, CONSENT, WITHOUT_CODE, SigningOrder, Yes, ensure_signers_fit
+from app.agreements.signing.rules import BY_CODE, CONSENT, WITHOUT_CODE, Signature, SigningOrder, ensure_signers_fit
 from app.core import clock
 from app.core.db import bypass_row_policies
 from app.core.errors import FieldProblem
@@ -41,7 +41,7 @@ from app.projects.engagements import record_nda
 
 
 @dataclass(frozen=True)
-class Signature:
+class SignatureRequest:
     """What a person sends to sign: the name typed and drawn, the text seen, from where, and the code."""
 
     name: str
@@ -54,7 +54,7 @@ class Signature:
 
 def order_of(session: Session, contract: Contract) -> SigningOrder:
     """Return who signs a contract for the studio, in order, and which party is first."""
-    return SigningOrder([one.person_id for one in queries.signers_of(session, contract.id)], contract.signs_first)
+    return SigningOrder([signer.person_id for signer in queries.signers_of(session, contract.id)], contract.signs_first)
 
 
 def amendment_order_of(session: Session, contract: Contract) -> SigningOrder:
@@ -64,12 +64,12 @@ def amendment_order_of(session: Session, contract: Contract) -> SigningOrder:
     """
     with bypass_row_policies(session):  # a designer does not see who is in the studio, and the order is the same
         producers = _producers(session, contract)
-    return SigningOrder([one for one in order_of(session, contract).signers if one in producers])
+    return SigningOrder([signer for signer in order_of(session, contract).signers if signer in producers])
 
 
-def yeses(acceptances: Sequence[ContractAcceptance]) -> list[Yes]:
+def yeses(acceptances: Sequence[ContractAcceptance]) -> list[Signature]:
     """Return who signed, as the rules on order take it."""
-    return [Yes(one.party, one.person_id) for one in acceptances]
+    return [Signature(acceptance.party, acceptance.person_id) for acceptance in acceptances]
 
 
 def may_sign(session: Session, actor: Actor, contract: Contract, acceptances: Sequence[ContractAcceptance]) -> bool:
@@ -149,13 +149,13 @@ def signing_facts(session: Session, contract: Contract) -> dict[str, Any]:
     """Return, in words for the record, who is to sign in which order; empty where any producer may, at any time."""
     facts: dict[str, Any] = {}
     if signers := queries.signers_of(session, contract.id):
-        facts["signers"] = [one.person.name for one in signers]
+        facts["signers"] = [signer.person.name for signer in signers]
     if contract.signs_first is not None:
         facts["signs_first"] = contract.signs_first.value
     return facts
 
 
-def proof_of(session: Session, person: Person, signature: Signature) -> datetime | None:
+def proof_of(session: Session, person: Person, signature: SignatureRequest) -> datetime | None:
     """Check address and code of who signs, and return when the code was entered; None where mail is off."""
     if signature.code is None:
         return None
@@ -164,7 +164,7 @@ def proof_of(session: Session, person: Person, signature: Signature) -> datetime
     return clock.now()
 
 
-def facts_of_signature(person: Person, party: Party, signature: Signature) -> dict[str, Any]:
+def facts_of_signature(person: Person, party: Party, signature: SignatureRequest) -> dict[str, Any]:
     """Return what the record says of a signature."""
     drawn = {"drawing_sha256": drawing_sha256(signature.drawing)} if signature.drawing is not None else {}
     return drawn | {
@@ -179,7 +179,7 @@ def facts_of_signature(person: Person, party: Party, signature: Signature) -> di
     }
 
 
-def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signature) -> ContractAcceptance:
+def accept(session: Session, actor: Actor, contract_id: UUID, signature: SignatureRequest) -> ContractAcceptance:
     """Record a person's yes to the text that was sent; once all have given theirs, the contract is agreed.
 
     Raises TextChanged unless the hash seen is that of the current text, BadDraft where that text contradicts a figure,
@@ -222,7 +222,7 @@ def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signatu
     session.flush()
     facts = facts_of_signature(person, party, signature)
     record.append_by(session, actor, contract, "accepted_by", version, **facts)
-    if not order.parties_left([*yeses(given), Yes(party, person.id)]):
+    if not order.parties_left([*yeses(given), Signature(party, person.id)]):
         _agree(session, actor, contract, version)
     else:
         publish(
@@ -263,4 +263,4 @@ def people_to_sign(session: Session, contract: Contract) -> list[UUID]:
 
 
 def _producers(session: Session, contract: Contract) -> set[UUID]:
-    return {one.person_id for one in members(session, contract.studio_id) if Role.PRODUCER in one.roles}
+    return {member.person_id for member in members(session, contract.studio_id) if Role.PRODUCER in member.roles}

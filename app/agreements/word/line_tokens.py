@@ -12,7 +12,7 @@ from app.agreements.word.body import WordLine
 _TOKEN = re.compile(r" · |\w+|\s+|[^\w\s]")
 
 
-class Shown(NamedTuple):
+class Glyph(NamedTuple):
     """A character as it is read."""
 
     letter: str
@@ -20,26 +20,26 @@ class Shown(NamedTuple):
     emphatic: bool
 
 
-def letters_of_word(line: WordLine) -> list[Shown]:
+def letters_of_word(line: WordLine) -> list[Glyph]:
     """Return the characters of a line in a document."""
-    return [Shown(letter, *_looks(span)) for span in line.spans for letter in span.text]
+    return [Glyph(letter, *_looks(span)) for span in line.spans for letter in span.text]
 
 
 def _looks(span: Span) -> tuple[bool, bool]:
     return span.strong, span.emphatic
 
 
-def letters_of_source(line: SourceLine) -> list[Shown]:
+def letters_of_source(line: SourceLine) -> list[Glyph]:
     """Return the characters of a line that was sent."""
-    return [Shown(one.letter, one.strong, one.emphatic) for one in line.letters]
+    return [Glyph(letter.letter, letter.strong, letter.emphatic) for letter in line.letters]
 
 
-def line_key(shown: Sequence[Shown], kind: BlockKind, is_plain: bool) -> tuple[object, ...]:
+def line_key(shown: Sequence[Glyph], kind: BlockKind, is_plain: bool) -> tuple[object, ...]:
     """Return what makes two lines the same."""
     return (kind, *tokens_of(shown, is_plain or kind == "head"))
 
 
-def tokens_of(shown: Sequence[Shown], is_plain: bool) -> list[tuple[str, bool, bool]]:
+def tokens_of(shown: Sequence[Glyph], is_plain: bool) -> list[tuple[str, bool, bool]]:
     """Return words, spaces and signs with their looks; a space has none, and a word of two looks is two."""
     tokens: list[tuple[str, bool, bool]] = []
     for found in _TOKEN.finditer("".join(one.letter for one in shown)):

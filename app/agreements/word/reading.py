@@ -353,8 +353,10 @@ class _Reading:
 
     def _said(self, ids: Iterator[str]) -> str:
         by_id = {comment.id: comment for comment in self._word.comments}
-        comments = [by_id[each] for each in dict.fromkeys(ids) if each in by_id and by_id[each].text]
-        return " / ".join(f"{one.author}: {one.text}" if one.author else one.text for one in comments)
+        comments = [by_id[fromkey] for fromkey in dict.fromkeys(ids) if fromkey in by_id and by_id[fromkey].text]
+        return " / ".join(
+            f"{comment.author}: {comment.text}" if comment.author else comment.text for comment in comments
+        )
 
     def _name_outside(self) -> None:
         title = next((line.text for line in lines_of(self._from.sent) if line.kind == "head"), "")
@@ -365,7 +367,7 @@ class _Reading:
                     f"Text before the first clause is not read: {_quoted(line.text)}",
                     "Ask for another title in the note, or write the text into a clause.",
                 )
-        if said := self._said(each for line in self._preface for each in line.comments):
+        if said := self._said(comment for line in self._preface for comment in line.comments):
             self._notes.insert(0, said)
         for outside in self._word.outside:
             self._add(

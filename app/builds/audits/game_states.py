@@ -54,7 +54,7 @@ def cues_in_build(session: Session, project_id: UUID) -> set[UUID]:
     """Return the cues that are in the build: by the newest audit, or set by hand."""
     newest = audit_queries.newest_audit(session, project_id)
     statuses = audit_queries.statuses_by_cue(session, newest.id) if newest else {}
-    marked = {one.cue_id for one in audit_queries.marks_of(session, project_id) if one.mark is CueMark.IN_BUILD}
+    marked = {mark.cue_id for mark in audit_queries.marks_of(session, project_id) if mark.mark is CueMark.IN_BUILD}
     return marked | {cue_id for cue_id, of_cue in statuses.items() if is_in_build(of_cue)}
 
 
@@ -64,7 +64,7 @@ def _states(session: Session, access: ProjectAccess) -> GameStates:
     newest = audit_queries.newest_audit(session, project_id)
     statuses = audit_queries.statuses_by_cue(session, newest.id) if newest else {}
     heard = audit_queries.heard_cues(session, project_id)
-    marked = {(one.cue_id, one.mark) for one in audit_queries.marks_of(session, project_id)}
+    marked = {(mark.cue_id, mark.mark) for mark in audit_queries.marks_of(session, project_id)}
     states = [
         CueInGame(
             cue=cue_read(access.project, cue),
@@ -78,21 +78,21 @@ def _states(session: Session, access: ProjectAccess) -> GameStates:
         )
         for cue in cues
     ]
-    categories = dict.fromkeys(one.category for one in states)
+    categories = dict.fromkeys(state.category for state in states)
     return GameStates(
         cues=len(states),
-        in_build=sum(one.in_build is not None for one in states),
-        heard=sum(one.heard is not None for one in states),
-        never_heard=sum(one.heard is None for one in states),
+        in_build=sum(state.in_build is not None for state in states),
+        heard=sum(state.heard is not None for state in states),
+        never_heard=sum(state.heard is None for state in states),
         build=newest.label if newest else None,
         categories=[
             CategoryInGame(
                 category=category,
-                cues=sum(one.category == category for one in states),
-                heard=sum(one.category == category and one.heard is not None for one in states),
+                cues=sum(state.category == category for state in states),
+                heard=sum(state.category == category and state.heard is not None for state in states),
             )
             for category in categories
         ],
-        unheard=[one for one in states if one.heard is None][:SHOWN],
+        unheard=[state for state in states if state.heard is None][:SHOWN],
         may_mark=may_implement(access),
     )

@@ -52,7 +52,10 @@ def save_audit(session: Session, actor: Actor, project_id: UUID, posted: AuditAd
     report = posted.report
     before = audit_queries.audit_before(session, project_id, posted.target, None)
     sounds = _sounds(session, access.project, report.files)
-    known = [*_drifts(session, before), *(one.drift for one in audit_queries.accepted_drifts(session, project_id))]
+    known = [
+        *_drifts(session, before),
+        *(accepted_drift.drift for accepted_drift in audit_queries.accepted_drifts(session, project_id)),
+    ]
     by_path = _by_path(known)
     drifted = [sound.drift for sound in sounds if sound.has_drifted]
     project = report.project
@@ -164,7 +167,9 @@ def visible_audit(session: Session, actor: Actor, audit_id: UUID) -> tuple[Proje
 def read_audit(session: Session, audit: BuildAudit) -> AuditRead:
     """Return an audit, with how much of its drift is accepted now."""
     before = audit_queries.audit_before(session, audit.project_id, audit.target, audit.id)
-    accepted = _by_path([one.drift for one in audit_queries.accepted_drifts(session, audit.project_id)])
+    accepted = _by_path(
+        [accepted_drift.drift for accepted_drift in audit_queries.accepted_drifts(session, audit.project_id)]
+    )
     return AuditRead(
         **AuditSummary.model_validate(audit).model_dump(),
         before=before.label if before else None,
@@ -317,21 +322,21 @@ def withdraw_acceptance(session: Session, actor: Actor, accepted_drift_id: UUID)
 def acceptances_in(session: Session, actor: Actor, project_id: UUID) -> list[AcceptedDriftRead]:
     """Return the accepted drifts of a project, the newest first, to its team."""
     project_access(session, actor, project_id).ensure_team()
-    return [read_accepted(one) for one in audit_queries.accepted_drifts(session, project_id)]
+    return [read_accepted(accepted_drift) for accepted_drift in audit_queries.accepted_drifts(session, project_id)]
 
 
 def accepted_sounds(session: Session, project_id: UUID) -> list[AcceptedSound]:
     """Return the accepted drifts as audits in CI read them; the caller has checked access."""
     return [
         AcceptedSound(
-            path=one.path,
-            status=one.status,
-            played_status=one.played_status,
-            gain_db=one.gain_db,
-            reason=one.reason,
-            on=one.accepted_at.date(),
+            path=accepted_drift.path,
+            status=accepted_drift.status,
+            played_status=accepted_drift.played_status,
+            gain_db=accepted_drift.gain_db,
+            reason=accepted_drift.reason,
+            on=accepted_drift.accepted_at.date(),
         )
-        for one in audit_queries.accepted_drifts(session, project_id)
+        for accepted_drift in audit_queries.accepted_drifts(session, project_id)
     ]
 
 

@@ -129,9 +129,12 @@ def _stated(sources: Sources | None) -> dict[str, str]:
         "from_scratch": "yes" if sources.from_scratch else "no",
         "own_recordings": "yes" if sources.own_recordings else "no",
         "libraries": "; ".join(
-            ", ".join(part for part in (one.name, one.licence, one.file) if part) for one in sources.libraries
+            ", ".join(part for part in (library.name, library.licence, library.file) if part)
+            for library in sources.libraries
         ),
         "generated": "; ".join(f"{one.tool}: {one.part}" for one in sources.generated),
-        "performers": "; ".join(f"{one.name}, release: {one.release or 'none named'}" for one in sources.performers),
+        "performers": "; ".join(
+            f"{performer.name}, release: {performer.release or 'none named'}" for performer in sources.performers
+        ),
         "note": sources.note,
     }

@@ -62,7 +62,7 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
         cues=_cues(session, project, contract, covered, approved, files),
         palette=[of_palette[take.id] for take in palette],
         brief=_brief(session, project.id),
-        open_brief=[one.text for one in open_answers(session, project.id)],
+        open_brief=[answer.text for answer in open_answers(session, project.id)],
     )
     masters = [
         stored_entry(store, take.studio_id, one.path, take.master_sha256, take.master_bytes)
@@ -91,7 +91,7 @@ def open_handovers(session: Session, actor: Actor, project_id: UUID) -> list[Ope
         return []
     covered = {one.id: cues_of(session, one.id) for one in ended}
     waiting = {cue.id for cue in wanted_cues(session, project_id)}
-    waiting -= {one.cue_id for cues in covered.values() for one in cues if one.accepted_at is not None}
+    waiting -= {cue.cue_id for cues in covered.values() for cue in cues if cue.accepted_at is not None}
     found: list[OpenHandover] = []
     for contract in sorted(ended, key=lambda one: one.number, reverse=True):
         cues = [one.cue for one in covered[contract.id] if one.cue_id in waiting]
@@ -170,7 +170,7 @@ def _cues(
                     for each in range(1, cue.variations + 1)
                     if each not in done and (cue.id, each) in stems
                 ],
-                remarks=[_remark(each) for each in remarks if each.cue_id == cue.id],
+                remarks=[_remark(remark) for remark in remarks if remark.cue_id == cue.id],
                 questions=[each.text for each in asked if each.cue_id == cue.id],
             )
         )

@@ -94,7 +94,7 @@ def cue_table(handover: Handover) -> bytes:
 
 def _rows(cue: HandedCue) -> list[CueRow]:
     facts = (cue.label, cue.name, cue.category, cue.description, cue.state, "yes" if cue.is_palette else "no")
-    rows = [CueRow(*facts, one.path, one.version, one.sha256, one.sources, one.left_out) for one in cue.files]
+    rows = [CueRow(*facts, file.path, file.version, file.sha256, file.sources, file.left_out) for file in cue.files]
     return rows + [CueRow(*facts, name, note="no approved version yet") for name in cue.owed]
 
 
@@ -109,11 +109,11 @@ class _Page:
 def read_me(handover: Handover) -> bytes:
     """Return the page that the next designer begins with, in Markdown."""
     cues = handover.cues
-    files = [one for cue in cues for one in cue.files]
+    files = [file for cue in cues for file in cue.files]
     page = _Page([f"# Handover of {handover.contract}, {handover.project}", ""])
     page.section("Cues", [_cue_line(cue) for cue in cues], "The contract covered no cue.")
     page.section(
-        "Approved files", [_file_line(one) for one in files], "No cue of the contract has an approved version."
+        "Approved files", [_file_line(file) for file in files], "No cue of the contract has an approved version."
     )
     owed = [f"- {name} ({cue.label} {cue.name})" for cue in cues for name in cue.owed]
     page.section("Files still to deliver", owed, "None: every variation has its approved version.")
@@ -141,8 +141,8 @@ def _file_line(one: HandedFile) -> str:
 
 def _remark_lines(cue: HandedCue) -> list[str]:
     lines = [f"### {cue.label} {cue.name}", ""]
-    for one in cue.remarks:
-        at = "" if one.at_s is None else f" at {one.at_s:.2f} s"
-        kind = "Change requested" if one.is_request else "Comment"
-        lines.append(f"- {kind}, {one.file_name}{at}, {one.by}, {one.on}: {' '.join(one.text.split())}")
+    for remark in cue.remarks:
+        at = "" if remark.at_s is None else f" at {remark.at_s:.2f} s"
+        kind = "Change requested" if remark.is_request else "Comment"
+        lines.append(f"- {kind}, {remark.file_name}{at}, {remark.by}, {remark.on}: {' '.join(remark.text.split())}")
     return [*lines, ""]

@@ -51,7 +51,7 @@ class HandedFile:
 
 
 @dataclass(frozen=True)
-class HandedCue:
+class ExportedCue:
     """One cue with its files in the order of its variations; a cue with more than one is a set."""
 
     label: str

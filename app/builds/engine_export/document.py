@@ -8,13 +8,13 @@ from collections.abc import Sequence
 from importlib import resources
 from typing import Any
 
-from app.builds.engine_export.cues import HandedCue, HandedFile, distinct, file_safe, identifier
+from app.builds.engine_export.cues import ExportedCue, HandedFile, distinct, file_safe, identifier
 
 DOCUMENT = "soundlist-handoff.json"
 FORMAT = 1
 
 
-def document(cues: Sequence[HandedCue]) -> bytes:
+def document(cues: Sequence[ExportedCue]) -> bytes:
     """Return the document: ASCII, the same bytes for the same cues."""
     assets = distinct((cue.label, identifier(cue.name, cue.label)) for cue in cues)
     files = distinct(
@@ -42,11 +42,11 @@ def document(cues: Sequence[HandedCue]) -> bytes:
     return (json.dumps({"format": FORMAT, "sounds": sounds}, ensure_ascii=True, indent=1) + "\n").encode("ascii")
 
 
-def _key(cue: HandedCue, place: int) -> str:
+def _key(cue: ExportedCue, place: int) -> str:
     return f"{cue.label}_{place + 1:02d}"
 
 
-def _events(cues: Sequence[HandedCue]) -> dict[str, str]:
+def _events(cues: Sequence[ExportedCue]) -> dict[str, str]:
     """Return a path for each cue's event: its own, and no folder of another's."""
     paths = {cue.label: "/".join(_event(cue)) for cue in cues}
     folders = {path[:place].casefold() for path in paths.values() for place, char in enumerate(path) if char == "/"}
@@ -56,14 +56,14 @@ def _events(cues: Sequence[HandedCue]) -> dict[str, str]:
     return distinct(paths.items())
 
 
-def _event(cue: HandedCue) -> list[str]:
+def _event(cue: ExportedCue) -> list[str]:
     """Return the folders and the name of a cue's event: the list's own, or the category and the cue's name."""
     stated = cue.stated_event or (cue.name,)
     folders = (cue.category,) if cue.category and len(stated) == 1 else ()
     return [file_safe(part) for part in (*folders, *stated)]
 
 
-def _file(cue: HandedCue, file: HandedFile, asset: str) -> dict[str, Any]:
+def _file(cue: ExportedCue, file: HandedFile, asset: str) -> dict[str, Any]:
     """Return one file; its loop in seconds, of length 0 where it does not loop."""
     start_s, end_s = 0.0, 0.0
     if cue.loop:

@@ -5,7 +5,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.builds.engine_export import queries as handoff_queries
-from app.builds.engine_export.cues import HandedCue, HandedFile, Handoff, distinct, one_line, set_name, stated
+from app.builds.engine_export.cues import ExportedCue, HandedFile, Handoff, distinct, one_line, set_name, stated
 from app.builds.engine_export.engines import handoff_files
 from app.builds.packs.service import Pack, memory_entry
 from app.builds.packs.zip_stream import Entry
@@ -31,7 +31,7 @@ def handoff_entries(session: Session, pack: Pack, handoff: Handoff) -> list[Entr
     return [memory_entry(path, content) for path, content in made.items()]
 
 
-def handed_cues(session: Session, pack: Pack, handoff: Handoff) -> list[HandedCue]:
+def handed_cues(session: Session, pack: Pack, handoff: Handoff) -> list[ExportedCue]:
     """Return the cues of which a pack has files, in the order of the list."""
     spec = parsed_spec(current_spec(session, pack.project.id).toml)
     content = _content(pack)
@@ -40,9 +40,9 @@ def handed_cues(session: Session, pack: Pack, handoff: Handoff) -> list[HandedCu
         category: spec.for_category(category or None).targets[pack.target]
         for category in {cue.category for cue, _ in content.values()}
     }
-    placeholders = {one.cue.id for one in pack.placeholder_files}
+    placeholders = {placeholder_file.cue.id for placeholder_file in pack.placeholder_files}
     return [
-        HandedCue(
+        ExportedCue(
             label=number,
             name=names[number],
             title=cue.name,
@@ -73,9 +73,13 @@ def _content(pack: Pack) -> dict[str, tuple[Cue, list[HandedFile]]]:
     for sound in pack.sounds:
         if render := sound.packed:
             found.setdefault(sound.cue.id, (sound.cue, {}))[1][sound.variation] = _game_file(sound.path, render)
-    for one in pack.placeholder_files:
-        made = HandedFile(path=one.path, sha256=one.sha256, duration_s=one.cue.duration_s or 0.0)
-        found.setdefault(one.cue.id, (one.cue, {}))[1][one.variation] = made
+    for placeholder_file in pack.placeholder_files:
+        made = HandedFile(
+            path=placeholder_file.path,
+            sha256=placeholder_file.sha256,
+            duration_s=placeholder_file.cue.duration_s or 0.0,
+        )
+        found.setdefault(placeholder_file.cue.id, (placeholder_file.cue, {}))[1][placeholder_file.variation] = made
     prefix = pack.project.cue_prefix
     return {label(prefix, cue.number): (cue, [files[at] for at in sorted(files)]) for cue, files in found.values()}
 

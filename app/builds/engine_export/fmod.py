@@ -5,10 +5,10 @@ Source: FMOD, "Scripting API Reference" of 2.02 and 2.03. The pack is unpacked b
 
 from collections.abc import Sequence
 
-from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.document import DOCUMENT, document, script
 
 
-def fmod_files(cues: Sequence[HandedCue]) -> dict[str, bytes]:
+def fmod_files(cues: Sequence[ExportedCue]) -> dict[str, bytes]:
     """Return the script and the document that it reads."""
     return {"Scripts/soundlist_import.js": script("fmod_import.js"), DOCUMENT: document(cues)}

@@ -11,7 +11,7 @@ import hashlib
 from collections.abc import Sequence
 from pathlib import PurePosixPath
 
-from app.builds.engine_export.cues import HandedCue, HandedFile, distinct, file_safe
+from app.builds.engine_export.cues import ExportedCue, HandedFile, distinct, file_safe
 
 UID_DIGITS = "abcdefghijklmnopqrstuvwxy012345678"  # those of ResourceUID
 DISABLED, FORWARD = 1, 2  # of edit/loop_mode
@@ -23,7 +23,7 @@ IMPORTERS = {
 }
 
 
-def godot_files(cues: Sequence[HandedCue]) -> dict[str, bytes]:
+def godot_files(cues: Sequence[ExportedCue]) -> dict[str, bytes]:
     """Return an import file for each sound that Godot reads, and a randomizer for each set."""
     made: dict[str, bytes] = {}
     names = distinct((cue.label, file_safe(cue.name)) for cue in cues)
@@ -42,7 +42,7 @@ def _ending(file: HandedFile) -> str:
     return PurePosixPath(file.path).suffix.lower()
 
 
-def _import_file(cue: HandedCue, file: HandedFile) -> bytes:
+def _import_file(cue: ExportedCue, file: HandedFile) -> bytes:
     importer, kind, cached_as = IMPORTERS[_ending(file)]
     source = f"res://{file.path}"
     mark = hashlib.md5(source.encode(), usedforsecurity=False).hexdigest()
@@ -67,7 +67,7 @@ def _import_file(cue: HandedCue, file: HandedFile) -> bytes:
     return ("\n".join(lines) + "\n").encode()
 
 
-def _wav_settings(cue: HandedCue, file: HandedFile) -> list[str]:
+def _wav_settings(cue: ExportedCue, file: HandedFile) -> list[str]:
     begin, end = 0, TO_THE_END
     if cue.loop and file.loop_points:
         begin, last = file.loop_points[0]
@@ -86,11 +86,11 @@ def _wav_settings(cue: HandedCue, file: HandedFile) -> list[str]:
     ]
 
 
-def _compressed_settings(cue: HandedCue) -> list[str]:
+def _compressed_settings(cue: ExportedCue) -> list[str]:
     return [f"loop={'true' if cue.loop else 'false'}", "loop_offset=0", "bpm=0", "beat_count=0", "bar_beats=4"]
 
 
-def _randomizer(cue: HandedCue, path: str) -> bytes:
+def _randomizer(cue: ExportedCue, path: str) -> bytes:
     """Return a resource that plays one file of a set at random, never the same twice in a row, at the file's level."""
     count = len(cue.files)
     head = f'[gd_resource type="AudioStreamRandomizer" load_steps={count + 1} format=3 uid={quoted(uid_of(path))}]'

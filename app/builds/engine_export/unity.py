@@ -7,13 +7,13 @@ Settings are applied when a sound is first imported. What a team changes later i
 
 from collections.abc import Sequence
 
-from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.document import DOCUMENT, document, script
 
 FOLDER = "Soundlist"
 
 
-def unity_files(cues: Sequence[HandedCue]) -> dict[str, bytes]:
+def unity_files(cues: Sequence[ExportedCue]) -> dict[str, bytes]:
     """Return the scripts and the document that they read, below Assets where the game files are."""
     in_project = all(file.path.startswith("Assets/") for cue in cues for file in cue.files)
     root = f"Assets/{FOLDER}" if in_project else FOLDER

@@ -5,10 +5,10 @@ Source: Epic, Unreal Python API 5.1 to 5.7: AssetImportTask, EditorAssetLibrary,
 
 from collections.abc import Sequence
 
-from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.document import DOCUMENT, document, script
 
 
-def unreal_files(cues: Sequence[HandedCue]) -> dict[str, bytes]:
+def unreal_files(cues: Sequence[ExportedCue]) -> dict[str, bytes]:
     """Return the script and the document that it reads."""
     return {"soundlist_import.py": script("unreal_import.py"), DOCUMENT: document(cues)}

@@ -11,7 +11,7 @@ does to an event that exists is not documented, so the second table has only eve
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from app.builds.engine_export.cues import HandedCue, HandedFile, distinct, identifier, one_line
+from app.builds.engine_export.cues import ExportedCue, HandedFile, distinct, identifier, one_line
 
 FOLDER = "wwise"
 EVENTS = r"\Events\Default Work Unit"
@@ -28,7 +28,7 @@ SOUND, VOICE, CONTAINER = "Sound SFX", "Sound Voice", "Random Container"
 _NOT_IN_NAMES = re.compile(r'[\\/:*?"<>|@]')
 
 
-def wwise_files(cues: Sequence[HandedCue], known_paths: Collection[str]) -> dict[str, bytes]:
+def wwise_files(cues: Sequence[ExportedCue], known_paths: Collection[str]) -> dict[str, bytes]:
     """Return the tables by their paths: sounds, one for each language that is spoken, and new events.
 
     `known_paths` are files of earlier packs for Wwise, and those that the adopted game plays: a cue of which one is
@@ -48,14 +48,14 @@ def wwise_files(cues: Sequence[HandedCue], known_paths: Collection[str]) -> dict
     return made
 
 
-def event_name(cue: HandedCue) -> str:
+def event_name(cue: ExportedCue) -> str:
     """Return the event's name: the list's own, or `Play_` and the name of the cue."""
     if path := cue.stated_event:
         return identifier(path[-1].partition("@")[0], cue.label)
     return f"Play_{identifier(cue.name, cue.label)}"
 
 
-def _object_paths(cues: Sequence[HandedCue]) -> dict[str, str]:
+def _object_paths(cues: Sequence[ExportedCue]) -> dict[str, str]:
     """Return the path of each cue's object, no two alike, and none that of a category's folder."""
     folders = {_object_name(cue.category).casefold() for cue in cues if cue.category}
     own = {}
@@ -70,7 +70,7 @@ def _object_paths(cues: Sequence[HandedCue]) -> dict[str, str]:
     return paths
 
 
-def _rows(cue: HandedCue, path: str) -> Iterator[Sequence[str]]:
+def _rows(cue: ExportedCue, path: str) -> Iterator[Sequence[str]]:
     if not cue.is_set:
         yield _sound_row(cue, cue.files[0], path, cue.notes)
         return
@@ -80,17 +80,17 @@ def _rows(cue: HandedCue, path: str) -> Iterator[Sequence[str]]:
         yield _sound_row(cue, file, rf"{path}\<{_sound_type(cue)}>{name}", "")
 
 
-def _sound_row(cue: HandedCue, file: HandedFile, path: str, notes: str) -> Sequence[str]:
+def _sound_row(cue: ExportedCue, file: HandedFile, path: str, notes: str) -> Sequence[str]:
     audio_file = "..\\" + file.path.replace("/", "\\")
     loop = "true" if cue.loop else "false"
     return audio_file, path, _sound_type(cue), notes, loop, "true" if cue.streamed else ""
 
 
-def _sound_type(cue: HandedCue) -> str:
+def _sound_type(cue: ExportedCue) -> str:
     return VOICE if cue.language else SOUND
 
 
-def _kind(cue: HandedCue) -> str:
+def _kind(cue: ExportedCue) -> str:
     return CONTAINER if cue.is_set else _sound_type(cue)
 
 

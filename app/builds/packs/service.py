@@ -239,7 +239,7 @@ def changes_read(since: int | None, before: Mapping[str, str], after: Mapping[st
 def key_rows(pack: Pack, *, masters: bool) -> list[KeyRow]:
     """Return the rows of the documentation key."""
     rows = [_key_row(pack, sound, masters=masters) for sound in pack.sounds]
-    return rows + [_placeholder_file_row(pack, one) for one in pack.placeholder_files]
+    return rows + [_placeholder_file_row(pack, placeholder_file) for placeholder_file in pack.placeholder_files]
 
 
 def _placeholder_file_row(pack: Pack, one: PackedPlaceholder) -> KeyRow:
@@ -333,8 +333,11 @@ def pack_files(
         if (render := sound.packed)
     ]
     files += [
-        Packed(stored_entry(store, studio_id, one.path, one.sha256, one.file_bytes), FileKind.PLACEHOLDER)
-        for one in pack.placeholder_files
+        Packed(
+            stored_entry(store, studio_id, placeholder_file.path, placeholder_file.sha256, placeholder_file.file_bytes),
+            FileKind.PLACEHOLDER,
+        )
+        for placeholder_file in pack.placeholder_files
     ]
     if masters:
         files += [

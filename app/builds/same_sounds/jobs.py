@@ -15,12 +15,12 @@ from app.core.storage import BlobAltered, BlobMissing
 from app.deliveries.queries import take_with_cue
 from audio_checks import (
     FINGERPRINT_VERSION,
-    KnownSound,
     SandboxFailed,
+    SoundSignature,
     Unreadable,
     difference_of,
-    known_sound,
     likely_sounds,
+    sound_signature,
 )
 
 log = structlog.get_logger(__name__)
@@ -62,13 +62,13 @@ def compare_take(runtime: Runtime, payload: Payload) -> None:
             )
 
 
-def _known(runtime: Runtime, studio_id: UUID, sha256: str, size_bytes: int) -> KnownSound | None:
+def _known(runtime: Runtime, studio_id: UUID, sha256: str, size_bytes: int) -> SoundSignature | None:
     try:
         with (
             runtime.store.local_copy(studio_id, sha256) as path,
             checking.sandbox().child(timeout_s=checking.time_for(size_bytes), reads=[path]) as child,
         ):
-            return child.call(known_sound, str(path))
+            return child.call(sound_signature, str(path))
     except (Unreadable, SandboxFailed) as error:
         log.info("a master could not be fingerprinted", sha256=sha256, error=str(error))
         return None

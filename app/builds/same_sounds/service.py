@@ -23,7 +23,7 @@ from app.deliveries.sources.service import sources_of
 from app.projects.errors import NdaNeeded
 from app.projects.models import Project
 from app.sound_lists.rules import label
-from audio_checks import FINGERPRINT_VERSION, Difference, KnownSound
+from audio_checks import FINGERPRINT_VERSION, Difference, SoundSignature
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class FoundElsewhere:
     is_resampled: bool
 
 
-def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, known: KnownSound | None) -> None:
+def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, known: SoundSignature | None) -> None:
     """Record a master's fingerprint once, in place of one made by another version; None: it could not be read."""
     session.execute(
         delete(MasterFingerprint).where(
@@ -105,17 +105,19 @@ def _of_libraries(session: Session, takes: Sequence[Take]) -> dict[UUID, list[Li
     """Return by take which files of registered libraries it equals, and whether its sources name the library."""
     stated = sources_of(session, takes)
     found: dict[UUID, list[LibraryMatchRead]] = {take.id: [] for take in takes}
-    for one in library_queries.library_matches_of(session, found):
-        sources = stated.get(one.take_id)
-        found[one.take_id].append(
+    for library_match in library_queries.library_matches_of(session, found):
+        sources = stated.get(library_match.take_id)
+        found[library_match.take_id].append(
             LibraryMatchRead(
-                library=one.name,
-                licence=one.licence,
-                file=one.path,
-                words=_words(one),
-                gain_db=one.gain_db,
-                score=one.score,
-                is_declared=is_named(one.name, [each.name for each in sources.libraries] if sources else ()),
+                library=library_match.name,
+                licence=library_match.licence,
+                file=library_match.path,
+                words=_words(library_match),
+                gain_db=library_match.gain_db,
+                score=library_match.score,
+                is_declared=is_named(
+                    library_match.name, [library.name for library in sources.libraries] if sources else ()
+                ),
             )
         )
     return found
@@ -125,9 +127,9 @@ def library_files_in_words(session: Session, takes: Sequence[Take]) -> dict[UUID
     """Return by take which files of libraries it equals, for a clearance sheet; the caller has checked access."""
     return {
         take_id: "; ".join(
-            f"{one.file} of {one.library}{f' ({one.licence})' if one.licence else ''}, {one.words}, "
-            + ("declared" if one.is_declared else "not declared")
-            for one in matches
+            f"{match.file} of {match.library}{f' ({match.licence})' if match.licence else ''}, {match.words}, "
+            + ("declared" if match.is_declared else "not declared")
+            for match in matches
         )
         for take_id, matches in _of_libraries(session, takes).items()
         if matches

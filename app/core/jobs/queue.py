@@ -123,7 +123,7 @@ class JobCount:
 
 
 @dataclass(frozen=True)
-class Lane:
+class FairnessPartition:
     """The jobs of one studio and one urgency, which take turns with those of every other lane."""
 
     studio_id: UUID | None
@@ -190,10 +190,10 @@ class JobQueue:
                 options["delay_seconds"] = delay_s
                 options["priority"] = int(cost)  # has waited: at the head, once it is due
             else:
-                options["priority"] = self._place(session, work.lane, int(cost))
+                options["priority"] = self._next_priority(session, work.lane, int(cost))
             self._client.enqueue_in_transaction(session, options, *work)
 
-    def _place(self, session: Session, lane: str, cost: int) -> int:
+    def _next_priority(self, session: Session, lane: str, cost: int) -> int:
         """Return the place in the line of the next job of a lane."""
         ahead = session.connection().execute(self._ahead, {"lane": lane}).one()
         return min(max(place or 0 for place in ahead) + cost, LAST_PLACE)
@@ -276,12 +276,12 @@ class JobQueue:
                 JobCount(name or RUN_JOB, word, jobs, _instant(ms)) for name, word, jobs, ms in session.execute(counted)
             ]
 
-    def lanes(self, studio_id: UUID | None = None) -> list[Lane]:
+    def lanes(self, studio_id: UUID | None = None) -> list[FairnessPartition]:
         """Return how many jobs wait and run in each lane that has any, the longest first."""
         jobs = self._not_done(OPEN_STATES, studio_id)
         lane, state = jobs.c.queue_partition_key, jobs.c.status
         counted = sa.select(lane, state, sa.func.count(), sa.func.min(jobs.c.created_at)).group_by(lane, state)
-        found: dict[str, Lane] = {}
+        found: dict[str, FairnessPartition] = {}
         with self._database.reading() as session:
             for key, status, count, oldest_ms in session.execute(counted.where(lane.is_not(None))):
                 known = found.get(key) or _empty_lane(key)
@@ -293,7 +293,7 @@ class JobQueue:
             found.values(), key=lambda lane: (-lane.waiting - lane.running, -lane.delayed, str(lane.studio_id))
         )
 
-    def held_by(self, worker_id: str) -> set[str]:
+    def job_ids_claimed_by(self, worker_id: str) -> set[str]:
         """Return the jobs recorded as run by a worker."""
         jobs = self._workflows
         held = sa.select(jobs.c.workflow_uuid).where(
@@ -302,7 +302,7 @@ class JobQueue:
         with self._database.reading() as session:
             return set(session.scalars(held))
 
-    def in_hand(self) -> dict[str, int]:
+    def running_jobs_by_worker(self) -> dict[str, int]:
         """Return how many jobs each worker runs that runs any."""
         jobs = self._workflows
         running = sa.select(jobs.c.executor_id, sa.func.count()).where(
@@ -429,9 +429,9 @@ def _unfinished(row: sa.Row[Any]) -> UnfinishedJob:
     )
 
 
-def _empty_lane(key: str) -> Lane:
+def _empty_lane(key: str) -> FairnessPartition:
     studio, _, cost = key.partition(":")
-    return Lane(None if studio == NOBODY else UUID(studio), URGENCY_WORDS[int(cost)])
+    return FairnessPartition(None if studio == NOBODY else UUID(studio), URGENCY_WORDS[int(cost)])
 
 
 def _attempt(job_id: str) -> int:

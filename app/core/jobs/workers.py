@@ -106,7 +106,7 @@ class Worker:
                 self._beat()
                 if not _stopping.is_set():
                     self._take_over()
-                    self._take_back()
+                    self._requeue_lost_jobs()
             except Exception as error:
                 # A worker that could not read heartbeats cannot judge whose are missing: start again.
                 self._watched.clear()
@@ -122,7 +122,7 @@ class Worker:
             if not self._claim_silent(worker_id, beat_at):
                 continue
             log.warning("a worker is silent; its jobs are taken over", worker=worker_id)
-            self.runtime.queue.requeue(self.runtime.queue.held_by(worker_id))
+            self.runtime.queue.requeue(self.runtime.queue.job_ids_claimed_by(worker_id))
             self._forget(worker_id)
             del self._watched[worker_id]
 
@@ -141,12 +141,12 @@ class Worker:
         except sa.exc.IntegrityError:  # another worker was first
             return False
 
-    def _take_back(self) -> None:
+    def _requeue_lost_jobs(self) -> None:
         """Put jobs back into the queue that are recorded as run by this worker but are not running.
 
         DBOS drops a job if the database becomes unavailable just as the job's end is written.
         """
-        unheld = self.runtime.queue.held_by(self.id) - self._running
+        unheld = self.runtime.queue.job_ids_claimed_by(self.id) - self._running
         if lost := unheld & self._unheld:  # at two beats: between claim and start a job is in no list
             log.warning("ends of jobs were not written; they run again", job_ids=sorted(lost))
             self.runtime.queue.requeue(lost)
@@ -156,7 +156,7 @@ class Worker:
         """Return the others whose beat has stood still, by this process's own clock, for too long; and that beat."""
         with self._database.reading() as session:
             beats = dict(session.execute(sa.select(Heartbeat.worker_id, Heartbeat.beat_at)).all())
-        heard: dict[str, datetime | None] = dict.fromkeys(self.runtime.queue.in_hand()) | beats
+        heard: dict[str, datetime | None] = dict.fromkeys(self.runtime.queue.running_jobs_by_worker()) | beats
         heard.pop(self.id, None)
         now = time.monotonic()
         self._watched = {

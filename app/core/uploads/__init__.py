@@ -15,8 +15,8 @@ from app.core.uploads.errors import (
     UploadTooLong,
     UploadUnfinished,
 )
+from app.core.uploads.minimum_rate import MinimumRate
 from app.core.uploads.model import FinishedUpload, Upload, finished_upload
-from app.core.uploads.pace import Pace
 from app.core.uploads.parts import PartsProgress
 from app.core.uploads.staged import Uploads
 
@@ -25,8 +25,8 @@ __all__ = [
     "Checksum",
     "ChecksumMismatch",
     "FinishedUpload",
+    "MinimumRate",
     "OffsetMismatch",
-    "Pace",
     "PartUnknown",
     "PartsNotTaken",
     "PartsProgress",

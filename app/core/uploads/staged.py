@@ -33,8 +33,8 @@ from app.core.uploads.errors import (
     UploadNotFound,
     UploadTooLong,
 )
+from app.core.uploads.minimum_rate import MinimumRate
 from app.core.uploads.model import BEGIN, FINISH, OF_ID, Upload
-from app.core.uploads.pace import Pace
 from app.core.uploads.parts import PartsProgress, UploadParts
 from app.core.web.concurrency import limiter
 
@@ -50,10 +50,10 @@ class Uploads:
     """The uploads of one server, before they reach the store."""
 
     def __init__(
-        self, database: Database, store: Store, *, reserve_bytes: int = SPARE_BYTES, pace: Pace | None = None
+        self, database: Database, store: Store, *, reserve_bytes: int = SPARE_BYTES, pace: MinimumRate | None = None
     ) -> None:
         self._reserve_bytes = reserve_bytes
-        self._pace = pace or Pace()
+        self._pace = pace or MinimumRate()
         self._database = database
         self._store = store
         self._parts = UploadParts(database, store)

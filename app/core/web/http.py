@@ -13,9 +13,9 @@ from sqlalchemy.orm import Session
 from starlette.concurrency import run_in_threadpool
 
 from app.core import kill_points
+from app.core.access_scope import NOBODY, AccessScope
 from app.core.db import Database, bind_reach
 from app.core.errors import FieldProblem, Invalid, Refused
-from app.core.reach import NOBODY, Reach
 from app.core.runtime import Runtime
 from app.core.web.concurrency import Slot, limiter
 from app.core.web.idempotency import SAFE_METHODS as SAFE_METHODS
@@ -72,7 +72,7 @@ async def _runtime(request: Request) -> Runtime:
 CurrentRuntime = Annotated[Runtime, Depends(_runtime)]
 
 
-def set_reach(request: Request, reach: Reach) -> None:
+def set_reach(request: Request, reach: AccessScope) -> None:
     """Let the request's transaction reach what its caller may see, which is known before it begins."""
     request.state.reach = reach
     session: Session | None = getattr(request.state, "session", None)
@@ -127,7 +127,7 @@ CLIENT_ADDRESS = "client address"  # of the request, in the information of its s
 def transaction(request: Request) -> Iterator[Session]:
     """Give the transaction of a request."""
     database = database_of(request)
-    reach: Reach = getattr(request.state, "reach", NOBODY)
+    reach: AccessScope = getattr(request.state, "reach", NOBODY)
     if request.method in SAFE_METHODS:
         with database.reading(reach) as session:
             yield session

@@ -16,7 +16,7 @@ class TooManyAtOnce(Refused):
     retry_after_s = 2
 
 
-class FairShare:
+class PerUserLimit:
     """A concurrency limit for each person, in one process."""
 
     def __init__(self, most: int, noun: str) -> None:

@@ -80,7 +80,7 @@ class WithResponseHeaders:
                 names = {name.lower() for name, _ in given}
                 policy = policy_of(scope["path"])
                 headers = self._of_pages if policy is None else self._of_policy[policy]
-                message["headers"] = [*given, *(one for one in headers if one[0] not in names)]
+                message["headers"] = [*given, *(header for header in headers if header[0] not in names)]
                 if b"cache-control" not in names:
                     MutableHeaders(scope=message)["Cache-Control"] = caching(scope["path"], message["status"])
             await send(message)

@@ -68,14 +68,20 @@ def credits_to_export(session: Session, actor: Actor, project_id: UUID) -> list[
 
 
 def _roles_of_designers(session: Session, project_id: UUID) -> Roles:
-    return [(CreditRole.SOUND_DESIGN, one) for one in queries.designers_with_approved_takes(session, project_id)]
+    return [
+        (CreditRole.SOUND_DESIGN, designer) for designer in queries.designers_with_approved_takes(session, project_id)
+    ]
 
 
 def _roles_of_team(session: Session, project: Project) -> Roles:
     approvers = {approver_of(session, project)}
-    approvers |= {one.person_id for one in category_approvers(session, [project.id]) if one.person_id}
-    liaisons = {one.person_id for one in liaisons_of(session, [project.id])} - approvers
-    producers = {one.person_id for one in members(session, project.studio_id) if Role.PRODUCER in one.roles}
+    approvers |= {
+        category_approver.person_id
+        for category_approver in category_approvers(session, [project.id])
+        if category_approver.person_id
+    }
+    liaisons = {liaison.person_id for liaison in liaisons_of(session, [project.id])} - approvers
+    producers = {member.person_id for member in members(session, project.studio_id) if Role.PRODUCER in member.roles}
     return [
         *((CreditRole.AUDIO_DIRECTION, person_id) for person_id in approvers),
         *((CreditRole.AUDIO_LEAD, person_id) for person_id in liaisons),

@@ -132,7 +132,7 @@ class Desk:
         of_cues: dict[UUID | None, list[tuple[Take, Cue]]] = defaultdict(list)
         for take, cue in desk_queries.takes_back(session, cue_ids, self._designer_id):
             of_cues[cue.id].append((take, cue))
-        back = [each for cue_id in cue_ids for each in of_cues[cue_id]]
+        back = [of_cue for cue_id in cue_ids for of_cue in of_cues[cue_id]]
         ids = [take.id for take, _ in back]
         pictures = progress_queries.pictures(session, project.studio_id, [take.master_sha256 for take, _ in back])
         runs = queries.current_runs(session, ids)

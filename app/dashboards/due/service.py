@@ -104,9 +104,9 @@ def _named(session: Session, contracts: Sequence[Contract], name: str) -> Iterat
     terms = named_terms(session, contracts) if contracts else {}
     for contract in contracts:
         if contract.agreed_at is not None:
-            for one in named_days(terms[contract.id], contract.agreed_at.date()):
-                uid = f"{one.term}-{one.day.isoformat()}-{contract.id}"
-                yield _event(uid, contract.agreed_at, one.day, f"{name}: {one.words}", contract.title)
+            for named_day in named_days(terms[contract.id], contract.agreed_at.date()):
+                uid = f"{named_day.term}-{named_day.day.isoformat()}-{contract.id}"
+                yield _event(uid, contract.agreed_at, named_day.day, f"{name}: {named_day.words}", contract.title)
 
 
 def _event(uid: str, stamp: datetime, day: date, summary: str, description: str) -> Event:

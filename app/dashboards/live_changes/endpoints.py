@@ -13,7 +13,7 @@ from starlette.concurrency import run_in_threadpool
 from app.accounts.authentication import SESSION_COOKIE, sha256_of
 from app.accounts.errors import NotSignedIn
 from app.accounts.rules import Actor, Audience
-from app.accounts.web.policies import allows, demo_part_of
+from app.accounts.web.policies import allows, demo_role
 from app.core.change_feed import ChangeFeed, TooManyStreams, Viewer
 from app.core.db import new_id
 from app.core.web.http import database_of, problems
@@ -49,7 +49,7 @@ async def watch_changes(
     viewer, sight = await run_in_threadpool(_viewer, request, actor)
     feed: ChangeFeed = request.app.state.change_feed
     is_leaving = getattr(request.state, IS_LEAVING, bool)
-    feed.ensure_room(viewer.person_id)
+    feed.ensure_stream_limit(viewer.person_id)
     return StreamingResponse(
         _events(feed, viewer, sight, is_leaving, _id_in(last_event_id), seconds), media_type="text/event-stream",
         headers=HEADERS,
@@ -57,7 +57,7 @@ async def watch_changes(
 
 
 def _viewer(request: Request, actor: Actor) -> tuple[Viewer, PersonsSight]:
-    is_demo = demo_part_of(request) is not None
+    is_demo = demo_role(request) is not None
     viewer = Viewer(actor.person, None if is_demo else sha256_of(request.cookies.get(SESSION_COOKIE, "")))
     sight = sights_of(database_of(request), {viewer}).get(viewer)
     if sight is None:

@@ -31,7 +31,7 @@ class PersonsSight:
     speaks_in: set[UUID] = field(default_factory=set)  # projects
     engaged_in: dict[UUID, bool] = field(default_factory=dict)  # by project: whether the NDA is behind them
 
-    def rooms_seen(self, scope: Scope, rooms: Collection[str]) -> set[str]:
+    def visible_rooms(self, scope: Scope, rooms: Collection[str]) -> set[str]:
         """Return the rooms of a project, or of a studio outside its projects, that the person sees."""
         seen = set(rooms)
         if (roles := self.roles.get(scope.studio_id)) is not None:

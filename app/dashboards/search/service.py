@@ -22,7 +22,7 @@ from app.sound_lists.models import Cue
 OF_A_KIND = 6  # hits of each kind but cues
 
 
-def find(session: Session, actor: Actor, project_id: UUID, typed: str) -> schemas.FindResult:
+def search(session: Session, actor: Actor, project_id: UUID, typed: str) -> schemas.FindResult:
     """Return what holds the typed words: cues first, then files, people, contracts and what was said.
 
     No kind has more hits than `OF_A_KIND`; cues have as many as are left of `HITS`.
@@ -112,9 +112,9 @@ def _people(session: Session, access: ProjectAccess, phrase: str) -> list[schema
 def _contracts(session: Session, access: ProjectAccess, phrase: str) -> list[schemas.Found]:
     sought = phrase.casefold()
     return [
-        schemas.Found(kind="contract", title=one.title, text=one.designer.name, contract_id=one.id)
-        for one in contracts_in(session, access.actor, access.project.id)
-        if sought in one.title.casefold() or sought in one.designer.name.casefold()
+        schemas.Found(kind="contract", title=contract.title, text=contract.designer.name, contract_id=contract.id)
+        for contract in contracts_in(session, access.actor, access.project.id)
+        if sought in contract.title.casefold() or sought in contract.designer.name.casefold()
     ][:OF_A_KIND]
 
 
@@ -123,7 +123,10 @@ def _reasons_and_labels(
 ) -> list[tuple[Project, schemas.Found]]:
     reasons = said_queries.find_reasons(session, reach, words, limit=OF_A_KIND)
     labels = said_queries.find_labels(session, reach, words, limit=OF_A_KIND)
-    return [*((one.project, _reason(one)) for one in reasons), *((one.project, _label(one)) for one in labels)]
+    return [
+        *((reason.project, _reason(reason)) for reason in reasons),
+        *((label.project, _label(label)) for label in labels),
+    ]
 
 
 def _reason(found: FoundReason) -> schemas.Found:

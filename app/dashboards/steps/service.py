@@ -195,7 +195,7 @@ class _Steps:
             self.steps.append(NextStep(kind=NextStepKind.ADD_CUES, since=project.created_at))
             if briefs.brief_of(session, project.id) is None:
                 self.steps.append(NextStep(kind=NextStepKind.WRITE_BRIEF, since=project.created_at))
-        engaged = [one for one in engagements_of(session, [project.id]) if one.ended_at is None]
+        engaged = [engagement for engagement in engagements_of(session, [project.id]) if engagement.ended_at is None]
         invited = [one for one in invitations(session, project.id) if one.accepted_at is None]
         pending = [one for one in invited if one.expires_at > clock.now()]
         for invitation in pending:
@@ -214,9 +214,9 @@ class _Steps:
         if not pending:
             return
         sent = {
-            one.designer_id
-            for one in agreements.contracts_in(self._session, self._access.actor, self._project.id)
-            if one.kind is ContractKind.NDA and one.state is ContractState.SENT
+            contract.designer_id
+            for contract in agreements.contracts_in(self._session, self._access.actor, self._project.id)
+            if contract.kind is ContractKind.NDA and contract.state is ContractState.SENT
         }
         self.steps += [
             NextStep(kind=NextStepKind.SEND_NDA, who=one.designer.name, since=one.created_at)
@@ -286,14 +286,18 @@ class _Steps:
 
     def _amendments(self, contract: Contract, party: Party) -> None:
         of_contract = {"subject": contract.title, "who": _other_side(contract, party), "contract_id": contract.id}
-        for one in waiting_amendments(self._session, self._access.actor, contract, party):
-            if one.is_mine:
-                kind = STEP_OF_AMENDMENT[one.what]
-                self.steps.append(NextStep(kind=kind, count=one.count, since=one.since, **of_contract))
+        for waiting_amendment in waiting_amendments(self._session, self._access.actor, contract, party):
+            if waiting_amendment.is_mine:
+                kind = STEP_OF_AMENDMENT[waiting_amendment.what]
+                self.steps.append(
+                    NextStep(kind=kind, count=waiting_amendment.count, since=waiting_amendment.since, **of_contract)
+                )
             else:
                 person_id = contract.designer_id if party is Party.STUDIO else None
-                awaited = AwaitedKind(one.what.value)
-                self.awaited.append(Awaited(kind=awaited, person_id=person_id, since=one.since, **of_contract))
+                awaited = AwaitedKind(waiting_amendment.what.value)
+                self.awaited.append(
+                    Awaited(kind=awaited, person_id=person_id, since=waiting_amendment.since, **of_contract)
+                )
 
     def _draft(self, contract: Contract) -> None:
         event = agreements.newest_event_of(self._session, contract.id, TURNS)
@@ -373,7 +377,11 @@ class _Steps:
         if party is Party.STUDIO:
             self.steps += self._to_agree(contract)
         elif contract.state is ContractState.AGREED:
-            refused = [one.refused_at for one in money.worked_days_of(session, contract.id) if one.refused_at]
+            refused = [
+                worked_day.refused_at
+                for worked_day in money.worked_days_of(session, contract.id)
+                if worked_day.refused_at
+            ]
             self._counted(NextStepKind.CORRECT_WORK, (len(refused), min(refused, default=None)))
 
     def _to_agree(self, contract: Contract) -> Iterator[NextStep]:
@@ -385,10 +393,13 @@ class _Steps:
             if logged:
                 since = datetime.combine(logged[0].worked_on, time(), UTC)
                 yield NextStep(kind=kind, count=len(logged), since=since, **of_contract)
-        for one in money.extra_rounds_of(self._session, contract.id):
-            if one.agreed_at is None and one.dropped_at is None:
+        for extra_round in money.extra_rounds_of(self._session, contract.id):
+            if extra_round.agreed_at is None and extra_round.dropped_at is None:
                 yield NextStep(
-                    kind=NextStepKind.AGREE_ROUND, subject=one.cue.name, since=one.proposed_at, **of_contract
+                    kind=NextStepKind.AGREE_ROUND,
+                    subject=extra_round.cue.name,
+                    since=extra_round.proposed_at,
+                    **of_contract,
                 )
 
 

@@ -62,10 +62,10 @@ def _figures(
 
 def _estimates(session: Session, studio_id: UUID, designer_id: UUID) -> HabitRead:
     pairs = [
-        (one.estimate, one.actual)
+        (cue.estimate, cue.actual)
         for contract in work_queries.contracts_of(session, studio_id, designer_id)
-        for one in estimates_of(session, contract).cues
-        if one.actual is not None
+        for cue in estimates_of(session, contract).cues
+        if cue.actual is not None
     ]
     rate = error_rate(pairs)
     return HabitRead(

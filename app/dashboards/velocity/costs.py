@@ -38,14 +38,16 @@ def costs(
 
     Budgets are for those who act for the studio; estimates for its producers and for the designer who made them.
     """
-    contract_ids = [one.contract_id for one in paid.contracts]
+    contract_ids = [contract.contract_id for contract in paid.contracts]
     rows = pace_cost_queries.ordered(session, contract_ids)
     by_currency: dict[str, list[OrderedCue]] = defaultdict(list)
     for cue in _ordered_cues(session, rows):
         by_currency[cue.currency].append(cue)
     figures = {total.currency: total.figures for total in paid.totals}
     budgets = (
-        {one.currency: one.amount_minor for one in budgets_of(session, access.project.id)} if access.is_team else {}
+        {budget.currency: budget.amount_minor for budget in budgets_of(session, access.project.id)}
+        if access.is_team
+        else {}
     )
     read = []
     for currency in sorted(figures.keys() | budgets.keys()):

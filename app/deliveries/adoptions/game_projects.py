@@ -112,7 +112,11 @@ def project_of(game: Mapping[str, Any]) -> Project:
 def plays_by_path(game: Mapping[str, Any], paths: Iterable[str]) -> dict[str, list[dict[str, Any]]]:
     """Return how the game plays each file that it plays, as a manifest for audits has it."""
     files = [FingerprintedFile(path) for path in paths]
-    return {one.path: manifest_entry(one)["plays"] for one in with_plays(files, project_of(game)) if one.plays}
+    return {
+        with_play.path: manifest_entry(with_play)["plays"]
+        for with_play in with_plays(files, project_of(game))
+        if with_play.plays
+    }
 
 
 def levels_in_words(plays: Sequence[Mapping[str, Any]]) -> str:

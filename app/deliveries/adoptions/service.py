@@ -40,7 +40,7 @@ def plan_folder(
     access = project_access(session, actor, project_id)
     ensure_may_send(access)
     _ensure_paths_differ(files)
-    return plan_read(plan_for(session, access.project, [one.model_dump() for one in files], game), game)
+    return plan_read(plan_for(session, access.project, [file.model_dump() for file in files], game), game)
 
 
 def plan_for(
@@ -50,7 +50,8 @@ def plan_for(
     owned = {stem: label(project.cue_prefix, number) for stem, number in queries.owned_stems(session, project.id)}
     spec = audio_checks.parse_spec(current_spec(session, project.id).toml)
     shipped = [
-        audio_checks.ShippedFile(one["path"], one["sha256"], one["sample_rate_hz"], one["bit_depth"]) for one in files
+        audio_checks.ShippedFile(file["path"], file["sha256"], file["sample_rate_hz"], file["bit_depth"])
+        for file in files
     ]
     return audio_checks.plan_adoption(
         shipped, owned=owned, categories=spec.categories, project=project_of(game) if game else None
@@ -74,7 +75,7 @@ def open_adoption(
         studio_id=access.project.studio_id,
         project_id=project_id,
         folder=folder,
-        files=[one.model_dump() for one in files],
+        files=[file.model_dump() for file in files],
         game=game,
         opened_by=actor.person_id,
     )
@@ -95,7 +96,7 @@ def missing_files(
     plan: audio_checks.AdoptionPlan, adoption: Adoption, uploaded: dict[str, tuple[UUID, int]]
 ) -> list[str]:
     """Return one path of each content that a plan adopts and that is not uploaded."""
-    hashes = {one["path"]: one["sha256"] for one in adoption.files}
+    hashes = {file["path"]: file["sha256"] for file in adoption.files}
     wanted = {hashes[path]: path for cue in reversed(plan.cues) for path in reversed(cue.paths)}
     return sorted(path for sha256, path in wanted.items() if sha256 not in uploaded)
 
@@ -178,7 +179,7 @@ def plan_read(plan: audio_checks.AdoptionPlan, game: Game | None) -> AdoptionPla
         sets=sum(len(cue.paths) > 1 for cue in plan.cues),
         categories=dict(sorted(Counter(cue.category for cue in plan.cues).items())),
         duplicates=[list(paths) for paths in plan.duplicates],
-        oddities=[one._asdict() for one in plan.oddities],
+        oddities=[oddity._asdict() for oddity in plan.oddities],
         skipped=[one._asdict() for one in plan.skipped],
         project=ReadProject(**{key: game[key] for key in game if key != "sounds"}, played=len(played))
         if game
@@ -187,6 +188,6 @@ def plan_read(plan: audio_checks.AdoptionPlan, game: Game | None) -> AdoptionPla
 
 
 def _ensure_paths_differ(files: Sequence[ShippedFileIn]) -> None:
-    [(path, count)] = Counter(one.path for one in files).most_common(1)
+    [(path, count)] = Counter(file.path for file in files).most_common(1)
     if count > 1:
         raise PathTwice(f"{path} is in the list of files {count} times; name each file once")

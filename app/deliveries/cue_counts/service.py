@@ -22,7 +22,7 @@ from app.sound_lists.models import Cue
 SUMS: Table = Base.metadata.tables[CueSums.__tablename__]
 _ONE = (SUMS.c.cue_id == bindparam("of_cue"), SUMS.c.viewer_id == bindparam("viewer"))
 _NEW, _GONE = insert(SUMS), delete(SUMS).where(*_ONE)
-_CHANGED = update(SUMS).where(*_ONE).values({each.name: bindparam(each.name) for each in fields(Sums)})
+_CHANGED = update(SUMS).where(*_ONE).values({field.name: bindparam(field.name) for field in fields(Sums)})
 TOUCHED = "cues whose takes changed"  # key in a session's info
 
 
@@ -87,5 +87,5 @@ def _summed() -> Select[*tuple[Any, ...]]:
 
 @cache
 def _kept() -> Select[*tuple[Any, ...]]:
-    said = (getattr(CueSums, each.name) for each in fields(Sums))
+    said = (getattr(CueSums, field.name) for field in fields(Sums))
     return select(CueSums.cue_id, CueSums.viewer_id, *said).where(in_array(CueSums.cue_id, "cue_ids"))

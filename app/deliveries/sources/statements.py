@@ -18,8 +18,10 @@ def open_points(sources: Sources | None) -> list[tuple[SourcePoint, str]]:
     """Return what a statement leaves open, each with the library or performer that it is about."""
     if sources is None:
         return [(SourcePoint.NOT_STATED, "")]
-    licences = [(SourcePoint.NO_LICENCE, one.name) for one in sources.libraries if not one.licence]
-    return licences + [(SourcePoint.NO_RELEASE, one.name) for one in sources.performers if not one.release]
+    licences = [(SourcePoint.NO_LICENCE, library.name) for library in sources.libraries if not library.licence]
+    return licences + [
+        (SourcePoint.NO_RELEASE, performer.name) for performer in sources.performers if not performer.release
+    ]
 
 
 POINT_WORDS = {
@@ -42,11 +44,14 @@ def words_of(sources: Sources) -> str:
     if sources.own_recordings:
         parts.append("own recordings")
     parts += [
-        f"library {one.name} ({one.licence or 'no licence named'}{f', {one.file}' if one.file else ''})"
-        for one in sources.libraries
+        f"library {library.name} ({library.licence or 'no licence named'}{f', {library.file}' if library.file else ''})"
+        for library in sources.libraries
     ]
     parts += [f"generated with {one.tool}: {one.part}" for one in sources.generated]
-    parts += [f"performed by {one.name} (release: {one.release or 'none named'})" for one in sources.performers]
+    parts += [
+        f"performed by {performer.name} (release: {performer.release or 'none named'})"
+        for performer in sources.performers
+    ]
     if sources.note:
         parts.append(sources.note)
     return "; ".join(parts)

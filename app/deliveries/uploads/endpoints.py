@@ -24,8 +24,8 @@ from app.core.storage import StoreUnavailable
 from app.core.uploads import (
     CHECKSUMS,
     ChecksumMismatch,
+    MinimumRate,
     OffsetMismatch,
-    Pace,
     PartsNotTaken,
     PartUnknown,
     SentInParts,
@@ -162,7 +162,7 @@ async def begin_upload(
     if not has_body:
         return await asyncio.to_thread(lambda: _standing(uploads, begin(), 201))
     upload = await asyncio.to_thread(begin)
-    slot.release()  # bytes come as slowly as `Pace` lets them
+    slot.release()  # bytes come as slowly as `MinimumRate` lets them
     upload = await uploads.receive(upload, 0, _body(request), announced=_declared(request), checksum=checksum)
     return await _after(uploads, upload, 201)
 
@@ -312,7 +312,7 @@ async def _body(request: Request) -> AsyncIterator[bytes]:
 
 def _uploads(runtime: Runtime) -> Uploads:
     settings = runtime.settings
-    pace = Pace(settings.upload_min_rate, settings.upload_window_s)
+    pace = MinimumRate(settings.upload_min_rate, settings.upload_window_s)
     return Uploads(runtime.database, runtime.store, reserve_bytes=settings.disk_reserve, pace=pace)
 
 

@@ -6,7 +6,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.quotas.service import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_quota
 from app.deliveries import queries
 
 COUNTED_EVERY_S = 15.0  # a count reads an index of all masters of a studio
@@ -15,8 +15,8 @@ _counted: dict[tuple[QuotaKind, UUID], tuple[float, int]] = {}
 
 def ensure_upload_fits(session: Session, studio_id: UUID, length: int) -> None:
     """Raise StorageQuotaReached or QuotaReached before a byte is stored; what is finished is never refused."""
-    ensure_room(session, studio_id, QuotaKind.MASTER_BYTES, _lately(QuotaKind.MASTER_BYTES), added=length)
-    ensure_room(session, studio_id, QuotaKind.OPEN_UPLOADS, _lately(QuotaKind.OPEN_UPLOADS))
+    ensure_quota(session, studio_id, QuotaKind.MASTER_BYTES, _lately(QuotaKind.MASTER_BYTES), added=length)
+    ensure_quota(session, studio_id, QuotaKind.OPEN_UPLOADS, _lately(QuotaKind.OPEN_UPLOADS))
 
 
 def _lately(kind: QuotaKind) -> Callable[[Session, UUID], int]:

@@ -9,8 +9,8 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.core import clock
-from app.core.db import bypass_row_policies, widen_reach
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
+from app.core.db import bypass_row_policies, set_access_scope
 from app.hiring import queries
 from app.hiring.errors import BidNotFound, BidNotSent, PostingNotFound
 from app.hiring.models import Bid, Posting
@@ -60,7 +60,7 @@ def posting_access(session: Session, actor: Actor, posting_id: UUID) -> PostingA
         raise PostingNotFound(f"no posting {posting_id}")
     if actor.roles_in(posting.studio_id):
         return PostingAccess(posting, actor, project_access(session, actor, posting.project_id), nda_open=False)
-    widen_reach(session, Reach(person_id=actor.person_id, project_id=posting.project_id))
+    set_access_scope(session, AccessScope(person_id=actor.person_id, project_id=posting.project_id))
     return PostingAccess(posting, actor, None, nda_open=is_nda_open(session, posting, actor.person))
 
 

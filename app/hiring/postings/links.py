@@ -9,8 +9,8 @@ from app.accounts.models import Person
 from app.accounts.people import person_by_link
 from app.accounts.rules import Actor, ensure_address
 from app.core import clock
-from app.core.db import bypass_row_policies, widen_reach
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
+from app.core.db import bypass_row_policies, set_access_scope
 from app.hiring import queries
 from app.hiring.errors import LinkTaken, OwnPosting, PersonalLinkNeeded, PostingNotFound
 from app.hiring.models import Candidate, Posting
@@ -105,5 +105,5 @@ def preview(session: Session, actor: Actor, secret: str) -> tuple[Posting, Candi
         return posting, candidate, posting.project.nda_needed
     if actor.roles_in(posting.studio_id):
         return posting, candidate, False
-    widen_reach(session, Reach(person_id=actor.person_id, project_id=posting.project_id))
+    set_access_scope(session, AccessScope(person_id=actor.person_id, project_id=posting.project_id))
     return posting, candidate, is_nda_open(session, posting, actor.person_id)

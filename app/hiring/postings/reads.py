@@ -99,7 +99,7 @@ def posting_read(session: Session, actor: Actor, posting_id: UUID) -> PostingRea
         rate_floor_minor=posting.rate_floor_minor if is_team else None,
         scope=posting.scope,
         categories=[] if is_closed else posting.categories,
-        cue_ids=[UUID(one) for one in posting.cue_ids] if is_team else [],
+        cue_ids=[UUID(cue_id_) for cue_id_ in posting.cue_ids] if is_team else [],
         lines=[] if is_closed else [AskedLine.model_validate(line) for line in posting.lines],
         headings=posting.headings if is_team else [],
         has_link=is_team and posting.secret_sha256 is not None,
@@ -118,14 +118,14 @@ def posting_read(session: Session, actor: Actor, posting_id: UUID) -> PostingRea
 def _candidates(session: Session, posting_id: UUID) -> list[CandidateRead]:
     return [
         CandidateRead(
-            id=one.id,
-            email=one.email,
-            person=PersonBrief.model_validate(one.person) if one.person else None,
-            is_invited=one.invited_by is not None,
-            joined_at=one.joined_at,
-            created_at=one.created_at,
+            id=candidate.id,
+            email=candidate.email,
+            person=PersonBrief.model_validate(candidate.person) if candidate.person else None,
+            is_invited=candidate.invited_by is not None,
+            joined_at=candidate.joined_at,
+            created_at=candidate.created_at,
         )
-        for one in queries.candidates_of(session, posting_id)
+        for candidate in queries.candidates_of(session, posting_id)
     ]
 
 
@@ -165,13 +165,13 @@ def _own_bid(session: Session, posting: Posting, bid: Bid) -> OwnBidRead:
 def _clashes(session: Session, access: PostingAccess) -> list[Clash]:
     return [
         Clash(
-            title=one.posting.title,
-            is_awarded=bids.is_awarded(one.posting, one.bid),
-            from_on=one.posting.work_from_on,
-            to_on=one.posting.work_to_on,
+            title=clash.posting.title,
+            is_awarded=bids.is_awarded(clash.posting, clash.bid),
+            from_on=clash.posting.work_from_on,
+            to_on=clash.posting.work_to_on,
         )
-        for one in bids.clashes(session, access)
-        if one.posting.work_from_on and one.posting.work_to_on
+        for clash in bids.clashes(session, access)
+        if clash.posting.work_from_on and clash.posting.work_to_on
     ]
 
 
@@ -182,7 +182,7 @@ def _scores(score: Score) -> PersonScores:
 def _busy_in(
     busy: Sequence[Busy], days: tuple[date | None, date | None], available_from_on: date | None
 ) -> list[BusyRangeWrite]:
-    return [BusyRangeWrite(**vars(one)) for one in clashes(busy, *days, available_from_on)]
+    return [BusyRangeWrite(**vars(clash)) for clash in clashes(busy, *days, available_from_on)]
 
 
 def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComparison:
@@ -225,9 +225,9 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
                     (content.from_on or posting.work_from_on, content.to_on or posting.work_to_on),
                     entry.available_from_on if entry else None,
                 ),
-                samples=samples_read(posting, bid, [one for one in samples if one.bid_id == bid.id]),
+                samples=samples_read(posting, bid, [sample for sample in samples if sample.bid_id == bid.id]),
                 own_scores=_scores(own) if own else None,
-                others=[_scores(one) for one in others] if others is not None else None,
+                others=[_scores(other) for other in others] if others is not None else None,
                 scored_by=count,
             )
         )
@@ -249,8 +249,8 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
         may_award=comparison.may_award(session, actor, posting),
         is_roster_full=is_full(session, posting.studio_id),
         pending=[
-            one.person.name if one.person else one.email
-            for one in queries.candidates_of(session, posting_id)
-            if one.person_id not in bidders
+            candidate.person.name if candidate.person else candidate.email
+            for candidate in queries.candidates_of(session, posting_id)
+            if candidate.person_id not in bidders
         ],
     )

@@ -121,14 +121,14 @@ def change_posting(session: Session, actor: Actor, posting_id: UUID, fields: Pos
 def _as_stored(fields: PostingFields) -> dict[str, Any]:
     stored = vars(fields) | {"headings": list(dict.fromkeys(fields.headings))}
     stored["categories"] = sorted(set(fields.categories)) if fields.scope is AskedScope.CATEGORIES else []
-    stored["cue_ids"] = sorted({str(one) for one in fields.cue_ids}) if fields.scope is AskedScope.CUES else []
+    stored["cue_ids"] = sorted({str(cue_id_) for cue_id_ in fields.cue_ids}) if fields.scope is AskedScope.CUES else []
     return stored
 
 
 def _put(session: Session, posting: Posting, fields: PostingFields) -> None:
     errors = ensure_dates_in_order(fields.work_from_on, fields.work_to_on, names=("work_from_on", "work_to_on"))
     if errors:
-        raise PostingInvalid("; ".join(f"{one['where']} {one['message']}" for one in errors), errors=errors)
+        raise PostingInvalid("; ".join(f"{error['where']} {error['message']}" for error in errors), errors=errors)
     for name, value in _as_stored(fields).items():
         setattr(posting, name, value)
     if posting.state is PostingState.DRAFT:

@@ -73,7 +73,8 @@ def import_roster(
     answer = RosterImportRead(
         header_row=sheet.header_row,
         columns=[
-            RosterImportColumn(name=one.name, samples=_samples(sheet, one.place), field=one.field) for one in columns
+            RosterImportColumn(name=column.name, samples=_samples(sheet, column.place), field=column.field)
+            for column in columns
         ],
         rows=[_row_read(row) for row in rows if not row.faults],
         errors=sorted(faults, key=lambda fault: fault.row),

@@ -101,7 +101,7 @@ def _rate(access: RosterAccess, entry: RosterEntry) -> RosterRate | None:
 
 
 def _clashes(busy: Sequence[Busy], days: tuple[date | None, date | None], from_on: date | None) -> list[BusyRangeWrite]:
-    return [BusyRangeWrite(**vars(one)) for one in clashes(busy, *days, from_on)]
+    return [BusyRangeWrite(**vars(clash)) for clash in clashes(busy, *days, from_on)]
 
 
 def _row(
@@ -126,7 +126,7 @@ def _row(
         weeks=weeks(busy, access.today, entry.available_from_on),
         clashes=_clashes(busy, days, entry.available_from_on),
         rate=_rate(access, entry),
-        reel=[ReelSoundRead.model_validate(one) for one in sounds],
+        reel=[ReelSoundRead.model_validate(sound) for sound in sounds],
         works_here=works_here,
     )
 
@@ -146,7 +146,7 @@ def entry_read(session: Session, actor: Actor, entry_id: UUID) -> RosterEntryRea
         first_week_on=monday_of(access.today),
         weeks=weeks(busy, access.today, entry.available_from_on),
         busy=[BusyRangeRead.model_validate(one) for one in ranges],
-        reel=[ReelSoundRead.model_validate(one) for one in sounds],
+        reel=[ReelSoundRead.model_validate(sound) for sound in sounds],
         designer=PersonBrief.model_validate(person) if person else None,
     )
 

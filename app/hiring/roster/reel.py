@@ -4,7 +4,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.quotas.service import QuotaKind, ensure_room
+from app.accounts.quotas.service import QuotaKind, ensure_quota
 from app.accounts.rules import Actor
 from app.core.errors import FieldProblem
 from app.core.storage import Store
@@ -28,7 +28,7 @@ def upload_scope(entry_id: UUID) -> str:
 def ensure_may_upload(session: Session, actor: Actor, entry_id: UUID, length: int) -> UUID:
     """Return the studio that an upload belongs to; raise unless the caller may add it to the reel of a designer."""
     _, entry = entry_seen(session, actor, entry_id)
-    ensure_room(session, entry.studio_id, QuotaKind.REEL_BYTES, roster_queries.kept_reel_bytes, added=length)
+    ensure_quota(session, entry.studio_id, QuotaKind.REEL_BYTES, roster_queries.kept_reel_bytes, added=length)
     return entry.studio_id
 
 

@@ -16,7 +16,7 @@ from app.core import clock
 from app.money.bonuses.rules import BonusCue, BonusState, BonusStatus, bonus_status_of
 from app.money.ledger.book import LedgerBook
 from app.money.ledger.rules import LineKind
-from app.money.ledger.service import called
+from app.money.ledger.service import cue_label
 from app.money.schemas import BonusRead
 from app.projects.models import Project
 
@@ -42,11 +42,11 @@ def bonus_status(session: Session, contract: Contract, terms: MoneyTerms) -> Bon
     if not terms.bonus_minor or terms.bonus_when is BonusWhen.OTHER:
         return None
     days = studio_days(session, contract)
-    due_on = {one.id: one.due_on for one in plan_queries.milestones_of(session, contract.id)}
+    due_on = {milestone.id: milestone.due_on for milestone in plan_queries.milestones_of(session, contract.id)}
     prefix = session.get_one(Project, contract.project_id).cue_prefix
     cues = [
         BonusCue(
-            name=called(cue.cue, prefix),
+            name=cue_label(cue.cue, prefix),
             due_on=due_on[cue.milestone_id],
             accepted_on=days.of(cue.accepted_at) if cue.accepted_at else None,
             has_round=cue.change_requested_at is not None,

@@ -123,7 +123,7 @@ def _estimate(about_id: UUID, name: str, estimate: float, so_far: float, *, is_d
 
 
 def _rate(pairs: list[schemas.EstimateRead]) -> ErrorRate:
-    return error_rate([(one.estimate, one.actual) for one in pairs if one.actual is not None])
+    return error_rate([(pair.estimate, pair.actual) for pair in pairs if pair.actual is not None])
 
 
 def _habit(rate: ErrorRate) -> schemas.HabitRead:
@@ -142,7 +142,11 @@ def _forecasts(
     began_on = contract.agreed_at.date()
     unfinished = {cue.milestone_id for cue in cues if cue.accepted_at is None and cue.cut_at is None}
     return [
-        schemas.ForecastRead(milestone_id=one.id, milestone=one.name, due_on=one.due_on, forecast_on=forecast_on)
-        for one in milestones
-        if one.id in unfinished and one.due_on and (forecast_on := forecast(began_on, one.due_on, rate))
+        schemas.ForecastRead(
+            milestone_id=milestone.id, milestone=milestone.name, due_on=milestone.due_on, forecast_on=forecast_on
+        )
+        for milestone in milestones
+        if milestone.id in unfinished
+        and milestone.due_on
+        and (forecast_on := forecast(began_on, milestone.due_on, rate))
     ]

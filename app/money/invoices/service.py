@@ -24,7 +24,7 @@ from app.money.invoices import numbers as invoice_numbers
 from app.money.invoices.late_interest import interest_minor
 from app.money.ledger.book import CLAUSES, SHARES, Entry, LedgerBook, Line, tax_entries
 from app.money.ledger.rules import LineKind, hours_in_words
-from app.money.ledger.service import called, load_ledger_book, write
+from app.money.ledger.service import cue_label, load_ledger_book, write
 from app.money.models import Invoice, InvoiceLine
 from app.projects.models import Project
 from app.sound_lists.models import Cue
@@ -181,10 +181,10 @@ def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dic
     milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
     cut_in = {cue.cue_id: cue.cut_in for cue in plan_queries.cues_of(session, contract.id)}
 
-    worked = {one.id: one for one in queries.worked_days_of(session, contract.id)}
+    worked = {worked_day.id: worked_day for worked_day in queries.worked_days_of(session, contract.id)}
 
     def text(line: Line) -> str:
-        cue = called(session.get_one(Cue, line.cue_id), cue_prefix) if line.cue_id else ""
+        cue = cue_label(session.get_one(Cue, line.cue_id), cue_prefix) if line.cue_id else ""
         milestone = milestones[line.milestone_id] if line.milestone_id else ""
         match line.kind:
             case LineKind.DEPOSIT:
@@ -279,9 +279,9 @@ def _late_interest(
         if line.invoice_id == invoice.id and line.kind is not LineKind.LATE_INTEREST
     )
     payments = [
-        (one.paid_on, one.amount_minor)
-        for one in queries.payments_of(session, contract.id)
-        if one.invoice_id == invoice.id
+        (payment.paid_on, payment.amount_minor)
+        for payment in queries.payments_of(session, contract.id)
+        if payment.invoice_id == invoice.id
     ]
     accrued_minor = interest_minor(owed_minor, payments, due_on=invoice.due_on, until=until, monthly_bp=monthly_bp)
     charged = [line.amount_minor for line in book.lines if line.late_invoice_id == invoice.id]
@@ -293,7 +293,7 @@ def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice
     texts = queries.invoice_texts(session, invoice.id)
     lines = [line for line in book.owed if line.invoice_id == invoice.id]
     taxes = [line for line in lines if line.kind is LineKind.TAX]
-    payments = [one for one in queries.payments_of(session, contract.id) if one.invoice_id == invoice.id]
+    payments = [payment for payment in queries.payments_of(session, contract.id) if payment.invoice_id == invoice.id]
     whole_minor = sum(line.amount_minor for line in lines)
     paid_minor = sum(payment.amount_minor for payment in payments)
     is_paid = paid_minor == whole_minor

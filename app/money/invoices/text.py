@@ -1,6 +1,6 @@
 """An invoice as the text that is printed."""
 
-from app.agreements.clauses.facts import in_words
+from app.agreements.clauses.facts import format_long_date
 from app.agreements.clauses.text import literal
 from app.agreements.drafts.documents import archival_pdf_of
 from app.agreements.drafts.documents import pdf_of as document
@@ -36,7 +36,7 @@ def markdown_of(invoice: InvoiceRead) -> str:
     rows.append(f"| **To pay** | **{amount(invoice.total_minor)}** |")
     paragraphs = [
         f"# {title_of(invoice)}",
-        f"Issued on {in_words(invoice.issued_on)}. To be paid by {in_words(invoice.due_on)}.",
+        f"Issued on {format_long_date(invoice.issued_on)}. To be paid by {format_long_date(invoice.due_on)}.",
         f"Purchase order: {literal(invoice.po_number)}" if invoice.po_number else "",
         "## From",
         *(literal(line) for line in invoice.seller.splitlines() if line.strip()),

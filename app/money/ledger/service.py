@@ -12,7 +12,7 @@ from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan import queries as plan_queries
 from app.agreements.record import service as record
-from app.agreements.rules import AcceptedBy, ContractState, way_on
+from app.agreements.rules import AcceptedBy, ContractState, next_action_hint
 from app.core.money import money
 from app.money import queries
 from app.money.errors import NotAgreed
@@ -129,7 +129,7 @@ def write(
 def not_agreed(contract: Contract, message: str) -> NotAgreed:
     """Return the refusal of work under a contract that is not agreed, or not any more."""
     if contract.state is ContractState.ENDED:
-        return NotAgreed("this contract has ended", fix=way_on(contract.state, contract.kind))
+        return NotAgreed("this contract has ended", fix=next_action_hint(contract.state, contract.kind))
     return NotAgreed(message, fix="sign the contract first")
 
 
@@ -153,7 +153,7 @@ def _facts_of(session: Session, line: LedgerLine, currency: str, cue_prefix: str
         "line": str(line.id),
     }
     if line.cue_id is not None:
-        facts["cue"] = called(session.get_one(Cue, line.cue_id), cue_prefix)
+        facts["cue"] = cue_label(session.get_one(Cue, line.cue_id), cue_prefix)
     if line.milestone_id is not None:
         facts["milestone"] = session.get_one(Milestone, line.milestone_id).name
     if line.round_number is not None:
@@ -174,6 +174,6 @@ def _facts_of(session: Session, line: LedgerLine, currency: str, cue_prefix: str
     return facts
 
 
-def called(cue: Cue, cue_prefix: str) -> str:
+def cue_label(cue: Cue, cue_prefix: str) -> str:
     """Return a cue as people name it: SW-007 shield_hit."""
     return f"{label(cue_prefix, cue.number)} {cue.name}"

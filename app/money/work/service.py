@@ -94,8 +94,12 @@ def correct_work(session: Session, actor: Actor, worked_day_id: UUID, work: Work
     _ensure_not_agreed(day)
     _ensure_loggable(session, contract, work, instead_of=day.id)
     if work.quarters is not None:
-        others = [one for one in queries.worked_days_of(session, contract.id) if one.quarters and one.id != day.id]
-        if any(one.worked_on == work.worked_on for one in others):
+        others = [
+            worked_day
+            for worked_day in queries.worked_days_of(session, contract.id)
+            if worked_day.quarters and worked_day.id != day.id
+        ]
+        if any(other.worked_on == work.worked_on for other in others):
             raise DayLogged(
                 f"{day_in_words(work.worked_on)} is logged already", fix="correct that day, and remove this one"
             )
@@ -264,6 +268,10 @@ def _ensure_loggable(session: Session, contract: Contract, work: Work, *, instea
 
 def _milestone_at(session: Session, contract: Contract, worked_on: date) -> UUID | None:
     """Return the milestone that a day works towards: the next one due, else the last; None where none is planned."""
-    milestones = [one for one in plan_queries.milestones_of(session, contract.id) if not one.is_deposit]
-    open_ones = [one for one in milestones if one.due_on and one.due_on >= worked_on] or milestones[-1:]
+    milestones = [
+        milestone for milestone in plan_queries.milestones_of(session, contract.id) if not milestone.is_deposit
+    ]
+    open_ones = [
+        milestone for milestone in milestones if milestone.due_on and milestone.due_on >= worked_on
+    ] or milestones[-1:]
     return open_ones[0].id if open_ones else None

@@ -42,23 +42,23 @@ class HourBook:
     @property
     def approved(self) -> Minutes:
         """The approved minutes by month."""
-        return self._by_month(one for one in self.entries if one.agreed_at is not None)
+        return self._by_month(entry for entry in self.entries if entry.agreed_at is not None)
 
     @property
     def waiting(self) -> list[WorkedDay]:
         """What the studio has neither approved nor refused, in the order of its days."""
-        return [one for one in self.entries if one.agreed_at is None and one.refused_at is None]
+        return [entry for entry in self.entries if entry.agreed_at is None and entry.refused_at is None]
 
     def counted(self) -> tuple[int, int]:
         """Return the minutes that count towards the cap of all hours, and the most of one month."""
-        minutes = self._by_month(one for one in self.entries if one.refused_at is None)
+        minutes = self._by_month(entry for entry in self.entries if entry.refused_at is None)
         months = [self.terms.paid_in(month, of_it) for month, of_it in minutes.items()]
         return self.terms.paid(minutes), max(months, default=0)
 
     def _by_month(self, entries: Iterator[WorkedDay]) -> Minutes:
         minutes: Counter[int] = Counter()
-        for one in entries:
-            minutes[self.month_of(one.worked_on)] += one.minutes or 0
+        for entry in entries:
+            minutes[self.month_of(entry.worked_on)] += entry.minutes or 0
         return minutes
 
     def ensure_paid(self, worked_on: date, minutes: int, *, instead_of: UUID | None = None) -> None:
@@ -67,7 +67,7 @@ class HourBook:
             by_day = self.money_terms.price_mode is PriceMode.DAY_RATE
             instead = "log days instead" if by_day else more_work(self._session, self.contract)
             raise NotHourly("this contract does not pay by the hour", fix=instead)
-        others = self._by_month(one for one in self.entries if one.refused_at is None and one.id != instead_of)
+        others = self._by_month(entry for entry in self.entries if entry.refused_at is None and entry.id != instead_of)
         month = self.month_of(worked_on)
         left = self.terms.left(month, others)
         if minutes > left:
@@ -142,7 +142,7 @@ class HourBook:
 
 def more_work(session: Session, contract: Contract) -> str:
     """Return how work that a contract does not pay for is agreed on."""
-    if any(not one.is_deposit for one in milestones_of(session, contract.id)):
+    if any(not milestone.is_deposit for milestone in milestones_of(session, contract.id)):
         return "propose a change order that adds the work at its price"
     return "sign another contract for it"
 

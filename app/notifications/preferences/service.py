@@ -13,8 +13,8 @@ from app.accounts.errors import TimeZoneUnknown
 from app.accounts.models import Person
 from app.accounts.rules import Actor
 from app.core import clock
-from app.core.db import widen_reach
-from app.core.reach import Reach
+from app.core.access_scope import AccessScope
+from app.core.db import set_access_scope
 from app.core.server_keys import derived
 from app.notifications import queries
 from app.notifications.errors import ContractMailNeeded, MailLinkNotFound, QuietHoursUnclear
@@ -109,7 +109,7 @@ def by_link(session: Session, secret_key: str, token: str) -> MailChoice:
         raise unknown from None
     if choice is None:
         raise unknown
-    widen_reach(session, Reach(person_id=choice.person.id))
+    set_access_scope(session, AccessScope(person_id=choice.person.id))
     return choice
 
 

@@ -45,7 +45,7 @@ def list_deputies(project_id: UUID, session: DbSession, actor: Actor = allows(Au
     return schemas.DeputiesRead(
         time_zone=time_zone,
         today=approval.today_in(time_zone),
-        deputies=[schemas.DeputyRead.model_validate(one) for one in deputies],
+        deputies=[schemas.DeputyRead.model_validate(deputy) for deputy in deputies],
     )
 
 

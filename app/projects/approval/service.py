@@ -59,10 +59,10 @@ def _members(
 ) -> Collection[tuple[UUID, UUID]]:
     """Return studio and person of those who are named and may approve with the roles they have in their studio."""
     people = {one.person_id for one in named if one.person_id is not None}
-    people |= {person_id for one in deputies for person_id in (one.person_id, one.deputy_id)}
+    people |= {person_id for deputy in deputies for person_id in (deputy.person_id, deputy.deputy_id)}
     if not people:
         return ()
-    studios = {one.studio_id for one in named} | {one.studio_id for one in deputies}
+    studios = {one.studio_id for one in named} | {deputy.studio_id for deputy in deputies}
     with bypass_row_policies(session):  # a designer does not see the members of the studio
         return approval_queries.leads(session, studios, people)
 

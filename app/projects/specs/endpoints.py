@@ -14,7 +14,7 @@ from app.core.parsing_queue import ParsingBusy, parse_request
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
 from app.core.web.http import BadCursor, DbSession, Page, cursor_of, number_cursor, problems
-from app.core.web.per_user_limit import FairShare, TooManyAtOnce
+from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 from app.projects import schemas, service
 from app.projects.errors import BadSpec, ProjectNotFound, SpecVersionNotFound
 from app.projects.models import Spec
@@ -23,7 +23,7 @@ from app.projects.specs import service as specs
 from app.projects.specs.pdf import spec_pdf
 
 PAGE_ROWS = 50
-PDFS = FairShare(1, "PDF")  # of the two that a process has in hand
+PDFS = PerUserLimit(1, "PDF")  # of the two that a process has in hand
 router = APIRouter(prefix="/v1", tags=["projects"])
 
 

@@ -65,7 +65,7 @@ def spec_content(spec: audio_checks.DeliverySpec, *, title: str, version: int) -
         "title": title[:MOST_CHARS],
         "version": version,
         "rules": rules,
-        "categories": [one for one in categories if one[1]],
+        "categories": [category for category in categories if category[1]],
         "targets": [(name, _target(target)) for name, target in spec.tables.get("targets", {}).items()],
     }
 

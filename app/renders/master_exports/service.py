@@ -83,9 +83,11 @@ def _provenance(session: Session, take: Take, project: Project) -> Provenance:
 def _source_fields(sources: Sources) -> dict[str, str]:
     """Return the fields of ASWG-G006 that say what a sound was made from; empty ones are left out."""
     fields = {
-        "library": ", ".join(one.name for one in sources.libraries),
-        "usageRights": "; ".join(f"{one.name}: {one.licence}" for one in sources.libraries if one.licence),
-        "actorName": ", ".join(one.name for one in sources.performers),
+        "library": ", ".join(library.name for library in sources.libraries),
+        "usageRights": "; ".join(
+            f"{library.name}: {library.licence}" for library in sources.libraries if library.licence
+        ),
+        "actorName": ", ".join(performer.name for performer in sources.performers),
     }
     return {name: text for name, text in fields.items() if text}
 

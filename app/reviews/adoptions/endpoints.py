@@ -90,7 +90,7 @@ def open_adoption(
 @router.get("/projects/{project_id}/adoptions", responses=problems(ProjectNotFound, TeamNeeded))
 def list_adoptions(project_id: UUID, session: DbSession, actor: Actor = TEAM) -> list[AdoptionRead]:
     """Return the newest 100 adoptions of a project, those that were undone included."""
-    return [adoptions.adoption_read(one) for one in adoptions.adoptions_of(session, actor, project_id)]
+    return [adoptions.adoption_read(adoption) for adoption in adoptions.adoptions_of(session, actor, project_id)]
 
 
 @router.get("/adoptions/{adoption_id}", responses=problems(AdoptionNotFound, TeamNeeded))

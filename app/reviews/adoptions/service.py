@@ -98,7 +98,7 @@ def _placed(
     plan: audio_checks.AdoptionPlan, adoption: Adoption, cues: Sequence[Cue]
 ) -> Iterator[tuple[Cue, int, str, str]]:
     """Yield cue, variation, path and SHA-256 of each adopted file."""
-    hashes = {one["path"]: one["sha256"] for one in adoption.files}
+    hashes = {file["path"]: file["sha256"] for file in adoption.files}
     for planned, cue in zip(plan.cues, cues, strict=True):
         for variation, path in enumerate(planned.paths, start=1):
             yield cue, variation, path, hashes[path]
@@ -229,7 +229,7 @@ def _withdraw(session: Session, actor: Actor, adoption: Adoption) -> None:
 
 def _ensure_unused(session: Session, adoption: Adoption, takes: Sequence[Take], cue_ids: Sequence[UUID]) -> None:
     fix = "cut the cues that the game does not have instead"
-    decided = queries.later_verdicts(session, adoption.id) + sum(one.state is not TakeState.APPROVED for one in takes)
+    decided = queries.later_verdicts(session, adoption.id) + sum(take.state is not TakeState.APPROVED for take in takes)
     if decided:
         raise AdoptionInUse("a verdict was given on an adopted sound since", fix=fix)
     if others := queries.other_takes(session, adoption.id, cue_ids):

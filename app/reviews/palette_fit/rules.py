@@ -85,10 +85,10 @@ def timbre_distance_db(one: Numbers, other: Numbers) -> float:
 
 def middle_of(sounds: Sequence[Likeness]) -> Likeness:
     """Return the medians of some sounds, number by number: so the variations of one cue count as one sound."""
-    loudness = [one.loudness_lufs for one in sounds if one.loudness_lufs is not None]
-    reverb = [one.reverb_score for one in sounds if one.reverb_score is not None]
-    bands = [one.bands_db for one in sounds if one.bands_db]
-    timbre = [one.timbre for one in sounds if one.timbre]
+    loudness = [sound.loudness_lufs for sound in sounds if sound.loudness_lufs is not None]
+    reverb = [sound.reverb_score for sound in sounds if sound.reverb_score is not None]
+    bands = [sound.bands_db for sound in sounds if sound.bands_db]
+    timbre = [sound.timbre for sound in sounds if sound.timbre]
     return Likeness(
         loudness_lufs=median(loudness) if loudness else None,
         reverb_score=median(reverb) if reverb else None,
@@ -103,15 +103,15 @@ def fit_of(sound: Likeness, others: Sequence[Likeness]) -> dict[Measure, Fit]:
         Measure.LOUDNESS: lambda one: one.loudness_lufs,
         Measure.DRYNESS: lambda one: one.reverb_score,
     }
-    found = {measure: _placed(measure, of(sound), [of(one) for one in others]) for measure, of in plain.items()}
-    bands = _apart(sound.bands_db, [one.bands_db for one in others], distance_db)
-    timbre = _apart(sound.timbre, [one.timbre for one in others], timbre_distance_db)
+    found = {measure: _placed(measure, of(sound), [of(other) for other in others]) for measure, of in plain.items()}
+    bands = _apart(sound.bands_db, [other.bands_db for other in others], distance_db)
+    timbre = _apart(sound.timbre, [other.timbre for other in others], timbre_distance_db)
     found |= {Measure.SPECTRUM: _placed(Measure.SPECTRUM, *bands), Measure.TIMBRE: _placed(Measure.TIMBRE, *timbre)}
     return {measure: fit for measure in Measure if (fit := found[measure]) is not None}
 
 
 def _placed(measure: Measure, value: float | None, others: list[float | None]) -> Fit | None:
-    known = [one for one in others if one is not None]
+    known = [other for other in others if other is not None]
     if value is None or len(known) < FEWEST:
         return None
     lowest, highest, slack = min(known), max(known), SLACK[measure]
@@ -125,11 +125,11 @@ def _apart(
     own: Numbers | None, others: Sequence[Numbers | None], distance: Callable[[Numbers, Numbers], float]
 ) -> tuple[float | None, list[float | None]]:
     """Return the distance from the middle of the others, and of each of them from the middle of the rest."""
-    known = [one for one in others if one]
+    known = [other for other in others if other]
     if not own or len(known) < FEWEST:
         return None, []
     middles = iter(_middles_without_each(known))
-    return distance(own, _middle(known)), [distance(one, next(middles)) if one else None for one in others]
+    return distance(own, _middle(known)), [distance(other, next(middles)) if other else None for other in others]
 
 
 def _middles_without_each(lists: Sequence[Numbers]) -> list[list[float]]:

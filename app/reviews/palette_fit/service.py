@@ -57,9 +57,9 @@ def delivery_fit(session: Session, actor: Actor, delivery_id: UUID) -> DeliveryF
     delivery, access = delivery_for(session, actor, delivery_id)
     access.ensure_team()
     before = [
-        one
-        for one in queries.approved_sounds(session, delivery.project_id)
-        if one.take.designer_id != delivery.designer_id
+        approved_sound
+        for approved_sound in queries.approved_sounds(session, delivery.project_id)
+        if approved_sound.take.designer_id != delivery.designer_id
     ]
     takes = [_fit(access.project, one, before) for one in queries.takes_compared(session, delivery_id)]
     return DeliveryFitRead(
@@ -74,7 +74,7 @@ def delivery_fit(session: Session, actor: Actor, delivery_id: UUID) -> DeliveryF
             DeliveryShift(measure=measure, unit=UNITS[measure], compared=len(fits), apart=apart, shift=moved)
             for measure in Measure
             if (fits := [one for take in takes for one in take.measures if one.measure is measure])
-            for apart, moved in [shift([(one.value, one.middle, one.stands) for one in fits])]
+            for apart, moved in [shift([(fit.value, fit.middle, fit.stands) for fit in fits])]
         ],
     )
 
@@ -107,8 +107,8 @@ def _fit(
 def _by_cue(sounds: Sequence[Compared]) -> list[tuple[Cue, Likeness]]:
     """Return each cue with the medians of its variations."""
     variations: dict[Cue, list[Likeness]] = {}
-    for one in sounds:
-        variations.setdefault(one.cue, []).append(one.likeness)
+    for sound in sounds:
+        variations.setdefault(sound.cue, []).append(sound.likeness)
     return [(cue, middle_of(likenesses)) for cue, likenesses in variations.items()]
 
 

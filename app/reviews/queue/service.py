@@ -79,10 +79,10 @@ def review_queue(
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     cues: list[Cue] = []
     take_ids = [take_id for cue in shown for take_id in cue.take_ids]
-    for one in take_queries.takes_on_review(session, actor.person, take_ids):
-        if one.take.cue is not None:
-            by_cue[one.take.cue.id].append(one)
-            cues.append(one.take.cue)
+    for take in take_queries.takes_on_review(session, actor.person, take_ids):
+        if take.take.cue is not None:
+            by_cue[take.take.cue.id].append(take)
+            cues.append(take.take.cue)
     facts = queue_queries.cues_on_review(session, by_cue)
     blocked = blocked_takes(session, {cue: [one.take for one in by_cue[cue.id]] for cue in cues})
     changed = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_changed]
@@ -184,7 +184,7 @@ def _queue_item(
 
 
 def _specs_of(takes: Iterable[TakeOnReview]) -> dict[UUID, Spec]:
-    return {one.take.project_id: one.spec for one in takes}
+    return {take.take.project_id: take.spec for take in takes}
 
 
 def review_cue(cue: Cue, prefix: str) -> ReviewCue:
@@ -317,15 +317,15 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
         accepted_after=last_day.day if last_day else None,
         silence_paused_by=last_day.paused_by if last_day else None,
         approver=PersonBrief.model_validate(people[approver_id]),
-        deputies=[PersonBrief.model_validate(people[one]) for one in deputy_ids],
+        deputies=[PersonBrief.model_validate(people[deputy_id_]) for deputy_id_ in deputy_ids],
         may_approve=actor.person in (approver_id, *deputy_ids),
         on_behalf_of=PersonBrief.model_validate(people[approver_id]) if actor.person in deputy_ids else None,
         takes=takes,
-        comments=[comment_read(one) for one in queries.comments_on(session, in_array(Comment.take_id, ids))],
+        comments=[comment_read(comment) for comment in queries.comments_on(session, in_array(Comment.take_id, ids))],
         verdicts=list(_verdicts_read(verdicts)),
         change_requests=[
-            change_request_read(one, prefix)
-            for one in queries.change_requests_of(session, ChangeRequest.cue_id == cue.id)
+            change_request_read(change_request, prefix)
+            for change_request in queries.change_requests_of(session, ChangeRequest.cue_id == cue.id)
         ],
         carried_notes=carried_notes(session, cue.id),
         checklist=cue_checklist(session, cue, takes),
@@ -336,18 +336,18 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
 def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
     verdicts = list(verdicts)
     withdrawn = {one.withdraws_id for one in verdicts if one.withdraws_id}
-    for one in verdicts:
+    for verdict in verdicts:
         yield VerdictRead(
-            id=one.id,
-            take_id=one.take_id,
-            kind=one.kind,
-            note=one.note,
-            reasons=one.reasons,
-            given_by=PersonBrief.model_validate(one.author) if one.author else None,
-            on_behalf_of=PersonBrief.model_validate(one.represented) if one.represented else None,
-            created_at=one.created_at,
-            by_deemed_acceptance=one.deemed_by_contract_id is not None,
-            by_adoption=one.adoption_id is not None,
-            without_listening=one.without_listening,
-            withdrawn=one.id in withdrawn,
+            id=verdict.id,
+            take_id=verdict.take_id,
+            kind=verdict.kind,
+            note=verdict.note,
+            reasons=verdict.reasons,
+            given_by=PersonBrief.model_validate(verdict.author) if verdict.author else None,
+            on_behalf_of=PersonBrief.model_validate(verdict.represented) if verdict.represented else None,
+            created_at=verdict.created_at,
+            by_deemed_acceptance=verdict.deemed_by_contract_id is not None,
+            by_adoption=verdict.adoption_id is not None,
+            without_listening=verdict.without_listening,
+            withdrawn=verdict.id in withdrawn,
         )

@@ -78,4 +78,6 @@ def record_reasons(session: Session, kind: ReasonKind, given: Sequence[tuple[Ver
 def forget_reasons(session: Session, verdicts: Sequence[Verdict]) -> None:
     """Count the reasons of verdicts that are taken back no longer."""
     if any(verdict.reasons for verdict in verdicts):
-        session.execute(delete(GivenReason).where(in_array(GivenReason.verdict_id, [one.id for one in verdicts])))
+        session.execute(
+            delete(GivenReason).where(in_array(GivenReason.verdict_id, [verdict.id for verdict in verdicts]))
+        )

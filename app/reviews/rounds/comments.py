@@ -39,7 +39,7 @@ ALONE = Answered()
 def take_comments(session: Session, actor: Actor, take_id: UUID) -> list[CommentRead]:
     """Return the advice on a take."""
     take, _ = take_for(session, actor, take_id)
-    return [comment_read(one) for one in queries.comments_on(session, Comment.take_id == take.id)]
+    return [comment_read(comment) for comment in queries.comments_on(session, Comment.take_id == take.id)]
 
 
 def add_comment(

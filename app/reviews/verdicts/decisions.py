@@ -50,7 +50,7 @@ class Decision:
         self._silence_contract_id = deemed_by_contract_id
         self.action_id = new_id()
         self.approved: list[Take] = []
-        self.gave_way: list[UUID] = []
+        self.superseded_take_ids: list[UUID] = []
 
     def approve(self, take: Take, *, without_listening: bool = False) -> None:
         """Pick a take; what else waits or was picked for its variation gives way."""
@@ -59,7 +59,7 @@ class Decision:
         for other in queries.open_takes(self._session, take.cue_id, variation=take.variation):
             if other.id != take.id:
                 self._record(other, VerdictKind.SET_ASIDE, SUPERSEDED, keeps_draft=True)
-                self.gave_way.append(other.id)
+                self.superseded_take_ids.append(other.id)
         self._session.flush()  # the former pick gives way first: there is never more than one
         verdict = self._record(
             take, VerdictKind.APPROVE, self._note, reasons=self._reasons, without_listening=without_listening

@@ -24,8 +24,8 @@ def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
     """Return the cues whose days are over, and those of which a reminder is due that was not sent."""
     waiting = deemed_cues(session, true())
     sent = {
-        (one.cue_id, one.waiting_since, one.number)
-        for one in queries.reminders_of(session, [w.cue.id for w in waiting])
+        (reminder.cue_id, reminder.waiting_since, reminder.number)
+        for reminder in queries.reminders_of(session, [w.cue.id for w in waiting])
     }
     return [
         one.cue.id
@@ -40,11 +40,11 @@ def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
     A cue with two files of one delivery for one place is not accepted: the reminder names them.
     """
     queries.lock_cue(session, cue_id)
-    for one in deemed_cues(session, Take.cue_id == cue_id):
-        if one.is_over(now):
-            _accept(session, one, now)
-        elif number := one.reminders(now):
-            _remind(session, one, number, now)
+    for deemed_cue in deemed_cues(session, Take.cue_id == cue_id):
+        if deemed_cue.is_over(now):
+            _accept(session, deemed_cue, now)
+        elif number := deemed_cue.reminders(now):
+            _remind(session, deemed_cue, number, now)
 
 
 def _accept(session: Session, one: DeemedCue, now: datetime) -> None:

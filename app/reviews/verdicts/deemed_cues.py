@@ -183,6 +183,6 @@ def last_days(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, LastDay
     if not owed:
         return {}
     return {
-        one.cue.id: LastDay(one.wait.last_day(now), one.paused_by(now))
-        for one in deemed_cues(session, in_array(Take.cue_id, owed))
+        deemed_cue.cue.id: LastDay(deemed_cue.wait.last_day(now), deemed_cue.paused_by(now))
+        for deemed_cue in deemed_cues(session, in_array(Take.cue_id, owed))
     }

@@ -113,7 +113,7 @@ def give_verdict(
     return VerdictGiven(
         take_id=take.id,
         state=take.state,
-        set_aside=decision.gave_way,
+        set_aside=decision.superseded_take_ids,
         draft=None,
         cue_id=cue.id,
         cue_accepted=accepted,
@@ -355,7 +355,7 @@ def accept_set(
         cue_id=cue.id,
         cue_accepted=accepted,
         approved=[_standing_of(take) for take in picks],
-        set_aside=decision.gave_way,
+        set_aside=decision.superseded_take_ids,
         undo_until=clock.now() + UNDO_WITHIN,
     )
 

@@ -45,7 +45,7 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
         return
     if contract.designer_id in {take.designer_id for take in approved}:
         verdicts = queries.effective_verdicts(session, [take.id for take in approved])
-        if any(one.adoption_id is not None for one in verdicts):
+        if any(verdict.adoption_id is not None for verdict in verdicts):
             return  # it was in the game before anyone was asked to make it
         person_id = verdicts[-1].given_by if verdicts else contract.created_by
         rows = RowChanges().add(*approved, *verdicts)

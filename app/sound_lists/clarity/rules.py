@@ -121,12 +121,12 @@ def _near(words: Iterable[str]) -> dict[str, frozenset[str]]:
     found: dict[str, set[str]] = defaultdict(set)
     for word in words:
         if len(word) >= SHORTEST_MISSPELT:
-            for key in _one_less(word):
+            for key in deletion_variants(word):
                 found[key].add(word)
     return {key: frozenset(near) for key, near in found.items()}
 
 
-def _one_less(word: str) -> set[str]:
+def deletion_variants(word: str) -> set[str]:
     """Return a word and what is left of it without any letter but the first: words that share one differ by a slip."""
     return {word, *(word[:place] + word[place + 1 :] for place in range(1, len(word)))}
 
@@ -214,11 +214,11 @@ def questions(name: str, category: str, description: str, loop: bool, has_length
     needs = kind.needs if kind else NAMELESS if is_terse or not (implied or found) else ()
     needless = {"if vague" if things else "if named", "if open" if has_length else None}
     return tuple(
-        one
-        for one in needs
-        if one.fact not in found
-        and (one.fact not in implied or one.condition == EVEN_IF_NAMED)
-        and one.condition not in needless
+        need
+        for need in needs
+        if need.fact not in found
+        and (need.fact not in implied or need.condition == EVEN_IF_NAMED)
+        and need.condition not in needless
     )[:MAX_QUESTIONS]
 
 
@@ -355,7 +355,7 @@ def _word(text: str) -> Word:
     """Return what the lexicon knows of a word, under any form that it may have there."""
     known, forms = lexicon(), _forms(text)
     if not forms & known.every and len(text) >= SHORTEST_MISSPELT:
-        forms |= {word for key in _one_less(text) for word in known.near.get(key, ())}
+        forms |= {word for key in deletion_variants(text) for word in known.near.get(key, ())}
     lists = frozenset(name for name, words in known.words.items() if forms & words)
     return Word(
         forms,

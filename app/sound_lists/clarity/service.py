@@ -40,5 +40,5 @@ def dismiss(session: Session, actor: Actor, cue_id: UUID, fact: Fact, *, dismiss
     access.ensure_may_speak()
     queries.lock_list(session, access.project.id)
     cue = service.cue_for(session, access, cue_id)
-    kept = [one for one in cue.dismissed_facts if one != fact.value]
+    kept = [dismissed_fact for dismissed_fact in cue.dismissed_facts if dismissed_fact != fact.value]
     cue.dismissed_facts = [*kept, fact.value] if dismissed else kept

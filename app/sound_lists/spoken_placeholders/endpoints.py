@@ -15,7 +15,7 @@ from app.core.web.blob_response import WHILE_ASKED, blob_response
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.projects.errors import TeamNeeded
-from app.sound_lists.errors import CueIsCut, CueNotFound, NothingSaid, RecordingInvalid
+from app.sound_lists.errors import CueIsCut, CueNotFound, RecordingInvalid, SpokenPlaceholderMissing
 from app.sound_lists.models import SpokenPlaceholder
 from app.sound_lists.spoken_placeholders import service as spoken
 from app.sound_lists.spoken_placeholders.rules import read_said
@@ -51,7 +51,9 @@ def record_spoken_placeholder(
 ) -> SpokenPlaceholderRead:
     """Keep a recorded word for a cue, trimmed and at one level, and make its placeholder files of it."""
     content, duration_s = said
-    kept = spoken.keep_said(session, actor, cue_id, content=content, duration_s=duration_s, store=runtime.store)
+    kept = spoken.save_spoken_placeholder(
+        session, actor, cue_id, content=content, duration_s=duration_s, store=runtime.store
+    )
     return _read(kept)
 
 
@@ -59,15 +61,15 @@ def record_spoken_placeholder(
 def get_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> SpokenPlaceholderRead | None:
     """Return what was said for a cue; null where nothing was."""
     try:
-        return _read(spoken.said_of(session, actor, cue_id))
-    except NothingSaid:
+        return _read(spoken.get_spoken_placeholder(session, actor, cue_id))
+    except SpokenPlaceholderMissing:
         return None
 
 
 @router.delete(
     "/cues/{cue_id}/spoken-placeholder",
     status_code=204,
-    responses=problems(CueNotFound, TeamNeeded, CueIsCut, NothingSaid),
+    responses=problems(CueNotFound, TeamNeeded, CueIsCut, SpokenPlaceholderMissing),
 )
 def remove_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = TEAM) -> None:
     """Remove what was said for a cue."""
@@ -77,13 +79,13 @@ def remove_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = T
 @router.get(
     "/cues/{cue_id}/spoken-placeholder/file",
     response_class=Response,
-    responses={200: {"content": {"audio/wav": {}}}, **problems(CueNotFound, NothingSaid, BlobMissing)},
+    responses={200: {"content": {"audio/wav": {}}}, **problems(CueNotFound, SpokenPlaceholderMissing, BlobMissing)},
 )
 def get_spoken_placeholder_file(
     cue_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
 ) -> Response:
     """Send what was said for a cue, parts of it by Range."""
-    said = spoken.said_of(session, actor, cue_id)
+    said = spoken.get_spoken_placeholder(session, actor, cue_id)
     headers = {"Cache-Control": WHILE_ASKED}
     return blob_response(request, runtime.store, said.studio_id, said.sha256, media_type="audio/wav", headers=headers)
 

@@ -9,7 +9,7 @@ from app.core import clock
 from app.core.events import publish
 from app.core.storage import Store
 from app.sound_lists import queries
-from app.sound_lists.errors import CueIsCut, NothingSaid
+from app.sound_lists.errors import CueIsCut, SpokenPlaceholderMissing
 from app.sound_lists.models import Cue, SpokenPlaceholder
 from app.sound_lists.rules import CueState
 from app.sound_lists.service import visible_cue
@@ -24,7 +24,7 @@ def ensure_may_say(session: Session, actor: Actor, cue_id: UUID) -> Cue:
     return cue
 
 
-def keep_said(
+def save_spoken_placeholder(
     session: Session, actor: Actor, cue_id: UUID, *, content: bytes, duration_s: float, store: Store
 ) -> SpokenPlaceholder:
     """Keep what was said for a cue in place of what was said before, and have its placeholder files made of it."""
@@ -40,22 +40,22 @@ def keep_said(
     session.flush()
     session.expire(said)
     _publish(session, cue)
-    return said_of(session, actor, cue_id)
+    return get_spoken_placeholder(session, actor, cue_id)
 
 
-def said_of(session: Session, actor: Actor, cue_id: UUID) -> SpokenPlaceholder:
+def get_spoken_placeholder(session: Session, actor: Actor, cue_id: UUID) -> SpokenPlaceholder:
     """Return what was said for a cue within the caller's sight; raise NothingSaid where nothing was."""
     visible_cue(session, actor, cue_id)
     said = queries.spoken_placeholder(session, cue_id)
     if said is None:
-        raise NothingSaid("no person said a placeholder for this cue")
+        raise SpokenPlaceholderMissing("no person said a placeholder for this cue")
     return said
 
 
 def remove_said(session: Session, actor: Actor, cue_id: UUID) -> None:
     """Remove what was said for a cue; its placeholder files are made without it again."""
     cue = ensure_may_say(session, actor, cue_id)
-    session.delete(said_of(session, actor, cue_id))
+    session.delete(get_spoken_placeholder(session, actor, cue_id))
     session.flush()
     _publish(session, cue)
 

@@ -111,7 +111,7 @@ def _misfit(value: Any, wanted: Any, where: str) -> str:
     if origin is Literal:
         fits = isinstance(value, str | int | bool | None) and value in arguments
     elif origin in (typing.Union, types.UnionType):
-        fits = any(not _misfit(value, one, where) for one in arguments)
+        fits = any(not _misfit(value, argument, where) for argument in arguments)
     elif isinstance(origin, type):
         if isinstance(value, origin):
             return _misfit_inside(value, origin, arguments, where)
@@ -167,10 +167,12 @@ def _misfit_inside(value: Any, origin: type, arguments: tuple[Any, ...], where: 
 def _misfit_of_all(values: typing.Collection[Any], wanted: Any, where: str) -> str:
     if wanted in LEAVES:  # a sheet has 400,000 cells
         kinds = set(map(type, values))
-        if all(_is_leaf(kind, wanted) for kind in kinds) and (wanted is not float or all(one == one for one in values)):
+        if all(_is_leaf(kind, wanted) for kind in kinds) and (
+            wanted is not float or all(value == value for value in values)
+        ):
             return ""
         return f"{where} is not {wanted}"
-    return next(filter(None, (_misfit(one, wanted, where) for one in values)), "")
+    return next(filter(None, (_misfit(value, wanted, where) for value in values)), "")
 
 
 def _misfit_of_keys(value: dict[Any, Any], wanted: Any, where: str) -> str:

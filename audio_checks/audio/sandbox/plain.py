@@ -149,7 +149,7 @@ class _Reader:
         items = said[1:]
         if set(map(type, items)) <= LEAVES:
             return items
-        return [self.read(one, depth + 1) for one in items]
+        return [self.read(item, depth + 1) for item in items]
 
     def _blob(self, size: int) -> memoryview:
         begin = self._place

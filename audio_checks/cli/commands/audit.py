@@ -105,10 +105,10 @@ def _as(name: str, audit: Audit, allowed: tuple[str, ...], *, colour: bool) -> s
 def _ensure_of_the_manifest(approved: list[FingerprintedFile], folder: str, manifest: str) -> None:
     """Raise UsageError when a folder of approved files is not what the manifest lists."""
     try:
-        files = [(one.path, one.relative.replace("\\", "/")) for one in audio_files([folder])]
+        files = [(audio_file.path, audio_file.relative.replace("\\", "/")) for audio_file in audio_files([folder])]
     except PathNotFound as error:
         raise UsageError(str(error)) from None
-    there = {one.path: one for one in fingerprint_files(files)}
+    there = {fingerprint_file.path: fingerprint_file for fingerprint_file in fingerprint_files(files)}
     for one in approved:
         if one.path not in there:
             raise UsageError(f"{folder}: {one.path} is in {manifest}, but does not exist; write a new manifest")

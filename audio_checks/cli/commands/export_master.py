@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
             )
             progress.step(one.relative)
     outputs.write(lambda name, _: _as(name, exports, quiet=options.quiet))
-    return FOUND if any("refused" in one for one in exports) else OK
+    return FOUND if any("refused" in export for export in exports) else OK
 
 
 def _exported(
@@ -92,9 +92,9 @@ def _as(name: str, exports: list[dict[str, Any]], *, quiet: bool) -> str:
     if name == "json":
         return f"{json.dumps({'masters': exports}, indent=1)}\n"
     lines = []
-    for one in exports:
-        if refused := one.get("refused"):
-            lines.append(f"{one['master']} -> refused: {refused['message']}; {refused['fix']}")
-        elif one["left"] or not quiet:
-            lines.append(f"{one['master']} -> {'; '.join([one['path'], *one['left']])}")
+    for export in exports:
+        if refused := export.get("refused"):
+            lines.append(f"{export['master']} -> refused: {refused['message']}; {refused['fix']}")
+        elif export["left"] or not quiet:
+            lines.append(f"{export['master']} -> {'; '.join([export['path'], *export['left']])}")
     return "".join(f"{printable(line)}\n" for line in lines)

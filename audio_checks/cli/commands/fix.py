@@ -56,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
             else f"{json.dumps(fixing.to_json(), indent=2)}\n"
         )
     )
-    if any(one.is_our_fault for one in fixing.files):
+    if any(file.is_our_fault for file in fixing.files):
         return WRONG
     levels: tuple[Severity, ...] = ("error", "warning") if options.fail_level == "warning" else ("error",)
-    return FOUND if any(one.left(level) for one in fixing.files for level in levels) else OK
+    return FOUND if any(file.left(level) for file in fixing.files for level in levels) else OK

@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
 
     outputs = Outputs(options.format, FORMATS)
     order = _Order(options.category, options.kind, options.dry, tuple(options.preset))
-    tasks = [(one.path, order) for one in found_files(options, default=".")]
+    tasks = [(file.path, order) for file in found_files(options, default=".")]
     jobs = process_count([path for path, _ in tasks]) if options.jobs is None else options.jobs or CORES
     with progress_over(len(tasks), options) as progress:
         measured = _measured(tasks, jobs, lambda one: progress.step(one.entry.path))

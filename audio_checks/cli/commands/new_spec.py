@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
             raise UsageError("--from measures what is there; leave --preset and --targets out")
         print(_measured(options), end="")
         return OK
-    rates = [target_presets.TARGET_PRESETS[one].sample_rate_hz for one in options.targets]
+    rates = [target_presets.TARGET_PRESETS[target].sample_rate_hz for target in options.targets]
     fitting = "48k" if max(rates, default=0) > LOWEST_ACCEPTED_HZ else "44k1"  # nothing is converted up
     print(new_spec(options.preset or fitting, targets=options.targets), end="")
     return OK
@@ -48,7 +48,7 @@ def _measured(options: argparse.Namespace) -> str:
     from audio_checks.run.workload import process_count
 
     try:
-        paths = [one.path for one in audio_files([options.folder])]
+        paths = [audio_file.path for audio_file in audio_files([options.folder])]
     except PathNotFound as error:
         raise UsageError(str(error)) from None
     if not paths:

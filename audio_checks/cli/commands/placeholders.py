@@ -54,11 +54,11 @@ def run(options: argparse.Namespace) -> int:
     with progress_over(len(names) * len(sound_list.cues), options) as progress:
         for target in names:
             folder = out / target if target else out
-            for one in make_placeholders(
+            for make_placeholder in make_placeholders(
                 sound_list, spec, folder, target=target, taken=taken, voice=not options.no_voice
             ):
-                results.append(one)
-                progress.step("" if isinstance(one, RenderRefused) else str(one.path))
+                results.append(make_placeholder)
+                progress.step("" if isinstance(make_placeholder, RenderRefused) else str(make_placeholder.path))
     outputs.write(lambda name, _: _as(name, results, len(taken), quiet=options.quiet))
     return FOUND if any(isinstance(one, RenderRefused) for one in results) else OK
 

@@ -32,7 +32,10 @@ def judged(report: Report, style: Style) -> str:
 
 def _counting(entry: FileReport) -> list[Finding]:
     """Return the unwaived findings, the most severe first."""
-    return sorted((one for one in entry.findings if not one.waived), key=lambda one: GRAVITY[one.severity or "warning"])
+    return sorted(
+        (finding for finding in entry.findings if not finding.waived),
+        key=lambda one: GRAVITY[one.severity or "warning"],
+    )
 
 
 def _commands(report: Report) -> Iterator[str]:

@@ -37,8 +37,10 @@ class _Case:
     def __init__(self, entry: FileReport, style: Style) -> None:
         self._entry = entry
         self.broken = entry.verdict == "unjudged"
-        self._graver = [one for one in entry.findings if not one.waived and one.severity in style.failing]
-        self._milder = [one for one in entry.findings if one not in self._graver]
+        self._graver = [
+            finding for finding in entry.findings if not finding.waived and finding.severity in style.failing
+        ]
+        self._milder = [finding for finding in entry.findings if finding not in self._graver]
         self.failed = bool(self._graver) and not self.broken
 
     def lines(self) -> Iterator[str]:

@@ -155,7 +155,7 @@ def _undecided(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
 def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
     """Yield what would put several files right at once."""
     codes = [{finding.code for finding in _counting(entry)} for entry in files]
-    pointers = sum(LFS_POINTER in one for one in codes)
+    pointers = sum(LFS_POINTER in code for code in codes)
     if pointers:
         yield ink(f"{_count(pointers, 'file')} of Git LFS not fetched: git lfs pull", YELLOW)
     if any(code.startswith(("naming:", "structure:")) for one in codes for code in one):

@@ -50,7 +50,7 @@ def _fmod_event(
 ) -> None:
     """Write an event with a track in a group track; a sound without a file is another event."""
     of = gains.get
-    modules, tracks = [_fid(name, one) for one in sounds], f"{name} track"
+    modules, tracks = [_fid(name, sound) for sound in sounds], f"{name} track"
     objects = [
         _fmod("Event", name, {"name": name}, mixer=[_fid(f"{name} mixer")], masterTrack=[_fid(f"{name} master track")],
               mixerInput=[_fid(f"{name} input")], groupTracks=[_fid(tracks)], timeline=[_fid(f"{name} timeline")],

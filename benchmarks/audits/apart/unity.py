@@ -25,7 +25,7 @@ def _linear(gains: Gains, place: str) -> float:
 
 
 def _mixer_group(name: str, id_: int, mixer: str, children: list[int]) -> str:
-    held = "".join(f"  - {{fileID: {one}}}\n" for one in children)
+    held = "".join(f"  - {{fileID: {child}}}\n" for child in children)
     return (
         f"--- !u!243 &{id_}\nAudioMixerGroupController:\n  m_ObjectHideFlags: 0\n  m_Name: {name}\n"
         f"  m_AudioMixer: {{fileID: 24100000}}\n  m_GroupID: {_hex(mixer, name)}\n"

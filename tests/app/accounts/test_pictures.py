@@ -74,7 +74,7 @@ def test_the_name_carries_it_wherever_the_person_is_named(world: World) -> None:
     assert world.approver.get("/v1/me").json()["person"]["picture"] == shown
     assert world.approver.get("/v1/session").json()["person"]["picture"] == shown
     people = world.producer.get(f"/v1/studios/{world.studio_id}/people").json()
-    assert {one["person"]["name"]: one["person"]["picture"] for one in people} == {
+    assert {person["person"]["name"]: person["person"]["picture"] for person in people} == {
         "Producer": None,
         "Audio director": shown,
         "Composer": None,

@@ -29,7 +29,7 @@ def person_path(world: World, person_id: UUID) -> str:
 
 def test_members_see_each_other(world: World) -> None:
     people = world.reviewer.get(f"/v1/studios/{world.studio_id}/people").json()
-    assert [(one["person"]["name"], one["roles"]) for one in people] == [
+    assert [(person["person"]["name"], person["roles"]) for person in people] == [
         ("Producer", ["producer"]),
         ("Audio director", ["liaison"]),
         ("Composer", ["reviewer"]),

@@ -7,7 +7,7 @@ from httpx import Response
 from sqlalchemy.orm import Session
 
 from app.agreements.queries import contract_by_id
-from app.amendments.verification import faults_of
+from app.amendments.verification import validation_errors
 from tests.app.agreements.conftest import Contracts
 from tests.support.server import World
 
@@ -70,7 +70,7 @@ class Redlining:
 
         def found(session: Session) -> list[str]:
             contract = contract_by_id(session, UUID(self.sent["id"]))
-            return faults_of(session, self.world.server.runtime.store, contract)
+            return validation_errors(session, self.world.server.runtime.store, contract)
 
         said: list[str] = self.world.server.in_database(found)
         return said

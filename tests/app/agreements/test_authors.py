@@ -133,10 +133,10 @@ def test_an_entry_names_who_did_it(agreed: Agreed, act: Act, kind: str, part: st
     before = len(entries(agreed))
     answer = act(agreed, getattr(agreed.world, part), take, cue)
     assert answer is None or answer.is_success, answer.text
-    added = [one for one in entries(agreed)[before:] if one["kind"] == kind]
-    assert added, [one["kind"] for one in entries(agreed)]
+    added = [entry for entry in entries(agreed)[before:] if entry["kind"] == kind]
+    assert added, [entry["kind"] for entry in entries(agreed)]
     assert (added[-1]["by"], added[-1]["role"]) == PEOPLE[part]
-    assert all(one["by"] and one["role"] for one in entries(agreed))
+    assert all(entry["by"] and entry["role"] for entry in entries(agreed))
 
 
 @pytest.mark.slow
@@ -155,7 +155,7 @@ def test_a_waiver_is_the_approvers(agreed: Agreed) -> None:
     reason = {"reason": "it is meant to hit the ceiling"}
     waived = agreed.world.approver.post(f"/v1/takes/{take}/waiver", json=reason)
     assert waived.status_code == 201, waived.text
-    (reported,) = [one for one in entries(agreed) if one["kind"] == "waived"]
+    (reported,) = [entry for entry in entries(agreed) if entry["kind"] == "waived"]
     assert (reported["by"], reported["role"], reported["reason"]) == (
         "Audio director",
         "approver, liaison",

@@ -5,13 +5,13 @@ import pytest
 from app.agreements.clauses.rules import (
     FACTS,
     Clause,
-    begin,
-    faults_of,
+    default_clauses,
     known_terms,
     library,
     names_in,
     render,
     terms_in_force,
+    validation_errors,
     variables_in,
 )
 from app.agreements.rules import ContractKind
@@ -47,11 +47,11 @@ OFF |= {"next_project", "points", "hours", "retainer"}
 
 
 def standing(kind: ContractKind, **how: bool) -> set[str]:
-    return {clause.key for clause in begin(kind, **how)[0] if clause.stands}
+    return {clause.key for clause in default_clauses(kind, **how)[0] if clause.stands}
 
 
 def test_a_single_contract_has_every_kind_of_clause():
-    keys = {clause.key for clause in begin(ContractKind.SINGLE)[0]}
+    keys = {clause.key for clause in default_clauses(ContractKind.SINGLE)[0]}
     assert keys >= WANTED | MUSIC
     assert standing(ContractKind.SINGLE) == keys - OFF
 
@@ -72,8 +72,8 @@ def test_a_framework_and_its_batch_make_one_contract_together():
 @pytest.mark.parametrize("kind", ContractKind)
 def test_what_the_library_begins_has_no_faults(kind: ContractKind):
     for with_music in (False, True):
-        clauses, terms = begin(kind, with_music=with_music)
-        assert list(faults_of(clauses, terms)) == []
+        clauses, terms = default_clauses(kind, with_music=with_music)
+        assert list(validation_errors(clauses, terms)) == []
         text = render("Effects", clauses, terms | {"po_number": "PO-1"}, dict.fromkeys(FACTS, "something"), "USD")
         assert variables_in(text) == []
         assert "no legal advice" in text, "a template says that it is a start"
@@ -130,15 +130,15 @@ PRICE = [Clause("price", "Price", "It comes about {price_mode}.")]
     ],
 )  # fmt: skip
 def test_faults_are_named(clauses: list[Clause], terms: dict[str, int | str], place: str, words: str):
-    found = dict(faults_of(clauses, terms))
+    found = dict(validation_errors(clauses, terms))
     assert place in found
     assert words in found[place]
 
 
 def test_clauses_that_stand_instead_of_one_another_do_not_stand_together():
-    clauses, terms = begin(ContractKind.SINGLE)
+    clauses, terms = default_clauses(ContractKind.SINGLE)
     both = [Clause(clause.key, clause.title, clause.text) for clause in clauses]
-    assert "remove one of them" in dict(faults_of(both, terms))["clauses.ownership_on_creation"]
+    assert "remove one of them" in dict(validation_errors(both, terms))["clauses.ownership_on_creation"]
 
 
 @pytest.mark.parametrize(
@@ -159,16 +159,16 @@ def test_clauses_that_stand_instead_of_one_another_do_not_stand_together():
     ],
 )
 def test_the_text_states_the_terms_that_the_software_computes_with(terms: dict[str, int | str], words: str):
-    clauses, defaults = begin(ContractKind.SINGLE)
+    clauses, defaults = default_clauses(ContractKind.SINGLE)
     standing = [Clause(clause.key, clause.title, clause.text) for clause in clauses if clause.key != "ownership"]
     days = {"option_until_on": "2027-12-31", "points_until_on": "2031-12-31"}
     whole = defaults | {"po_number": "PO-1"} | days | terms
-    assert list(faults_of(standing, whole)) == []
+    assert list(validation_errors(standing, whole)) == []
     assert words in render("Effects", standing, whole, dict.fromkeys(FACTS, "something"), "EUR")
 
 
 def test_terms_of_a_struck_clause_no_longer_hold():
-    clauses, terms = begin(ContractKind.SINGLE)
+    clauses, terms = default_clauses(ContractKind.SINGLE)
     struck = [
         Clause(clause.key, clause.title, clause.text, clause.key not in ("kill_fee", "rates")) for clause in clauses
     ]

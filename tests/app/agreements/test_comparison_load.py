@@ -12,7 +12,7 @@ from app.agreements.drafts.comparison import MAX_CHARS, MAX_LINES, Compared, com
 from app.agreements.drafts.differences import differences
 from app.agreements.errors import TooLongToCompare
 from app.core.db import new_id
-from app.core.web.per_user_limit import FairShare, TooManyAtOnce
+from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 from tests.attack.long_contract import add_two_long_versions, random_text
 from tests.support.server import World
 from tests.support.steps import at_most
@@ -68,7 +68,7 @@ def test_longer_ones_are_refused_in_numbers(text: str) -> None:
 
 
 def test_one_person_has_two_at_once_and_another_has_two_more() -> None:
-    share, person = FairShare(2, "comparisons"), new_id()
+    share, person = PerUserLimit(2, "comparisons"), new_id()
     refused = pytest.raises(TooManyAtOnce, match="2 comparisons at once is the most")
     with share.of(person), share.of(person), share.of(new_id()), refused, share.of(person):
         pass

@@ -23,7 +23,7 @@ from app.agreements.signing.drawn_signatures import (
     drawing_svg,
     ensure_drawing_fits,
 )
-from app.amendments.verification import faults_of
+from app.amendments.verification import validation_errors
 from tests.app.agreements.conftest import Contracts
 from tests.support.server import World
 
@@ -91,12 +91,12 @@ def test_it_is_kept_shown_recorded_and_held_against_the_record(world: World, con
         ("P. Producer", None),
     ]
     entries = contracts.ask(world.designer, "GET", f"/contracts/{agreed['id']}/record")["entries"]
-    accepted = [one["payload"] for one in entries if one["kind"] == "accepted_by"]
+    accepted = [entry["payload"] for entry in entries if entry["kind"] == "accepted_by"]
     assert [one.get("drawing_sha256") for one in accepted] == [SHA256, None]
 
     def faults(session: Session) -> list[str]:
         contract = session.get_one(Contract, UUID(agreed["id"]))
-        return faults_of(session, world.server.runtime.store, contract)
+        return validation_errors(session, world.server.runtime.store, contract)
 
     def redraw(drawing: Any) -> None:
         def write(session: Session) -> None:
@@ -136,7 +136,7 @@ def content_of(page: Any) -> bytes:
     """Return the operators of a page and of the forms that it shows."""
     found: bytes = page.get_contents().get_data()
     forms = page.get("/Resources", {}).get("/XObject", {})
-    return found + b"".join(one.get_object().get_data() for one in forms.values())
+    return found + b"".join(form.get_object().get_data() for form in forms.values())
 
 
 @pytest.mark.slow

@@ -15,11 +15,20 @@ from app.agreements.clauses.figures import (
     typed_figures,
     with_fields,
 )
-from app.agreements.clauses.rules import FACTS, Clause, begin, known_terms, library, render, variables_in, written_term
+from app.agreements.clauses.rules import (
+    FACTS,
+    Clause,
+    default_clauses,
+    known_terms,
+    library,
+    render,
+    variables_in,
+    written_term,
+)
 from app.agreements.rules import ContractKind
 
 SINGLE = ContractKind.SINGLE
-CLAUSES, TERMS = begin(SINGLE)
+CLAUSES, TERMS = default_clauses(SINGLE)
 ALL = [dataclasses.replace(each, stands=True) for each in CLAUSES if each.key != "ownership_on_creation"]
 FIELDS = [
     (each.clause.key, name)
@@ -62,7 +71,7 @@ def in_a_word(number: int) -> str:
 
 @pytest.mark.parametrize("kind", ContractKind)
 def test_the_library_has_its_figures_and_types_none(kind: ContractKind):
-    clauses, terms = begin(kind, with_music=True)
+    clauses, terms = default_clauses(kind, with_music=True)
     standing = [dataclasses.replace(each, stands=True) for each in clauses if each.key != "ownership_on_creation"]
     for changed in ({}, {"price_mode": "day_rate"}, {"reverse_charge": 1, "bonus_when": "shipped"}):
         now = terms | {name: value for name, value in changed.items() if name in terms}

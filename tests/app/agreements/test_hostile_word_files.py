@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app import rooms
+from app import registry
 from app.agreements.errors import BadWordFile
 from app.agreements.word.document import word_document
 from app.agreements.word.file import WordText, parse_word_file, read_word_file
@@ -35,7 +35,7 @@ PACKAGE = "http://schemas.openxmlformats.org/package/2006/relationships"
 @pytest.fixture(scope="module")
 def parsers() -> Iterator[Parsers]:
     made = Parsers()
-    made.connect(rooms.PARSERS)
+    made.connect(registry.PARSERS)
     yield made
     made.close()
 

@@ -8,7 +8,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from app.agreements.clauses.named_days import named_days, statement_days
-from app.agreements.clauses.rules import begin, faults_of, faults_of_term
+from app.agreements.clauses.rules import default_clauses, faults_of_term, validation_errors
 from app.agreements.models import ContractVersion
 from app.agreements.rules import ContractKind
 from app.core.jobs.queue import Payload
@@ -95,7 +95,10 @@ def test_statements_are_due_each_half_year_up_to_the_one_of_the_last_day() -> No
     assert found == [date(2027, 1, 31), date(2027, 7, 31), date(2028, 1, 31), date(2028, 7, 31)]
     assert list(statement_days(date(2026, 11, 26), date(2026, 12, 31))) == [date(2027, 1, 31)]
     terms = {"points_until_on": "2027-01-01"}
-    assert [one.day for one in named_days(terms, date(2026, 11, 26))] == [date(2027, 1, 31), date(2027, 7, 31)]
+    assert [named_day.day for named_day in named_days(terms, date(2026, 11, 26))] == [
+        date(2027, 1, 31),
+        date(2027, 7, 31),
+    ]
 
 
 @pytest.mark.parametrize("value", ["next spring", "2027-13-01", "31.12.2027"])
@@ -105,7 +108,7 @@ def test_a_day_is_written_as_one(value: str) -> None:
 
 
 def test_the_library_leaves_the_clauses_out_until_a_day_is_named() -> None:
-    clauses, terms = begin(ContractKind.SINGLE)
+    clauses, terms = default_clauses(ContractKind.SINGLE)
     keys = {"next_project", "points"}
     assert {clause.key for clause in clauses if clause.key in keys and not clause.stands} == keys
-    assert not [place for place, _ in faults_of(clauses, terms) if place.startswith("terms.")]
+    assert not [place for place, _ in validation_errors(clauses, terms) if place.startswith("terms.")]

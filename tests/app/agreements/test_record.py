@@ -47,7 +47,7 @@ def contract_id(world: World) -> UUID:
 
 def faults(world: World, contract_id: UUID) -> list[str]:
     found: list[str] = world.server.in_database(
-        lambda session: list(record.faults_of(session, session.get_one(Contract, contract_id)))
+        lambda session: list(record.validation_errors(session, session.get_one(Contract, contract_id)))
     )
     return found
 

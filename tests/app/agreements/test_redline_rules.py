@@ -13,9 +13,9 @@ from app.agreements.drafts.comparison import MAX_CHARS
 from app.agreements.redlines.marks import clauses_as_sent, marked_clauses
 from app.agreements.redlines.rules import (
     Answer,
-    AnswerKind,
     Change,
     Redline,
+    RedlineAnswerKind,
     RedlineKind,
     Round,
     Wording,
@@ -44,12 +44,12 @@ def begun() -> Round:
     return Round(1, 1, "", "Designer", AT, numbered(CHANGES, 1))
 
 
-def answered(redline: Redline, kind: AnswerKind) -> Redline:
-    wording = COUNTERS[redline.number] if kind is AnswerKind.COUNTERED else None
+def answered(redline: Redline, kind: RedlineAnswerKind) -> Redline:
+    wording = COUNTERS[redline.number] if kind is RedlineAnswerKind.COUNTERED else None
     return replace(redline, answer=Answer(kind, wording, "", "Producer", AT))
 
 
-def give(round_: Round, draft: tuple[Sequence[Clause], Terms], number: int, kind: AnswerKind):
+def give(round_: Round, draft: tuple[Sequence[Clause], Terms], number: int, kind: RedlineAnswerKind):
     """Return round and draft after an answer."""
     redline = answered(next(one for one in round_.redlines if one.number == number), kind)
     clauses, terms = answered_draft(draft, (BASE, TERMS), round_, redline)
@@ -62,9 +62,9 @@ def expected(round_: Round) -> tuple[list[Clause], Terms]:
     by_key = {clause.key: clause for clause in BASE}
     terms = dict(TERMS)
     for redline in round_.redlines:
-        if redline.answer is None or redline.answer.kind is AnswerKind.REFUSED:
+        if redline.answer is None or redline.answer.kind is RedlineAnswerKind.REFUSED:
             continue
-        if redline.answer.kind is AnswerKind.COUNTERED:
+        if redline.answer.kind is RedlineAnswerKind.COUNTERED:
             by_key[redline.clause_key] = Clause(
                 redline.clause_key, f"Counter {redline.number}", f"counter {redline.number}"
             )
@@ -78,8 +78,8 @@ def expected(round_: Round) -> tuple[list[Clause], Terms]:
 
 
 @pytest.mark.slow
-@given(st.lists(st.tuples(st.integers(1, len(CHANGES)), st.sampled_from(AnswerKind)), max_size=20))
-def test_the_last_answers_alone_make_the_draft(answers: list[tuple[int, AnswerKind]]):
+@given(st.lists(st.tuples(st.integers(1, len(CHANGES)), st.sampled_from(RedlineAnswerKind)), max_size=20))
+def test_the_last_answers_alone_make_the_draft(answers: list[tuple[int, RedlineAnswerKind]]):
     round_, draft = begun(), (BASE, TERMS)
     for number, kind in answers:
         round_, draft = give(round_, draft, number, kind)
@@ -88,15 +88,15 @@ def test_the_last_answers_alone_make_the_draft(answers: list[tuple[int, AnswerKi
 
 
 def test_a_clause_that_the_studio_removed_comes_back_in_its_place():
-    _, (clauses, _) = give(begun(), ([BASE[0], BASE[2]], TERMS), 2, AnswerKind.COUNTERED)
+    _, (clauses, _) = give(begun(), ([BASE[0], BASE[2]], TERMS), 2, RedlineAnswerKind.COUNTERED)
     assert [clause.key for clause in clauses] == ["a", "b", "c"]
-    _, (clauses, _) = give(begun(), ([BASE[2]], TERMS), 4, AnswerKind.ACCEPTED)
+    _, (clauses, _) = give(begun(), ([BASE[2]], TERMS), 4, RedlineAnswerKind.ACCEPTED)
     assert [clause.key for clause in clauses] == ["own_second_4", "c"]
 
 
 def test_other_edits_of_the_draft_stay():
     edited = [replace(BASE[2], text="edited"), BASE[0], BASE[1]]
-    _, (clauses, terms) = give(begun(), (edited, TERMS | {"days": 20}), 1, AnswerKind.ACCEPTED)
+    _, (clauses, terms) = give(begun(), (edited, TERMS | {"days": 20}), 1, RedlineAnswerKind.ACCEPTED)
     assert clauses == [edited[0], Clause("a", "A", "new a {rounds}"), BASE[1]]
     assert terms == {"days": 20, "rounds": 3}
 
@@ -112,7 +112,10 @@ def test_other_edits_of_the_draft_stay():
     ],
 )
 def test_one_character_that_differs_is_found(number: int, text: tuple[Sequence[Clause], Terms]):
-    redlines = [answered(one, AnswerKind.ACCEPTED) if one.number == number else one for one in begun().redlines]
+    redlines = [
+        answered(redline, RedlineAnswerKind.ACCEPTED) if redline.number == number else redline
+        for redline in begun().redlines
+    ]
     assert not is_in(redlines[number - 1], text, BASE)
     sent = replace(begun(), redlines=redlines, sent_version=2)
     found = list(faults_of_sent([sent], {1: (BASE, TERMS), 2: text}))
@@ -135,10 +138,14 @@ def test_two_values_for_one_term_are_named():
 
 def test_a_value_that_changes_is_marked_wherever_it_is_read():
     redlines = numbered([Change(RedlineKind.REPLACE, "a", None, Wording("A", "a {days}.", {"days": 11}))], 1)
-    marked = {one.key: one for one in marked_clauses((BASE, TERMS), redlines, {}, "USD", "")}
+    marked = {
+        marked_clause.key: marked_clause for marked_clause in marked_clauses((BASE, TERMS), redlines, {}, "USD", "")
+    }
     assert {run.text for line in marked["c"].lines for run in line.runs if run.is_in != "both"} == {"10.", "11."}
-    refused = [answered(redlines[0], AnswerKind.REFUSED)]
-    marked = {one.key: one for one in marked_clauses((BASE, TERMS), refused, {}, "USD", "")}
+    refused = [answered(redlines[0], RedlineAnswerKind.REFUSED)]
+    marked = {
+        marked_clause.key: marked_clause for marked_clause in marked_clauses((BASE, TERMS), refused, {}, "USD", "")
+    }
     assert {line.change for line in marked["c"].lines} == {"same"}
 
 

@@ -108,7 +108,7 @@ def test_both_read_one_text_with_marks(world: World, redlining: Redlining):
     ]
     assert pages[0]["round"] == pages[1]["round"]
     assert [page["may_answer"] for page in pages] == [False, True]
-    marked = {one["key"]: one for one in pages[0]["round"]["clauses"]}
+    marked = {page["key"]: page for page in pages[0]["round"]["clauses"]}
     assert _words(marked["rounds"]["lines"], "earlier") == ["2"]
     assert _words(marked["rounds"]["lines"], "later") == ["3"]
     assert marked["rounds"]["redline"]["wording"]["terms"] == {"rounds_included": 3}, "both see the value"

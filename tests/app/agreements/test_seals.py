@@ -92,7 +92,7 @@ def test_the_page_says_what_an_untouched_file_binds(world: World, agreed: dict[s
     assert (binds["title"], binds["version"]) == (agreed["title"], 1)
     assert binds["text_sha256"] == agreed["version"]["text_sha256"]
     assert (binds["studio_name"], binds["designer_name"]) == ("Test studio", "Sound designer")
-    assert [(one["party"], one["name"]) for one in binds["signatures"]] == [
+    assert [(bind["party"], bind["name"]) for bind in binds["signatures"]] == [
         ("designer", "N. Designer"),
         ("studio", "P. Producer"),
     ]

@@ -15,7 +15,7 @@ from app.accounts.models import Membership, Person
 from app.accounts.rules import AddressProof, Role
 from app.agreements.models import ContractAcceptance, SigningCode
 from app.agreements.rules import Party
-from app.agreements.signing.rules import CODE_TRIES, CONSENT, SigningOrder, Yes
+from app.agreements.signing.rules import CODE_TRIES, CONSENT, Signature, SigningOrder
 from app.core import clock
 from app.core.db import new_id
 from tests.app.accounts.test_second_factor_requirements import REQUIRED, require_second_factor, set_up_totp
@@ -26,8 +26,8 @@ from tests.support.server import World
 from tests.support.smtp import MailServer, mail_server
 
 ONE, TWO, DESIGNER = new_id(), new_id(), new_id()
-STUDIO_ONE, STUDIO_TWO = Yes(Party.STUDIO, ONE), Yes(Party.STUDIO, TWO)
-DESIGNERS = Yes(Party.DESIGNER, DESIGNER)
+STUDIO_ONE, STUDIO_TWO = Signature(Party.STUDIO, ONE), Signature(Party.STUDIO, TWO)
+DESIGNERS = Signature(Party.DESIGNER, DESIGNER)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,9 @@ DESIGNERS = Yes(Party.DESIGNER, DESIGNER)
         (SigningOrder([ONE, TWO], Party.STUDIO), [STUDIO_ONE, STUDIO_TWO, DESIGNERS], [], None),
     ],
 )
-def test_whose_turn_it_is(order: SigningOrder, given: list[Yes], parties: list[Party], signer: UUID | None) -> None:
+def test_whose_turn_it_is(
+    order: SigningOrder, given: list[Signature], parties: list[Party], signer: UUID | None
+) -> None:
     turn = order.turn(given)
     assert (list(turn.parties), turn.signer) == (parties, signer)
 

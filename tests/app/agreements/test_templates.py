@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.agreements.clauses.rules import Clause, begin
+from app.agreements.clauses.rules import Clause, default_clauses
 from app.agreements.clauses.template_files import parse_toml, write_toml
 from app.agreements.clauses.templates import library_toml
 from app.agreements.errors import BadTemplate
@@ -20,7 +20,7 @@ KEYS = st.text(string.ascii_lowercase, min_size=1, max_size=8)
 
 @pytest.mark.parametrize("kind", ContractKind)
 def test_the_library_comes_back_from_its_file(kind: ContractKind):
-    clauses, terms = begin(kind)
+    clauses, terms = default_clauses(kind)
     assert parse_toml(library_toml(kind))[1:] == (kind, [clause.as_row() for clause in clauses], terms)
 
 

@@ -48,7 +48,7 @@ def test_lines_of_the_library_are_found_where_they_stand(each: Any):
     found = lines_with_places(text)
     assert [(line.kind, line.text) for line in found] == [(line.kind, line.text.strip()) for line in lines_of(text)]
     for line in found:
-        assert all(line.begins <= one.begins <= one.ends <= line.ends for one in line.letters)
+        assert all(line.begins <= letter.begins <= letter.ends <= line.ends for letter in line.letters)
 
 
 @given(TEXTS)
@@ -102,7 +102,7 @@ class Contract:
     def read(self, document: bytes) -> ReadChanges:
         """Return what a document changes."""
         made_from = MadeFrom(1, (self.clauses, TERMS), self.text, filler(TERMS, FACTS, "USD"), "USD")
-        return changes_in(read_word_file(document), made_from, [one.key for one in self.clauses if one.stands])
+        return changes_in(read_word_file(document), made_from, [clause.key for clause in self.clauses if clause.stands])
 
     def changes(self, document: bytes) -> dict[str | None, Change]:
         """Return what a document changes, by clause, where nothing is named beside."""
@@ -366,14 +366,14 @@ def test_any_edited_lines_read_back_as_they_were_typed(typed: list[tuple[Any, An
 
 
 def as_word(line: SourceLine) -> WordLine:
-    spans = [Span(one.letter, one.strong, one.emphatic) for one in line.letters]
+    spans = [Span(letter.letter, letter.strong, letter.emphatic) for letter in line.letters]
     return WordLine(line.kind, 0, tuple(spans), (), ())
 
 
 def looks(line: WordLine) -> tuple[str, list[tuple[str, bool, bool]]]:
     """Return the characters of a line with their looks; a space has none."""
     letters = [(letter, span.strong, span.emphatic) for span in line.spans for letter in span.text]
-    return line.kind, [(one[0], False, False) if one[0] in " ·" else one for one in letters]
+    return line.kind, [(letter[0], False, False) if letter[0] in " ·" else letter for letter in letters]
 
 
 def typed_into(line: WordLine, chance: random.Random) -> WordLine:

@@ -116,7 +116,7 @@ class Parties:
 
     def accept_order(self, contract: dict[str, Any], number: int, by: Any) -> Any:
         orders = granted(by.get(f"/v1/contracts/{contract['id']}/change-orders"))["orders"]
-        sha256 = next(one["text_sha256"] for one in orders if one["number"] == number)
+        sha256 = next(order["text_sha256"] for order in orders if order["number"] == number)
         return self.post(by, contract, f"change-orders/{number}/accept", name="N. N.", text_sha256=sha256)
 
     def change(self, contract: dict[str, Any], *changes: dict[str, Any]) -> None:

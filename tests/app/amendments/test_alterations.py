@@ -29,7 +29,7 @@ from app.agreements.models import (
 from app.agreements.rules import AcceptedBy, ContractKind, Party, ReleaseClause, WorkState
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.amendments.rules import ChangeOrderState
-from app.amendments.verification import Verified, faults_of, verify_all
+from app.amendments.verification import Verified, validation_errors, verify_all
 from app.core.db import Base, Database
 from app.core.record import START, canonical, link
 from app.deliveries.models import Take
@@ -65,7 +65,7 @@ class Scene:
         session.expire_all()
         contract = session.get(Contract, self.contract_id)
         assert contract is not None
-        return faults_of(session, self.world.server.runtime.store, contract)
+        return validation_errors(session, self.world.server.runtime.store, contract)
 
 
 @pytest.fixture

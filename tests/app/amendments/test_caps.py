@@ -8,7 +8,7 @@ import sqlalchemy as sa
 
 from app.agreements.models import Contract
 from app.agreements.queries import contract_by_id
-from app.amendments.verification import faults_of
+from app.amendments.verification import validation_errors
 from tests.app.amendments.refusal_parties import Parties, advised, granted
 from tests.app.money.agreed import day, deposit, milestone
 from tests.support.pdfs import text_of
@@ -51,7 +51,7 @@ def orders(parties: Parties, contract: dict[str, Any]) -> dict[str, Any]:
 def faults(parties: Parties, contract: dict[str, Any]) -> list[str]:
     server = parties.world.server
     found: list[str] = server.in_database(
-        lambda session: faults_of(session, server.runtime.store, contract_by_id(session, UUID(contract["id"])))
+        lambda session: validation_errors(session, server.runtime.store, contract_by_id(session, UUID(contract["id"])))
     )
     return found
 

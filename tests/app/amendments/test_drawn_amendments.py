@@ -10,7 +10,7 @@ from pypdf import PdfReader
 
 from app.agreements.queries import contract_by_id
 from app.amendments.models import AmendmentAcceptance
-from app.amendments.verification import faults_of
+from app.amendments.verification import validation_errors
 from tests.app.agreements.test_drawn_names import NAME, SHA256, content_of
 from tests.app.amendments.refusal_parties import Parties, granted
 from tests.support.server import World
@@ -41,7 +41,7 @@ def shows_the_drawing(pdf: bytes) -> None:
 def faults(parties: Parties, contract: dict[str, Any]) -> list[str]:
     server = parties.world.server
     found: list[str] = server.in_database(
-        lambda session: faults_of(session, server.runtime.store, contract_by_id(session, UUID(contract["id"])))
+        lambda session: validation_errors(session, server.runtime.store, contract_by_id(session, UUID(contract["id"])))
     )
     return found
 

@@ -149,7 +149,7 @@ class Life:
             return 0
         siblings = [one for one in self.cues if one.milestone_id == cue.milestone_id]
         held = rounded(cue.amount_minor, self.rules.holdback_bp)
-        is_released = self.rules.release is ReleaseClause.PER_CUE or all(one.is_settled for one in siblings)
+        is_released = self.rules.release is ReleaseClause.PER_CUE or all(sibling.is_settled for sibling in siblings)
         return (cue.amount_minor - held if is_released else 0) + (
             held if all(one.is_settled for one in self.cues) else 0
         )
@@ -300,7 +300,7 @@ class Lives(RuleBasedStateMachine):
         parts = (statement.cues_minor, statement.deposit_minor, statement.rounds_minor, statement.extra_minor)
         assert statement.hours_minor + statement.retainer_minor == life.owed_time()
         assert sum(parts) + life.owed_time() == statement.figures.accepted_minor
-        assert [one.owed_minor for one in statement.cues] == [life._share(cue) for cue in life.cues]
+        assert [cue.owed_minor for cue in statement.cues] == [life._share(cue) for cue in life.cues]
         life.settle()
         assert len(life.lines) == before + len(statement.entries), "settled once, there is nothing more to write"
 

@@ -28,7 +28,7 @@ def offers(order: Order, by: Any = None) -> list[dict[str, Any]]:
 
 
 def kinds(order: Order, by: Any = None) -> list[str]:
-    return [one["kind"] for one in offers(order, by)]
+    return [offer["kind"] for offer in offers(order, by)]
 
 
 def edit(order: Order, cue_id: UUID, **facts: Any) -> None:
@@ -233,7 +233,7 @@ def test_an_answer_after_the_day_of_the_work(order: Order) -> None:
     order.take(cue)
     answered = {"text": "Two metres.", "joins": True}
     assert order.world.producer.post(f"/v1/questions/{question_id}/answer", json=answered).is_success
-    found = {one["kind"]: one for one in offers(order)}
+    found = {offer["kind"]: offer for offer in offers(order)}
     assert set(found) == {"answered", "needed"}, "what an answer adds to a description is no other description"
     assert found["answered"]["change"]["due_on"] == (TODAY + timedelta(days=2)).isoformat()
     settle(order, found["answered"])

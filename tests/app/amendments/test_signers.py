@@ -11,7 +11,7 @@ from app.accounts.models import Membership, Person
 from app.accounts.rules import AddressProof, Role
 from app.agreements.models import ContractSigner
 from app.agreements.queries import contract_by_id
-from app.amendments.verification import faults_of
+from app.amendments.verification import validation_errors
 from app.core import clock
 from app.core.db import new_id
 from tests.app.agreements.test_signing import code_for
@@ -143,7 +143,7 @@ def faults(order: Order) -> list[str]:
     """Return what is wrong with the contract, whose text and state no test has recorded."""
 
     def found(session: Session) -> list[str]:
-        return faults_of(session, order.world.server.runtime.store, contract_by_id(session, order.contract_id))
+        return validation_errors(session, order.world.server.runtime.store, contract_by_id(session, order.contract_id))
 
     said: list[str] = order.world.server.in_database(found)
     return said

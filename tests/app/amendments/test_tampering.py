@@ -16,11 +16,11 @@ from typer.testing import CliRunner
 
 from app.agreements.models import Contract, ContractAcceptance, ContractEvent, ContractVersion, Seal
 from app.agreements.queries import contract_by_id, contract_by_id_or_none
-from app.agreements.record.signed_checkpoints import head_of
+from app.agreements.record.signed_checkpoints import signed_checkpoint
 from app.agreements.rules import ContractState
 from app.amendments.models import AmendmentAcceptance, ChangeOrder, Notice
 from app.amendments.rules import ChangeOrderState
-from app.amendments.verification import faults_of
+from app.amendments.verification import validation_errors
 from app.cli import cli, keeping
 from app.core import clock
 from app.core.record import START, canonical, link
@@ -67,7 +67,7 @@ def contract_id(world: World, contracts: Contracts) -> UUID:
 
 def faults(world: World, contract_id: UUID) -> list[str]:
     def found(session: Session) -> list[str]:
-        return faults_of(session, world.server.runtime.store, contract_by_id(session, contract_id))
+        return validation_errors(session, world.server.runtime.store, contract_by_id(session, contract_id))
 
     said: list[str] = world.server.in_database(found)
     return said
@@ -82,7 +82,9 @@ def faults_after(world: World, contract_id: UUID, deeds: Mapping[str, UpdateBase
             with session.begin_nested() as step:
                 session.execute(statement)
                 session.expire_all()
-                named[deed] = faults_of(session, world.server.runtime.store, contract_by_id(session, contract_id))
+                named[deed] = validation_errors(
+                    session, world.server.runtime.store, contract_by_id(session, contract_id)
+                )
                 step.rollback()
             session.expire_all()
         return named
@@ -285,7 +287,7 @@ def test_a_kept_head_shows_what_is_whole_in_itself(
 
     def others_say(session: Session) -> list[str]:
         contract = contract_by_id_or_none(session, nda_id)
-        return faults_of(session, world.server.runtime.store, contract) if contract else []
+        return validation_errors(session, world.server.runtime.store, contract) if contract else []
 
     assert world.server.in_database(others_say) == []
     assert any(words in fault for fault in verified_with(world, head, monkeypatch))
@@ -327,7 +329,7 @@ def test_a_head_by_another_key_is_reported(
     other = Settings(secret_key="the key of another server")
 
     def signed(session: Session) -> dict[str, Any]:
-        return head_of(other, contract_by_id(session, nda_id))
+        return signed_checkpoint(other, contract_by_id(session, nda_id))
 
     head = tmp_path / "head.json"
     head.write_text(json.dumps(world.server.in_database(signed)))

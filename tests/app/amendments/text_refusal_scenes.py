@@ -59,7 +59,7 @@ def _redlines_are_answered_before_the_next_version(parties: Parties) -> None:
     granted(answer(parties, sent, "accepted"))
     drafted = granted(parties.producer.get(f"/v1/contracts/{sent['id']}"))
     rows = drafted["version"]["clauses"]
-    clauses = [one | ({"text": "Any work."} if one["key"] == "warranty" else {}) for one in rows]
+    clauses = [row | ({"text": "Any work."} if row["key"] == "warranty" else {}) for row in rows]
     parties.contracts.save(drafted, clauses=clauses)
     advised(send(), "redlines-open", "answer it again on the page Redlines")
     granted(answer(parties, sent, "accepted"))

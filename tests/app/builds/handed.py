@@ -4,7 +4,7 @@ import hashlib
 
 from hypothesis import strategies
 
-from app.builds.engine_export.cues import HandedCue, HandedFile
+from app.builds.engine_export.cues import ExportedCue, HandedFile
 
 HOSTILE = [
     '"); studio.project.close(); ("',
@@ -36,10 +36,10 @@ def file(path: str, *, seconds: float = 0.5, loop: tuple[int, int] | None = None
     return HandedFile(path, sha256, seconds, sample_rate_hz=48_000, loop_points=points)
 
 
-def cue(number: int, *paths: str, **facts) -> HandedCue:
+def cue(number: int, *paths: str, **facts) -> ExportedCue:
     files = tuple(file(path) for path in paths)
     known = {"label": f"SW-{number:03d}", "name": files[0].stem, "title": files[0].stem, "category": "", "loop": False}
-    return HandedCue(**{**known, "notes": "", "files": files, **facts})
+    return ExportedCue(**{**known, "notes": "", "files": files, **facts})
 
 
 LASER = cue(
@@ -67,7 +67,7 @@ CUES = [LASER, HUM, CONFIRM]
 
 
 @strategies.composite
-def hostile_cues(draw) -> list[HandedCue]:
+def hostile_cues(draw) -> list[ExportedCue]:
     """Cues whose every text is hostile. Paths are as the list keeps them: no slash or backslash within a name."""
     made = []
     for number in range(1, draw(strategies.integers(1, 4)) + 1):

@@ -121,7 +121,7 @@ def test_key_and_memory_say_what_a_codec_has(world: World) -> None:
     assert "Assets/laser_fire_01.ogg" in rows[1]
     assert ",44100,,1," in rows[1]  # a rate, no depth, mono
     targets = world.producer.get(f"/v1/projects/{world.project_id}/targets").json()["targets"]
-    coded = next(one for one in targets if one["name"] == "coded")
+    coded = next(target for target in targets if target["name"] == "coded")
     assert coded["quality"] == 0.4
     assert coded["used"]["total"]["pcm_bytes"] == 3 * 11_025 * 2  # as 16 bit, which it is decoded to
 
@@ -136,4 +136,4 @@ def test_a_placeholder_for_the_game_is_in_its_codec(world: World, tmp_path: Path
         archive.extractall(tmp_path)
         assert 'importer="oggvorbisstr"' in archive.read("Assets/ui_confirm.ogg.import").decode()
     entry = audio_checks.check_file(tmp_path / "Assets" / "warp_in.ogg", spec, target="coded")
-    assert [one.code for one in entry.findings if one.severity == "error"] == ["placeholder:marked"]
+    assert [finding.code for finding in entry.findings if finding.severity == "error"] == ["placeholder:marked"]

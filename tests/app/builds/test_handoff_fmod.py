@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.fmod import fmod_files
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
 
@@ -17,7 +17,7 @@ STUDIO = Path(__file__).resolve().parents[2] / "support" / "editors" / "fmod_stu
 NODE = shutil.which("node") or "node"
 
 
-def unpack(folder: Path, cues: list[HandedCue]) -> Path:
+def unpack(folder: Path, cues: list[ExportedCue]) -> Path:
     for path, content in fmod_files(cues).items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_bytes(content)
@@ -105,7 +105,7 @@ def test_an_event_that_is_called_as_a_folder_has_a_name_of_its_own(tmp_path: Pat
 @pytest.mark.slow
 @settings(max_examples=5, deadline=None)
 @given(cues=hostile_cues())
-def test_hostile_names_are_only_names(tmp_path_factory, cues: list[HandedCue]) -> None:
+def test_hostile_names_are_only_names(tmp_path_factory, cues: list[ExportedCue]) -> None:
     found = run(unpack(tmp_path_factory.mktemp("project"), cues), "2")
     assert len(found["events"]) == len(cues)
     assert found["runs"][1]["changes"] == 0

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 
-from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.godot import godot_files, quoted, uid_of
 from audio_checks.middleware.godot import read_godot
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
@@ -27,7 +27,7 @@ stream = ExtResource("2")
 """
 
 
-def unpack(folder: Path, cues: list[HandedCue]) -> None:
+def unpack(folder: Path, cues: list[ExportedCue]) -> None:
     files = {file.path: b"RIFF" for one in cues for file in one.files} | godot_files(cues)
     for path, content in files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
@@ -95,7 +95,7 @@ def test_a_randomizer_keeps_what_the_list_says() -> None:
 @pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
-def test_hostile_names_stay_in_their_strings(cues: list[HandedCue]) -> None:
+def test_hostile_names_stay_in_their_strings(cues: list[ExportedCue]) -> None:
     made = godot_files(cues)
     assert made == godot_files(cues)
     assert len(made) == sum(len(one.files) + one.is_set for one in cues)

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from app.builds.engine_export.cues import HandedCue, file_safe
+from app.builds.engine_export.cues import ExportedCue, file_safe
 from app.builds.engine_export.document import script
 from app.builds.engine_export.unity import unity_files
 from tests.app.builds.handed import CUES, HUM, LASER, cue, file, hostile_cues
@@ -56,7 +56,7 @@ def test_the_scripts_are_balanced_and_name_documented_calls_only(name: str) -> N
     assert named - DOCUMENTED - declared - {"SoundlistSet"} == set()
 
 
-def sounds(cues: list[HandedCue]) -> list[dict[str, Any]]:
+def sounds(cues: list[ExportedCue]) -> list[dict[str, Any]]:
     (content,) = (content for path, content in unity_files(cues).items() if path.endswith(".json"))
     document = json.loads(content)
     assert document["format"] == 1
@@ -111,7 +111,7 @@ def test_a_prefab_stands_in_the_folder_of_its_event() -> None:
 @pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
-def test_hostile_names_make_no_paths(cues: list[HandedCue]) -> None:
+def test_hostile_names_make_no_paths(cues: list[ExportedCue]) -> None:
     files = unity_files(cues)
     assert files == unity_files(cues)
     assert files["Assets/Soundlist/Editor/SoundlistImporter.cs"] == script("SoundlistImporter.cs")

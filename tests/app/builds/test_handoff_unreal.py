@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.unreal import unreal_files
 from audio_checks.middleware.unreal import read_unreal
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
@@ -120,7 +120,7 @@ class Editor:
         return self.changes
 
 
-def unpack(folder: Path, cues: list[HandedCue]) -> Path:
+def unpack(folder: Path, cues: list[ExportedCue]) -> Path:
     files = {file.path: file.sha256.encode() for one in cues for file in one.files} | unreal_files(cues)
     for path, content in files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
@@ -222,7 +222,7 @@ def test_a_lost_file_leaves_its_cue_out(tmp_path: Path, monkeypatch: pytest.Monk
 @pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(cues=hostile_cues())
-def test_hostile_names_are_only_names(tmp_path_factory: pytest.TempPathFactory, cues: list[HandedCue]) -> None:
+def test_hostile_names_are_only_names(tmp_path_factory: pytest.TempPathFactory, cues: list[ExportedCue]) -> None:
     editor, pack = Editor(), unpack(tmp_path_factory.mktemp("pack"), cues)
     with pytest.MonkeyPatch.context() as monkeypatch:
         editor.run(pack, monkeypatch)

@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 import pytest
 from hypothesis import given, settings
 
-from app.builds.engine_export.cues import HandedCue
+from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.wwise import wwise_files
 from audio_checks.middleware.wwise import read_wwise
 from tests.app.builds.handed import CONFIRM, CUES, LASER, cue, hostile_cues
@@ -99,7 +99,7 @@ class Project:
         return folder / "Game.wproj"
 
 
-def imported(cues: list[HandedCue]) -> Project:
+def imported(cues: list[ExportedCue]) -> Project:
     project = Project()
     for name, table in wwise_files(cues, set()).items():
         assert name.startswith("wwise/")
@@ -206,7 +206,7 @@ def test_two_cues_with_one_event_have_two() -> None:
 @pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
-def test_hostile_names_stay_in_their_cells(cues: list[HandedCue]) -> None:
+def test_hostile_names_stay_in_their_cells(cues: list[ExportedCue]) -> None:
     files = wwise_files(cues, set())
     assert files == wwise_files(cues, set())
     objects = imported(cues).objects

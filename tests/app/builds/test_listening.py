@@ -104,7 +104,7 @@ def test_what_is_too_long_becomes_a_task_of_its_designer(world: World, listening
     assert tasks(world, world.designer) == []
     note = next(one for one in seen(world)["notes"] if one["cue"]["name"] == "UI confirm")
     assert note["is_done"] is True
-    other = next(one for one in tasks(world))
+    other = next(task for task in tasks(world))
     assert world.designer.put(f"/v1/game-tasks/{other['id']}", json={"is_done": True}).status_code == 404
 
 
@@ -139,7 +139,7 @@ def test_a_later_note_of_the_same_person_replaces_theirs_alone(world: World, lis
     assert {(one["said"], one["written_by"]["name"]) for one in seen(world)["notes"]} == {
         ("good", "Producer"), ("wrong", "Composer"),
     }  # fmt: skip
-    assert [one["kind"] for one in tasks(world)] == ["wrong"]
+    assert [task["kind"] for task in tasks(world)] == ["wrong"]
     assert seen(world)["people"] == 2
 
 
@@ -152,7 +152,7 @@ def test_not_reached_and_missing_are_not_heard_and_what_was_never_heard_is_count
     say(world, listening, "Laser fire", "not-reached")
     say(world, listening, "UI confirm", "missing")
     assert (seen(world)["heard"], states(world)["never_heard"]) == (0, 3)
-    assert [one["kind"] for one in tasks(world)] == ["missing"]
+    assert [task["kind"] for task in tasks(world)] == ["missing"]
     say(world, listening, "Laser fire", "good")
     now = states(world)
     assert (seen(world)["heard"], now["heard"], now["never_heard"]) == (1, 1, 2)
@@ -165,7 +165,8 @@ def test_not_reached_and_missing_are_not_heard_and_what_was_never_heard_is_count
 
 @pytest.mark.slow
 def test_an_implementer_sets_a_state_by_hand_and_a_reviewer_does_not(world: World, listening: dict[str, Any]) -> None:
-    url = f"/v1/cues/{next(one['cue']['id'] for one in states(world)['unheard'] if one['cue']['name'] == 'Warp in')}"
+    cue_id = next(state["cue"]["id"] for state in states(world)["unheard"] if state["cue"]["name"] == "Warp in")
+    url = f"/v1/cues/{cue_id}"
     body = {"mark": "in-build", "is_set": True}
     refused = world.reviewer.put(f"{url}/game-state", json=body)
     assert (refused.status_code, refused.json()["code"]) == (403, "implementer-needed")
@@ -231,8 +232,8 @@ def test_a_closed_pass_takes_no_notes_and_the_next_begins_with_the_newest_build(
 
 
 def test_whose_task_a_note_is() -> None:
-    said = {one: task_of(one) for one in HeardAs}
+    said = {HeardA: task_of(HeardA) for HeardA in HeardAs}
     assert {one for one, task in said.items() if task is None} == {HeardAs.GOOD, HeardAs.NOT_REACHED}
     of_designer = {task for task in said.values() if task and role_of(task) is TaskRole.DESIGNER}
     assert of_designer == {TaskKind.TOO_LONG, TaskKind.TOO_SHORT, TaskKind.WRONG}
-    assert {one for one in HeardAs if not is_heard(one)} == {HeardAs.MISSING, HeardAs.NOT_REACHED}
+    assert {HeardA for HeardA in HeardAs if not is_heard(HeardA)} == {HeardAs.MISSING, HeardAs.NOT_REACHED}

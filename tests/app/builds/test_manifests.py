@@ -329,13 +329,13 @@ def test_an_audit_of_the_pack_says_all_the_same_and_names_what_was_raised(world:
         return done.returncode, {one["path"]: one for one in reported["files"]}
 
     code, files = audit()
-    assert (code, [one["status"] for one in files.values()]) == (0, ["same"] * 3)
+    assert (code, [file["status"] for file in files.values()]) == (0, ["same"] * 3)
     raise_by_3_db(build / SOUNDS[2])
     code, files = audit()
     assert (code, files[SOUNDS[0]]["status"], files[SOUNDS[2]]["status"]) == (1, "same", "gain")
     assert files[SOUNDS[2]]["gain_db"] == pytest.approx(3.0, abs=0.05)
     (take,) = {one["take"] for one in manifest(world)["files"] if one["path"] == SOUNDS[2]}
-    assert [(one["cue"], one["take"]) for one in files[SOUNDS[2]]["matches"]] == [("2", take)]
+    assert [(file["cue"], file["take"]) for file in files[SOUNDS[2]]["matches"]] == [("2", take)]
 
 
 def raise_by_3_db(path: Path) -> None:

@@ -96,7 +96,9 @@ def test_a_changed_copy_of_an_approved_sound_is_reported_to_both_projects(world:
     assert found["cue"].endswith("Shield hit")
     assert found["words"] == "the same sound, 6.0 dB quieter"
     assert found["gain_db"] == pytest.approx(-6.0, abs=0.15)
-    assert [one["words"] for one in same_sounds(world.approver, cut)] == ["the same sound, with another start or end"]
+    assert [same_sound["words"] for same_sound in same_sounds(world.approver, cut)] == [
+        "the same sound, with another start or end"
+    ]
     assert body_of(world.producer.get(f"/v1/takes/{unlike}/same-sounds")) == {
         "take_id": unlike, "is_compared": True, "sounds": [], "libraries": [],
     }  # fmt: skip
@@ -138,7 +140,7 @@ def test_a_designer_sees_a_match_of_two_takes_of_their_own_while_engaged_on_both
     approve(world, approved)
     other = other_project(world, world.designer_id)
     copied = take_of(other, "Hull knock", sound / 2)
-    assert [one["take_id"] for one in same_sounds(world.designer, copied)] == [approved]
+    assert [same_sound["take_id"] for same_sound in same_sounds(world.designer, copied)] == [approved]
 
     def end_engagement(session: Session) -> None:
         session.execute(sa.delete(Engagement).where(Engagement.project_id == world.project_id))
@@ -170,5 +172,5 @@ def test_sounds_approved_before_masters_were_fingerprinted_are_found_too(world: 
     other = other_project(world, world.designer_id)
     first = take_of(other, "Hull knock", sound / 2)
     approve(other, first)
-    assert [one["take_id"] for one in same_sounds(world.approver, first)] == [approved]
-    assert [one["take_id"] for one in same_sounds(world.approver, approved)] == [first]
+    assert [same_sound["take_id"] for same_sound in same_sounds(world.approver, first)] == [approved]
+    assert [same_sound["take_id"] for same_sound in same_sounds(world.approver, approved)] == [first]

@@ -41,8 +41,8 @@ def fetch(world: World, pack: dict[str, Any]) -> zipfile.ZipFile:
 
 def reported(changes: dict[str, Any]) -> dict[str, set[str]]:
     found: dict[str, set[str]] = {"new": set(), "changed": set(), "gone": set()}
-    for one in changes["paths"]:
-        found[one["kind"]].add(one["path"])
+    for change in changes["paths"]:
+        found[change["kind"]].add(change["path"])
     return found
 
 

@@ -59,5 +59,5 @@ def test_what_is_streamed_takes_its_buffer_alone(world: World) -> None:
 
 def test_presets_say_what_each_engine_takes(world: World) -> None:
     presets = world.reviewer.get(f"/v1/projects/{world.project_id}/targets").json()["presets"]
-    assert {one["engine"] for one in presets} >= {"Wwise", "FMOD Studio", "Unreal Engine", "Unity"}
-    assert all(one["toml"].startswith(f"[targets.{one['name']}]") and one["accepts"] for one in presets)
+    assert {preset["engine"] for preset in presets} >= {"Wwise", "FMOD Studio", "Unreal Engine", "Unity"}
+    assert all(preset["toml"].startswith(f"[targets.{preset['name']}]") and preset["accepts"] for preset in presets)

@@ -89,7 +89,11 @@ def test_every_command_is_in_every_script(scripts: dict[str, Path]) -> None:
     assert {"soundlist serve", "soundlist jobs retry", "soundlist adopt", "soundlist desk add"} <= set(commands)
     for script in scripts.values():
         text = script.read_text()
-        assert [one for one in commands if f"{one}'" not in text and f'{one}"' not in text and one != "soundlist"] == []
+        assert [
+            command
+            for command in commands
+            if f"{command}'" not in text and f'{command}"' not in text and command != "soundlist"
+        ] == []
 
 
 def test_another_shell_is_refused_with_those_that_there_are() -> None:

@@ -31,7 +31,7 @@ def test_an_empty_folder_gets_the_files_of_the_pack(client: Client, game: Path) 
     lock = read_lock(game)
     assert lock is not None
     assert (lock.project, lock.target) == (str(client.world.project_id), "game")
-    assert [(one.path, one.cue) for one in lock.entries.values()] == list(
+    assert [(entry.path, entry.cue) for entry in lock.entries.values()] == list(
         zip(PATHS, ["SW-001", "SW-001", "SW-002"], strict=True)
     )
     assert "added  ui_confirm.wav  SW-002 UI confirm" in client.out

@@ -58,7 +58,7 @@ def compared(asked: Server, paths: list[Path], spec: str) -> Iterator[str]:
     if remembered(cache) != len(paths):
         yield f"the cache holds {remembered(cache)} verdicts of {len(paths)}"
     for other, said in others.items():
-        yield from (f"Python and {other}: {one}" for one in differences(by_python, said))
+        yield from (f"Python and {other}: {difference}" for difference in differences(by_python, said))
 
 
 if __name__ == "__main__":

@@ -365,8 +365,8 @@ def test_all_that_came_back_with_an_offset_are_fixed_in_one_go(world: World) -> 
     world.server.wait_for_jobs()
     path = f"/v1/projects/{world.project_id}/fixes"
     offers = world.designer.get(path).json()
-    assert [(one["take_state"], one["state"]) for one in offers] == [("returned", "made")] * 3
-    used = [world.designer.post(f"/v1/takes/{one['take_id']}/fix/use") for one in offers]
+    assert [(offer["take_state"], offer["state"]) for offer in offers] == [("returned", "made")] * 3
+    used = [world.designer.post(f"/v1/takes/{offer['take_id']}/fix/use") for offer in offers]
     assert [(one.status_code, one.json()["number"]) for one in used] == [(201, 2)] * 3
     world.server.wait_for_jobs()
     found = [checked(world, one.json()["id"]) for one in used]

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from app import rooms
+from app import registry
 from app.accounts import rate_limits
 from app.accounts.rules import Audience
 from app.core.web import bodies
@@ -101,7 +101,7 @@ def test_a_large_sheet_of_a_signed_in_person_is_read(world: World):
 
 
 def test_nobody_unknown_may_send_more_than_the_default_but_a_pdf_to_verify():
-    routes = [route for router in rooms.ROUTERS for route in api_routes(router.routes)]
+    routes = [route for router in registry.ROUTERS for route in api_routes(router.routes)]
     large = [route for route in routes if getattr(route.endpoint, "body_limit", 0) > SMALL_BODY_BYTES]
     assert len(large) > 10
     policies = {route.name: policy_of(route) for route in large}

@@ -10,12 +10,12 @@ import anyio
 import pytest
 from fastapi import Request
 
-from app import rooms
+from app import registry
+from app.core.access_scope import AccessScope
 from app.core.db import new_id
 from app.core.errors import Invalid
 from app.core.parsing import Parsers
 from app.core.parsing_queue import MAX_CONCURRENT, MAX_PER_CALLER, MAX_WAITING, ParsingBusy, parse_request
-from app.core.reach import Reach
 from app.core.runtime import Runtime
 from app.sound_lists.errors import SheetUnreadable
 from app.sound_lists.sheets.rules import parse_text
@@ -29,7 +29,7 @@ class Unreadable(Invalid):
 @pytest.fixture(scope="module")
 def parsers() -> Iterator[Parsers]:
     made = Parsers()
-    made.connect(rooms.PARSERS)
+    made.connect(registry.PARSERS)
     made.start()
     yield made
     made.close()
@@ -83,7 +83,7 @@ class _Slow:
 
 class _Database:
     @contextlib.contextmanager
-    def reading(self, _reach: Reach) -> Iterator[None]:
+    def reading(self, _reach: AccessScope) -> Iterator[None]:
         yield None
 
 
@@ -92,7 +92,7 @@ def _request_of(person: int, slow: _Slow) -> Request:
     request = Request(scope)
     request.app.state.runtime = type("Runtime", (), {"parsers": slow, "database": _Database()})()
     request.state.actor = None
-    request.state.reach = Reach(person_id=person)  # type: ignore[arg-type]
+    request.state.reach = AccessScope(person_id=person)  # type: ignore[arg-type]
     return request
 
 

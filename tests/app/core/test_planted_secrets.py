@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from app import rooms
+from app import registry
 from app.conformance import checking
 from app.core import typesetting
 from app.core.parsing import Parsers
@@ -29,7 +29,7 @@ CHUNK = 1 << 20
 def parsers() -> Sandbox:
     """Return what parses sheets, specs and templates, with the modules that a web process has it load."""
     made = Parsers()
-    made.connect(rooms.PARSERS)
+    made.connect(registry.PARSERS)
     return made._sandbox
 
 

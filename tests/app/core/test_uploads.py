@@ -20,8 +20,8 @@ from app.core.uploads import (
     CHECKSUMS,
     Checksum,
     ChecksumMismatch,
+    MinimumRate,
     OffsetMismatch,
-    Pace,
     StoreFull,
     Upload,
     UploadBusy,
@@ -156,7 +156,7 @@ def test_a_broken_line_keeps_what_came(incoming: Uploads, store: FolderStore) ->
 
 @pytest.mark.parametrize("pause_s", [5.0, 0.05], ids=["silent", "trickling"])
 def test_a_slow_sender_frees_the_upload(database: Database, store: FolderStore, pause_s: float) -> None:
-    incoming = Uploads(database, store, pace=Pace(bytes_per_s=1_000, window_s=0.3))
+    incoming = Uploads(database, store, pace=MinimumRate(bytes_per_s=1_000, window_s=0.3))
 
     async def slow() -> AsyncIterator[bytes]:
         for at in range(0, len(CONTENT), 10):
@@ -173,7 +173,7 @@ def test_a_slow_sender_frees_the_upload(database: Database, store: FolderStore, 
 
 @pytest.mark.slow
 def test_a_sender_at_the_minimum_rate_is_waited_for(database: Database, store: FolderStore) -> None:
-    incoming = Uploads(database, store, pace=Pace(bytes_per_s=100, window_s=50))
+    incoming = Uploads(database, store, pace=MinimumRate(bytes_per_s=100, window_s=50))
 
     async def steady() -> AsyncIterator[bytes]:
         for at in range(0, 20_000, 1_000):  # 180 s in all, more than three windows, 111 bytes a second
@@ -190,7 +190,7 @@ def test_the_time_to_write_is_not_the_senders(
     database: Database, store: FolderStore, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(uploads, "_write", lambda *given, write=uploads._write: (time.sleep(0.3), write(*given)))
-    incoming = Uploads(database, store, pace=Pace(bytes_per_s=100 << 20, window_s=0.2))  # 20 MiB in 0.2 s
+    incoming = Uploads(database, store, pace=MinimumRate(bytes_per_s=100 << 20, window_s=0.2))  # 20 MiB in 0.2 s
     assert send(incoming, begun(incoming), 0, CONTENT).sha256 == SHA256  # five slow writes
 
 

@@ -75,7 +75,7 @@ def rpp(world: World) -> str:
 def test_what_is_owed_is_a_region_and_what_came_back_has_its_changes(world: World) -> None:
     add_cues(world, {"name": "laser", "variations": 2}, {"name": "wind", "duration_s": 12.0}, {"name": "gone"})
     cues = world.producer.get(f"/v1/projects/{world.project_id}/sound-list").json()["cues"]
-    gone = next(one for one in cues if one["name"] == "gone")
+    gone = next(cue for cue in cues if cue["name"] == "gone")
     assert world.producer.post(f"/v1/cues/{gone['id']}/cut", json={"reason": "no longer needed"}).status_code == 200
     assert regions(rpp(world)) == [("laser_01", 0.0, 2.0), ("laser_02", 4.0, 6.0), ("wind", 8.0, 20.0)]
     take = deliver(world, "laser_01.wav", SOUND)

@@ -127,7 +127,7 @@ def agreed_by(world: World, needed: str) -> tuple[Agreed, UUID, UUID]:
 
 def recorded(agreed: Agreed) -> list[tuple[str, str]]:
     def read(session: Session) -> list[tuple[str, str]]:
-        said = [(one.kind, json.loads(one.payload)) for one in events_of(session, agreed.contract_id)]
+        said = [(event.kind, json.loads(event.payload)) for event in events_of(session, agreed.contract_id)]
         return [(payload["by"], payload["sources"]) for kind, payload in said if kind == "sources"]
 
     found: list[tuple[str, str]] = agreed.world.server.in_database(read)

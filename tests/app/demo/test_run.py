@@ -116,7 +116,8 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
             "change_requested": 1,
         }  # fmt: skip
         references = client.get(f"{path}/references").json()["items"]
-        assert {one["cue"]["name"]: (one["version"]["kind"], one["version"]["preview"]) for one in references} == {
+        kinds = {row["cue"]["name"]: (row["version"]["kind"], row["version"]["preview"]) for row in references}
+        assert kinds == {
             "vo_oath": ("text", "none"), "shield_hit": ("audio", "none"), "coolant_splash": ("picture", "made"),
             "warp_in": ("video", "none"),
         }  # fmt: skip
@@ -145,7 +146,10 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
         builds = client.get(f"{path}/builds").json()["items"]
         assert [(build["label"], build["rejected"]) for build in builds] == [("482", 1), ("481", 0)]
         audits = client.get(f"{path}/audits").json()["items"]
-        assert [(one["label"], one["drifted"], one["new_drifts"]) for one in audits] == [("482", 6, 6), ("481", 0, 0)]
+        assert [(audit["label"], audit["drifted"], audit["new_drifts"]) for audit in audits] == [
+            ("482", 6, 6),
+            ("481", 0, 0),
+        ]
         drifted = client.get(f"/v1/audits/{audits[0]['id']}/sounds", params={"drifted": True}).json()["items"]
         steps = {(one["cue"]["name"], one["moves"][0]["property"], round(one["gain_db"], 1)) for one in drifted}
         assert steps == {("foot_deck_walk", "Volume", 6.0)}

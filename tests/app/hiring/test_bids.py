@@ -271,7 +271,7 @@ def test_an_award_opens_a_draft_with_the_bids_figures(world: World, posting: dic
     deposit, *parts = plan["milestones"]
     assert (deposit["is_deposit"], deposit["amount_minor"]) == (True, 23_200), "a fifth of the price, and in it"
     assert sum(one["amount_minor"] for one in plan["milestones"]) == 81_000 + 15_000 + 20_000
-    assert (parts[-1]["due_on"], sum(len(one["cues"]) for one in parts)) == ("2027-03-01", 4)
+    assert (parts[-1]["due_on"], sum(len(part["cues"]) for part in parts)) == ("2027-03-01", 4)
     assert len(parts) >= 3
     assert plan["advice"] == [], "our own check has nothing to say about it"
     assert plan["price"] == {

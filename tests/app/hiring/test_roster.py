@@ -56,7 +56,7 @@ def test_a_designer_is_kept_found_changed_and_removed(world: World) -> None:
     all_entries = roster(world)
     assert names(all_entries) == ["Designer A", "Designer B"]
     assert (all_entries["found"], all_entries["total"], all_entries["next"]) == (2, 2, None)
-    assert {one["value"] for one in all_entries["specialities"]} == {"Weapons", "creatures", "UI"}
+    assert {entry["value"] for entry in all_entries["specialities"]} == {"Weapons", "creatures", "UI"}
     for wanted in ({"q": "ribbon"}, {"speciality": "weapons"}, {"service": "composes"}, {"language": "german"}):
         assert names(roster(world, **wanted)) == ["Designer A"], wanted
     assert names(roster(world, q="nobody")) == []

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from app.agreements.clauses.rules import begin, render
+from app.agreements.clauses.rules import default_clauses, render
 from app.agreements.clauses.terms import BonusWhen, MoneyTerms
 from app.agreements.queries import events_of
 from app.agreements.rules import ContractKind
@@ -172,7 +172,7 @@ def test_no_bonus_is_said_where_none_was_agreed(world: World) -> None:
 
 @pytest.mark.parametrize("when", BonusWhen)
 def test_the_text_says_what_sets_it_off(when: BonusWhen) -> None:
-    clauses, terms = begin(ContractKind.SINGLE)
+    clauses, terms = default_clauses(ContractKind.SINGLE)
     assert MoneyTerms.of(terms).bonus_when is BonusWhen.OTHER
     clauses = [clause for clause in clauses if clause.key == "bonus"]
     standing = [type(clause)(clause.key, clause.title, clause.text, stands=True) for clause in clauses]

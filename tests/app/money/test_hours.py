@@ -12,7 +12,7 @@ from app import worker
 from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract
 from app.agreements.queries import contract_by_id, events_of
-from app.amendments.verification import faults_of
+from app.amendments.verification import validation_errors
 from app.core import clock
 from app.money import jobs
 from app.money.models import WorkedDay
@@ -81,7 +81,7 @@ def faults(agreed: Agreed) -> list[str]:
     store = agreed.world.server.runtime.store
 
     def found(session: Any) -> list[str]:
-        whole = faults_of(session, store, contract_by_id(session, agreed.contract_id))
+        whole = validation_errors(session, store, contract_by_id(session, agreed.contract_id))
         # The stage agrees without a text; what is said of work and lines is what counts here.
         return [fault for fault in whole if "work" in fault or "line" in fault]
 
@@ -126,7 +126,7 @@ def test_refused_hours_are_corrected_and_sent_again(agreed: Agreed) -> None:
     ok(world.producer.post(f"/v1/worked-days/{entry_id}/agree"))
     assert refused(refuse(agreed, entry_id)) == (409, "day-agreed")
     assert refused(world.designer.put(f"/v1/worked-days/{entry_id}", json=body)) == (409, "day-agreed")
-    kinds = world.server.in_database(lambda session: [one.kind for one in events_of(session, agreed.contract_id)])
+    kinds = world.server.in_database(lambda session: [event.kind for event in events_of(session, agreed.contract_id)])
     assert kinds[-4:] == ["work_refused", "work_logged", "work_agreed", "due"]
 
 
@@ -265,7 +265,7 @@ def test_altered_hours_are_named(agreed: Agreed) -> None:
 def test_the_record_says_which_hours(agreed: Agreed) -> None:
     approve(agreed, log(agreed, 60))
     events = agreed.world.server.in_database(
-        lambda session: [(one.kind, json.loads(one.payload)) for one in events_of(session, agreed.contract_id)]
+        lambda session: [(event.kind, json.loads(event.payload)) for event in events_of(session, agreed.contract_id)]
     )
     (kind, agreed_work), (_, due) = events[-2:]
     assert (kind, agreed_work["minutes"], agreed_work["note"]) == ("work_agreed", 60, "Directing")

@@ -239,7 +239,7 @@ class Contract(RuleBasedStateMachine):
                     assert sum(owed.values()) == cue.amount_minor
                 elif LineKind.HELD_BACK in owed:
                     assert standing[LineKind.HELD_BACK].invoice_id
-                if self.rules.release is ReleaseClause.PER_CUE or all(one.is_settled for one in siblings):
+                if self.rules.release is ReleaseClause.PER_CUE or all(sibling.is_settled for sibling in siblings):
                     assert owed.get(LineKind.ACCEPTED, 0) == cue.amount_minor - held
                 elif LineKind.ACCEPTED in owed:
                     assert standing[LineKind.ACCEPTED].invoice_id

@@ -24,7 +24,10 @@ def wanted(category: str = "", due_on: date | None = None, weight: int = 1) -> W
 
 
 def named(cues: list[WantedCue], **more: Any) -> list[tuple[str, date | None, int]]:
-    return [(one.name, one.due_on, len(one.cue_ids)) for one in propose_milestones(cues, today=TODAY, **more)]
+    return [
+        (propose_milestone.name, propose_milestone.due_on, len(propose_milestone.cue_ids))
+        for propose_milestone in propose_milestones(cues, today=TODAY, **more)
+    ]
 
 
 def test_parts_are_named_by_categories_and_come_in_order() -> None:
@@ -62,14 +65,16 @@ def test_a_price_includes_its_deposit_and_the_last_part_is_the_largest() -> None
     cues = [wanted("ui", weight=7), wanted("ui"), wanted("weapon"), wanted("weapon")]
     deposit, *parts = propose_milestones(cues, today=TODAY, total_minor=639_000)
     assert (deposit.is_deposit, deposit.amount_minor, deposit.cue_ids) == (True, 127_800, [])
-    amounts = [one.amount_minor or 0 for one in parts]
+    amounts = [part.amount_minor or 0 for part in parts]
     assert 127_800 + sum(amounts) == 639_000
     assert amounts == sorted(amounts)
     assert amounts == [159_750, 159_750, 191_700], "25, 25 and 30 % of the price"
 
 
 def test_without_a_price_nothing_has_an_amount() -> None:
-    assert [one.amount_minor for one in propose_milestones([wanted("ui")], today=TODAY)] == [None]
+    assert [
+        propose_milestone.amount_minor for propose_milestone in propose_milestones([wanted("ui")], today=TODAY)
+    ] == [None]
 
 
 def test_no_cues_are_no_milestones() -> None:
@@ -97,12 +102,12 @@ def test_what_is_proposed_draws_no_warning(
         for one in proposed
     ]
     assert check_plan(payments, "EUR") == []
-    assert sum(one.amount_minor for one in payments) == total_minor
+    assert sum(payment.amount_minor for payment in payments) == total_minor
     parts = [one for one in proposed if not one.is_deposit]
-    assert sorted(cue for one in parts for cue in one.cue_ids) == sorted(cue.cue_id for cue in asked)
-    assert parts[-1].amount_minor == max(one.amount_minor or 0 for one in parts)
+    assert sorted(cue for part in parts for cue in part.cue_ids) == sorted(cue.cue_id for cue in asked)
+    assert parts[-1].amount_minor == max(part.amount_minor or 0 for part in parts)
     if len(parts) > 2 and total_minor > 10_000:
-        assert all((one.amount_minor or 0) <= 0.3 * total_minor + len(parts) for one in parts)
+        assert all((part.amount_minor or 0) <= 0.3 * total_minor + len(parts) for part in parts)
 
 
 @pytest.mark.slow
@@ -112,7 +117,7 @@ def test_three_parts_and_more_are_two_weeks_apart(cues: int, weeks: int, total_m
     _, *parts = propose_milestones(
         [wanted() for _ in range(cues)], today=TODAY, ends_on=ends_on, total_minor=total_minor
     )
-    days = [one.due_on for one in parts if one.due_on]
+    days = [part.due_on for part in parts if part.due_on]
     assert len(days) == len(parts) >= 3
     assert days[-1] == ends_on
     assert all(later - earlier >= timedelta(days=14) for earlier, later in itertools.pairwise([TODAY, *days]))

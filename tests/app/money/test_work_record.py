@@ -23,7 +23,7 @@ def agreed(world: World) -> Agreed:
 
 def recorded(agreed: Agreed, kind: str) -> list[dict[str, Any]]:
     def read(session: Session) -> list[str]:
-        assert list(record.faults_of(session, session.get_one(Contract, agreed.contract_id))) == []
+        assert list(record.validation_errors(session, session.get_one(Contract, agreed.contract_id))) == []
         of_it = select(ContractEvent.payload).where(ContractEvent.contract_id == agreed.contract_id)
         return list(session.scalars(of_it.where(ContractEvent.kind == kind).order_by(ContractEvent.seq)))
 

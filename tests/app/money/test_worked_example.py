@@ -105,5 +105,5 @@ def test_the_worked_example_is_right_to_the_cent() -> None:
         assert [line.amount_minor for line in example.lines[before:]] == [minor(one) for one in lines.split("+")], what
         now = figures_of(example.book, example.cues, DEPOSIT_MINOR)
         shown = [now.agreed_minor, now.paid_minor, now.due_minor, now.open_minor, now.saved_minor]
-        assert shown == [minor(one) for one in figures], what
+        assert shown == [minor(figure) for figure in figures], what
         assert sum(shown[1:]) == shown[0], what

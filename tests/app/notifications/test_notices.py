@@ -138,7 +138,7 @@ def test_notices_leave_ninety_days_after_they_were_read(world: World, monkeypatc
         monkeypatch.setattr(clock, "now", lambda later=later: later)
         notice_jobs.delete_old_notices(world.server.runtime, {})
         with world.server.runtime.database.reading() as session:
-            left = {str(one.id) for one in notices.queries.notices_of(
+            left = {str(notice.id) for notice in notices.queries.notices_of(
                 session, world.designer_id, before=None, limit=10)}  # fmt: skip
         assert left == wanted
 
@@ -207,7 +207,7 @@ def test_what_was_read_and_what_a_pause_has_ended_take_no_more(world: World, mon
     monkeypatch.setattr(clock, "now", lambda: later)
     approve(world, "SW-003 hit: approved.")
     approve(world, "SW-004 hit: approved.")
-    shown = [(one["subject"], one["read_at"] is None) for one in approvals(world)]
+    shown = [(approval["subject"], approval["read_at"] is None) for approval in approvals(world)]
     assert shown == [
         ("Shield Wing: 2 versions approved", True),
         ("Shield Wing: 1 version approved", True),

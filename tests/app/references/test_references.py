@@ -261,7 +261,7 @@ def test_size_and_quota_are_refused_in_numbers_before_a_byte_is_stored(
     full = begin_upload(world, "b.wav", WAV)
     assert (full.status_code, full.json()["code"]) == (507, "storage-quota-reached")
     quotas = world.producer.get(f"/v1/studios/{world.studio_id}/quotas").json()
-    [used] = [one for one in quotas if one["kind"] == "reference_bytes"]
+    [used] = [quota for quota in quotas if quota["kind"] == "reference_bytes"]
     assert (used["used"], used["limit"]) == (len(WAV), limit)
 
 

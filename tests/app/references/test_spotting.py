@@ -55,7 +55,7 @@ def test_each_mark_becomes_a_cue_with_its_part_of_the_clip(world: World, clip: d
 def test_the_cues_are_one_revision(world: World, clip: dict[str, Any]) -> None:
     make(world, clip, DOOR, SHOT)
     revisions = world.producer.get(f"/v1/projects/{world.project_id}/sound-list/revisions").json()["items"]
-    assert [one["summary"] for one in revisions] == ["2 cues added"]
+    assert [revision["summary"] for revision in revisions] == ["2 cues added"]
 
 
 @pytest.mark.slow

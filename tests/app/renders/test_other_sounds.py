@@ -59,13 +59,13 @@ def test_approved_sounds_are_opened_unless_the_studio_says_otherwise(stage: Stag
     palette = stage.take(stage.cue("tone", palette=True, category="ui"), state=TakeState.APPROVED)
     plain = stage.take(stage.cue("bang", variations=2), 2, state=TakeState.APPROVED)
     waiting = stage.take(stage.cue("clank"))
-    assert [one["id"] for one in sounds(stage)] == [str(plain), str(palette)]
-    assert [one["id"] for one in sounds(stage, palette=True)] == [str(palette)]
+    assert [sound["id"] for sound in sounds(stage)] == [str(plain), str(palette)]
+    assert [sound["id"] for sound in sounds(stage, palette=True)] == [str(palette)]
     first = sounds(stage)[0]
     assert (first["cue"]["name"], first["variation"], first["variations"], first["is_approved"]) == ("bang", 2, 2, True)
     assert not {"file_name", "designer", "designer_id"} & first.keys()
     set_heard(stage, "waiting")
-    assert [(one["id"], one["is_approved"]) for one in sounds(stage)[:1]] == [(str(waiting), False)]
+    assert [(sound["id"], sound["is_approved"]) for sound in sounds(stage)[:1]] == [(str(waiting), False)]
     set_heard(stage, "own")
     assert sounds(stage) == []
 

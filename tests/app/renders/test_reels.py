@@ -95,7 +95,7 @@ def test_a_designer_hears_their_own_takes_only(world: World) -> None:
     everything = made(world, world.reviewer, cue_id)
     mine, theirs = made(world, world.designer, cue_id), made(world, world.other_designer, cue_id)
     assert [one["take_id"] for one in everything["takes"]] == takes
-    assert ([one["take_id"] for one in mine["takes"]], [one["take_id"] for one in theirs["takes"]]) == (
+    assert ([one["take_id"] for one in mine["takes"]], [their["take_id"] for their in theirs["takes"]]) == (
         takes[:1],
         takes[1:],
     )

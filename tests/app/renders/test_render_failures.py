@@ -42,7 +42,7 @@ def test_a_job_that_dies_after_the_verdict_draws_when_it_comes_again(
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
     until(lambda: sounds(world, take_id)["master"]["state"] == "drawn")
     assert found == ["conforming, 0 drawn"]
-    assert [one["state"] for one in sounds(world, take_id)["renders"]] == ["made", "made"]
+    assert [sound["state"] for sound in sounds(world, take_id)["renders"]] == ["made", "made"]
     assert count(world.server, CheckRun.take_id == UUID(take_id)) == 1
 
 

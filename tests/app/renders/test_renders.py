@@ -68,7 +68,7 @@ def test_a_target_above_the_master_is_refused_with_a_reason(world: World) -> Non
     add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=44_100, seconds=0.2), rate=44_100, bits=16)
-    by_target = {one["target"]: one for one in sounds(world, take_id)["renders"]}
+    by_target = {sound["target"]: sound for sound in sounds(world, take_id)["renders"]}
     assert by_target["game"]["state"] == "made"
     trailer = by_target["trailer"]
     assert trailer["state"] == "refused"
@@ -104,9 +104,9 @@ def add_spec(world: World, toml_end: str) -> None:
 def test_a_new_spec_adds_renders_and_keeps_the_old_ones(world: World) -> None:
     add_cue(world, "beep")
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
-    before = {one["target"]: one["id"] for one in sounds(world, take_id)["renders"]}
+    before = {sound["target"]: sound["id"] for sound in sounds(world, take_id)["renders"]}
     add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
-    after = {one["target"]: one["id"] for one in sounds(world, take_id)["renders"]}
+    after = {sound["target"]: sound["id"] for sound in sounds(world, take_id)["renders"]}
     assert after.keys() == {"game", "handheld", "trailer"}
     assert {target: after[target] for target in before} == before
     now = world.producer.get(f"/v1/projects/{world.project_id}/spec").json()
@@ -114,7 +114,7 @@ def test_a_new_spec_adds_renders_and_keeps_the_old_ones(world: World) -> None:
     body = {"toml": louder, "note": "", "based_on_version": now["version"]}
     assert world.producer.put(f"/v1/projects/{world.project_id}/spec", json=body).status_code == 200
     world.server.wait_for_jobs()
-    renewed = {one["target"]: one for one in sounds(world, take_id)["renders"]}
+    renewed = {sound["target"]: sound for sound in sounds(world, take_id)["renders"]}
     assert renewed["handheld"]["id"] != before["handheld"]
     assert renewed["handheld"]["facts"]["sample_rate_hz"] == 32_000
     assert renewed["game"]["id"] == before["game"]
@@ -127,7 +127,7 @@ def test_an_approved_take_is_renewed_too(world: World) -> None:
     take_id = deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2))
     assert world.approver.post(f"/v1/takes/{take_id}/verdict", json={"kind": "approve"}).status_code == 200
     add_spec(world, "[targets.trailer]\nsample_rate_hz = 48000\nbit_depth = 24\n")
-    assert {one["target"]: one["state"] for one in sounds(world, take_id)["renders"]}["trailer"] == "made"
+    assert {sound["target"]: sound["state"] for sound in sounds(world, take_id)["renders"]}["trailer"] == "made"
 
 
 @pytest.mark.slow
@@ -168,8 +168,8 @@ def test_the_same_master_gives_the_same_bytes(world: World) -> None:
     first, second = (deliver_sound(world, f"{name}.wav", samples) for name in ("one", "two"))
     files = [
         [
-            hashlib.sha256(world.designer.get(one["file_url"]).content).hexdigest()
-            for one in sounds(world, take)["renders"]
+            hashlib.sha256(world.designer.get(sound["file_url"]).content).hexdigest()
+            for sound in sounds(world, take)["renders"]
         ]
         for take in (first, second)
     ]
@@ -322,7 +322,7 @@ def test_what_a_game_file_lost_is_shown_in_figures_and_spectra(world: World) -> 
     # Two tones of one level: half of the energy lies above 11,025 Hz, and the file for 22,050 Hz lacks it.
     tones = sine(hz=1_000, dbfs=-12, rate=96_000, seconds=0.5) + sine(hz=15_000, dbfs=-12, rate=96_000, seconds=0.5)
     take_id = deliver_sound(world, "chirp.wav", tones)
-    by_target = {one["target"]: one for one in sounds(world, take_id)["renders"]}
+    by_target = {sound["target"]: sound for sound in sounds(world, take_id)["renders"]}
     url = f"/v1/renders/{by_target['handheld']['id']}/loss"
     loss = world.approver.get(url).json()
     assert loss["above_nyquist_db"] == pytest.approx(-3.0, abs=0.2)

@@ -146,7 +146,7 @@ def add_take(
         delivery_id=delivery_id,
         cue_id=cue_id,
         variation=variation,
-        number=1 + max((one for one in numbers if one), default=0) if cue_id else None,
+        number=1 + max((number for number in numbers if number), default=0) if cue_id else None,
         master_sha256=sha256,
         master_bytes=1_000,
         **{

@@ -113,7 +113,7 @@ def test_a_target_that_keeps_coded_files_ships_the_very_bytes_and_the_audit_find
     command = [sys.executable, "-m", "audio_checks.cli", "audit", "--manifest", str(tmp_path / "approved.json")]
     ran = subprocess.run([*command, "--format", "json", str(game)], check=False, capture_output=True, text=True)
     assert ran.returncode == 0, ran.stdout + ran.stderr
-    assert [one["status"] for one in json.loads(ran.stdout)["files"]] == ["same"] * 7
+    assert [load["status"] for load in json.loads(ran.stdout)["files"]] == ["same"] * 7
 
 
 @pytest.mark.slow
@@ -122,7 +122,7 @@ def test_a_target_of_the_same_codec_takes_the_file_and_others_say_why_not(
 ) -> None:
     found = takes(world)
     states = {
-        name: {one["target"]: (one["state"], one["refusal"]) for one in sounds["renders"]}
+        name: {sound["target"]: (sound["state"], sound["refusal"]) for sound in sounds["renders"]}
         for name, sounds in found.items()
     }
     assert states["theme.ogg"]["ogg"] == ("made", None)

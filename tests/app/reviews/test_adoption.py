@@ -57,11 +57,11 @@ def review(world: World, cue_id: str) -> dict[str, Any]:
 def test_a_folder_becomes_cues_with_approved_takes_and_their_checks(world: World) -> None:
     answer = adopted(world, FILES)
     assert (answer["cues"], answer["takes"], answer["adopted_by"]["name"]) == (3, 5, "Producer")
-    found = {one["name"]: (one["file_name"], one["category"], one["variations"]) for one in cues_of(world)}
+    found = {cue["name"]: (cue["file_name"], cue["category"], cue["variations"]) for cue in cues_of(world)}
     assert found == {
         "click": ("click", "ui", 1), "Menu Open": ("Menu Open", "ui", 1), "grass": ("grass", "steps", 3),
     }  # fmt: skip
-    grass = next(one for one in cues_of(world) if one["name"] == "grass")
+    grass = next(cue for cue in cues_of(world) if cue["name"] == "grass")
     shown = review(world, grass["id"])
     assert (shown["accepted"], shown["approved_variations"], shown["rounds"]) == (True, [1, 2, 3], [])
     assert [one["state"] for one in shown["takes"]] == ["approved"] * 3
@@ -72,9 +72,9 @@ def test_a_folder_becomes_cues_with_approved_takes_and_their_checks(world: World
     assert sorted((one["kind"], one["by_adoption"]) for one in history) == [
         ("approve", True), ("checked", False), ("received", False),
     ]  # fmt: skip
-    assert {one.verdict for one in rows(world, CheckRun)} <= {"conforming", "rejected"}
+    assert {row.verdict for row in rows(world, CheckRun)} <= {"conforming", "rejected"}
     assert len(rows(world, CheckRun)) == 5
-    masters = {one.file_name: one.master_sha256 for one in rows(world, Take)}
+    masters = {row.file_name: row.master_sha256 for row in rows(world, Take)}
     assert masters == {one["path"].rpartition("/")[2]: one["sha256"] for one in folder(FILES)["files"]}
 
 
@@ -87,7 +87,7 @@ def test_a_file_that_breaks_the_spec_is_adopted_with_its_verdict_beside_it(world
     [thump] = [one for one in answer["odd"] if one["file_name"] == "thump.wav"]
     assert thump["verdict"] == "rejected"
     assert any("dBFS" in message for message in thump["messages"])
-    take = next(one for one in rows(world, Take) if one.file_name == "thump.wav")
+    take = next(row for row in rows(world, Take) if row.file_name == "thump.wav")
     check = world.producer.get(f"/v1/takes/{take.id}/check").json()
     assert (check["state"], check["verdict"]) == ("approved", "rejected")
 
@@ -108,7 +108,7 @@ def test_a_build_of_the_adopted_folder_is_the_same(world: World, tmp_path: Path)
     command = [sys.executable, "-m", "audio_checks.cli", "audit", "--manifest", str(tmp_path / "approved.json")]
     ran = subprocess.run([*command, "--format", "json", str(build)], check=False, capture_output=True, text=True)
     assert ran.returncode == 0, ran.stderr
-    assert [one["status"] for one in json.loads(ran.stdout)["files"]] == ["same"] * 5
+    assert [load["status"] for load in json.loads(ran.stdout)["files"]] == ["same"] * 5
 
 
 def test_the_dry_run_says_what_happens_to_each_file_and_writes_nothing(world: World) -> None:
@@ -163,7 +163,7 @@ def test_the_same_bytes_are_sent_once_and_count_for_every_file(world: World) -> 
     files = {"ui/click.wav": content, "menu/click.wav": content}
     assert opened(world, files)["missing"] == ["menu/click.wav"]
     assert adopted(world, files)["takes"] == 2
-    assert {one["file_name"] for one in cues_of(world)} == {"click", "ui_click"}
+    assert {cue["file_name"] for cue in cues_of(world)} == {"click", "ui_click"}
 
 
 @pytest.mark.slow
@@ -173,11 +173,11 @@ def test_undo_takes_away_what_was_made_and_keeps_the_masters(world: World) -> No
     undone = undo(world, adoption["id"])
     assert undone.status_code == 200, undone.text
     assert undone.json()["undone_at"] is not None
-    assert [one["name"] for one in cues_of(world)] == ["Laser"]
+    assert [cue["name"] for cue in cues_of(world)] == ["Laser"]
     assert rows(world, CueSums) == []
     takes = rows(world, Take)
     assert len(takes) == 5
-    assert all(one.discarded_at is not None and one.cue_id is None for one in takes)
+    assert all(take.discarded_at is not None and take.cue_id is None for take in takes)
     [record] = rows(world, Adoption)
     assert (record.adopted_by, record.undone_by, len(record.files)) == (world.producer_id, world.producer_id, 5)
     assert undo(world, adoption["id"]).json()["code"] == "already-undone"
@@ -188,14 +188,18 @@ def test_undo_takes_away_what_was_made_and_keeps_the_masters(world: World) -> No
 @pytest.mark.slow
 def test_undo_withdraws_each_verdict_and_keeps_it_on_record(world: World) -> None:
     adoption = adopted(world, FILES)
-    given = {one.id: (one.cue_id, one.take_id, one.note, one.created_at) for one in rows(world, Verdict)}
+    given = {row.id: (row.cue_id, row.take_id, row.note, row.created_at) for row in rows(world, Verdict)}
     assert undo(world, adoption["id"]).status_code == 200
     verdicts = rows(world, Verdict)
-    kept = {one.id: (one.cue_id, one.take_id, one.note, one.created_at) for one in verdicts if one.kind == "approve"}
+    kept = {
+        verdict.id: (verdict.cue_id, verdict.take_id, verdict.note, verdict.created_at)
+        for verdict in verdicts
+        if verdict.kind == "approve"
+    }
     assert kept == given
-    withdrawals = [one for one in verdicts if one.kind == "withdraw"]
-    assert {one.withdraws_id for one in withdrawals} == set(given)
-    assert {one.given_by for one in withdrawals} == {world.producer_id}
+    withdrawals = [verdict for verdict in verdicts if verdict.kind == "withdraw"]
+    assert {withdrawal.withdraws_id for withdrawal in withdrawals} == set(given)
+    assert {withdrawal.given_by for withdrawal in withdrawals} == {world.producer_id}
     for take in rows(world, Take):
         history = world.producer.get(f"/v1/takes/{take.id}/history")
         assert history.status_code == 200, history.text
@@ -217,7 +221,7 @@ def test_undo_is_refused_once_something_was_built_on_it(world: World, built: str
         add_cues(world, {"name": "Laser"})
     refused = undo(world, adoption["id"])
     assert (refused.status_code, refused.json()["code"]) in [(409, "adoption-in-use"), (409, "addition-in-use")]
-    assert len([one for one in rows(world, Take) if one.state == "approved"]) == 5
+    assert len([row for row in rows(world, Take) if row.state == "approved"]) == 5
 
 
 @pytest.mark.slow
@@ -234,7 +238,7 @@ def test_nobody_is_mailed_for_each_adopted_sound(world: World) -> None:
     mails = world.server.in_database(
         lambda session: session.scalars(sa.select(Mail).where(Mail.studio_id == world.studio_id)).all()
     )
-    assert not [one for one in mails if "approved" in one.subject.lower()]
+    assert not [mail for mail in mails if "approved" in mail.subject.lower()]
 
 
 @pytest.mark.slow
@@ -245,7 +249,7 @@ def test_nobody_is_mailed_for_each_adopted_sound(world: World) -> None:
 def test_hostile_names_become_names_that_a_list_holds(world: World, path: str) -> None:
     files = {path: sound(7), "ui/click.wav": sound(8)}
     assert adopted(world, files)["takes"] == 2
-    assert all("/" not in one.file_name for one in rows(world, Take))
+    assert all("/" not in row.file_name for row in rows(world, Take))
 
 
 def test_a_path_twice_and_a_path_with_a_line_break_are_refused(world: World) -> None:

@@ -18,7 +18,7 @@ def write(stage: Stage, *items: str, category: str = "") -> dict[str, str]:
     """Write a checklist, and return the ids of its items by text."""
     path = f"/v1/projects/{stage.world.project_id}/checklist"
     settings = body_of(stage.world.producer.put(path, json={"category": category, "items": list(items)}))
-    return {item["text"]: item["id"] for one in settings["checklists"] for item in one["items"]}
+    return {item["text"]: item["id"] for setting in settings["checklists"] for item in setting["items"]}
 
 
 def block(stage: Stage, blockers: str) -> None:

@@ -20,7 +20,9 @@ def stage(world: World) -> Stage:
 
 
 def hear(client: Any, project_id: UUID, *take_ids: UUID) -> Any:
-    return client.post(f"/v1/projects/{project_id}/heard-takes", json={"take_ids": [str(one) for one in take_ids]})
+    return client.post(
+        f"/v1/projects/{project_id}/heard-takes", json={"take_ids": [str(take_id_) for take_id_ in take_ids]}
+    )
 
 
 def unheard(client: Any, project_id: UUID) -> list[str]:

@@ -61,7 +61,9 @@ def test_a_designer_whose_work_has_ended_is_mailed_no_answer_to_their_note(stage
     note = say(world.designer, take_id, "Is it too long?").json()
     question = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "Which gun?"}).json()
     engagements = world.producer.get(f"/v1/projects/{world.project_id}").json()["engagements"]
-    (own_id,) = [one["id"] for one in engagements if one["designer"]["id"] == str(world.designer_id)]
+    (own_id,) = [
+        engagement["id"] for engagement in engagements if engagement["designer"]["id"] == str(world.designer_id)
+    ]
     ended = world.producer.patch(f"/v1/projects/{world.project_id}/engagements/{own_id}", json={"ended": True})
     assert ended.status_code == 200, ended.text
     assert say(world.reviewer, take_id, "A little.", reply_to_id=note["id"]).status_code == 201

@@ -11,7 +11,7 @@ import pytest
 from sqlalchemy.orm import Session
 
 from app.agreements.clauses.deemed_acceptance import DeemedAcceptance
-from app.agreements.clauses.rules import begin, terms_in_force
+from app.agreements.clauses.rules import default_clauses, terms_in_force
 from app.agreements.models import Contract, ContractEvent
 from app.agreements.queries import events_of
 from app.agreements.record.service import WRITTEN
@@ -379,7 +379,7 @@ def test_without_the_sources_that_the_contract_wants_it_does_not_wait(
 
 
 def test_the_library_leaves_it_out_until_it_is_wanted() -> None:
-    clauses, terms = begin(ContractKind.SINGLE)
+    clauses, terms = default_clauses(ContractKind.SINGLE)
     assert [clause.stands for clause in clauses if clause.key == "silence"] == [False]
     assert DeemedAcceptance.of(terms_in_force(clauses, terms)) is None
 

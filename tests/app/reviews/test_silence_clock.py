@@ -113,8 +113,8 @@ def test_a_spec_that_returns_it_stops_the_clock_and_the_record_says_who_saved_it
     assert waiting.agreed.states(waiting.take_id) == ["conforming"]
     assert waiting.last_day() == "2026-12-04", "it stood still for seconds"
     reported = [
-        (one["kind"], one["by"], one["role"], one["spec_version"])
-        for one in waiting.entries("returned", "conforms_again")
+        (entry["kind"], entry["by"], entry["role"], entry["spec_version"])
+        for entry in waiting.entries("returned", "conforms_again")
     ]
     assert reported == [("returned", "Producer", "producer", 2), ("conforms_again", "Producer", "producer", 3)]
 
@@ -127,8 +127,8 @@ def test_who_moves_a_file_to_another_cue_and_back_is_named(waiting: Waiting) -> 
         waiting.world.server.wait_for_jobs()
     assert waiting.last_day() != "2026-12-04"
     moves = waiting.entries("moved_away", "delivered")
-    assert [one["kind"] for one in moves] == ["moved_away", "delivered", "moved_away", "delivered"]
-    assert {(one["by"], one["role"], one["on_behalf_of"]) for one in moves} == {
+    assert [move["kind"] for move in moves] == ["moved_away", "delivered", "moved_away", "delivered"]
+    assert {(move["by"], move["role"], move["on_behalf_of"]) for move in moves} == {
         ("Composer", "reviewer", "Sound designer")
     }
 

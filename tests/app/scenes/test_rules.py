@@ -30,7 +30,7 @@ def candidate(number: int, **facts: Any) -> Candidate:
 
 
 def chosen(of: Candidate, *others: Candidate) -> list[int]:
-    return [one.cue_id.int for one in likeliest_neighbours(of, others)]
+    return [likeliest_neighbour.cue_id.int for likeliest_neighbour in likeliest_neighbours(of, others)]
 
 
 def test_its_scene_comes_before_its_category_and_that_before_the_rest():

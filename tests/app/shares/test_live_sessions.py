@@ -96,14 +96,14 @@ def test_who_comes_back_after_a_pause_takes_no_keys(world: World, live: Live) ->
 def test_one_person_holds_the_keys_and_hands_them_over(world: World, live: Live) -> None:
     live.join(world.producer, world.approver)
     live.put(world.producer, "keys", act="drop")
-    assert live.move(world.producer).json()["code"] == "keys-held"
+    assert live.move(world.producer).json()["code"] == "control-taken"
     live.take_keys(world.producer)
     for refused in (
         live.take_keys(world.approver),
         live.move(world.approver),
         live.put(world.approver, "keys", act="drop"),
     ):
-        assert (refused.status_code, refused.json()["code"]) == (409, "keys-held")
+        assert (refused.status_code, refused.json()["code"]) == (409, "control-taken")
     absent = live.put(world.producer, "keys", act="give", person_id=str(world.designer_id))
     assert (absent.status_code, absent.json()["code"]) == (404, "listener-not-found")
     given = live.put(world.producer, "keys", act="give", person_id=str(world.approver_id)).json()
@@ -192,7 +192,7 @@ def test_one_of_two_pages_of_a_person_holds_the_keys_until_the_other_takes_them(
     assert (taken["is_holder"], taken["is_elsewhere"], taken["is_playing"]) == (True, False, True)
     old = live.put(world.producer, "presence", page_id=str(first)).json()
     assert (old["is_holder"], old["is_elsewhere"], old["holder"]["name"]) == (False, True, "Producer")
-    assert live.move(world.producer, page_id=str(first)).json()["code"] == "keys-held"
+    assert live.move(world.producer, page_id=str(first)).json()["code"] == "control-taken"
     assert live.move(world.producer, page_id=str(second)).status_code == 200
 
 

@@ -24,11 +24,11 @@ def test_each_person_has_their_own_by_name(world: World) -> None:
     assert save(world, world.producer, name="Zone 2", query="category=zone2").status_code == 201
     assert save(world, world.producer, name="Late", query="need=must").status_code == 201
     assert save(world, world.designer, name="Zone 2", query="x=1").status_code == 201
-    assert [(one["name"], one["query"]) for one in views(world, world.producer)] == [
+    assert [(view["name"], view["query"]) for view in views(world, world.producer)] == [
         ("Late", "need=must"),
         ("Zone 2", "category=zone2"),
     ]
-    assert [one["query"] for one in views(world, world.designer)] == ["x=1"]
+    assert [view["query"] for view in views(world, world.designer)] == ["x=1"]
     assert views(world, world.reviewer) == []
 
 
@@ -36,7 +36,7 @@ def test_the_same_name_is_replaced(world: World) -> None:
     first = save(world, world.producer).json()
     assert save(world, world.producer, query="category=zone").json()["id"] == first["id"]
     assert save(world, world.approver).json()["id"] != first["id"]
-    assert [one["query"] for one in views(world, world.producer)] == ["category=zone"]
+    assert [view["query"] for view in views(world, world.producer)] == ["category=zone"]
 
 
 def test_only_its_owner_deletes_it(world: World) -> None:

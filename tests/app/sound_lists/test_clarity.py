@@ -23,7 +23,7 @@ def rates(file_name: str) -> tuple[float, float]:
     """Return which share of the missing facts is asked for, and how many needless questions a cue gets."""
     wanted = asked = needless = cues = 0
     for name, said, loop, has_length, facts in requests(file_name):
-        got = {one.fact.value for one in questions(name, "", said, loop, has_length)}
+        got = {question.fact.value for question in questions(name, "", said, loop, has_length)}
         cues, wanted, asked = cues + 1, wanted + len(facts), asked + len(facts & got)
         needless += len(got - facts)
     return asked / wanted, needless / cues
@@ -45,7 +45,7 @@ def test_most_of_what_is_missing_is_asked_and_little_else(
 
 
 def facts_of(name: str, description: str = "", *, category: str = "", loop: bool = False, has_length: bool = False):
-    return [one.fact for one in questions(name, category, description, loop, has_length)]
+    return [question.fact for question in questions(name, category, description, loop, has_length)]
 
 
 def test_a_splash_is_asked_for_what_the_field_asks() -> None:
@@ -72,8 +72,8 @@ def test_a_voice_line_is_asked_for_what_is_spoken_and_never_for_a_mood_or_a_plac
     scripted = "Voice line captain_010 of Captain, de: its text is with the voice lines."
     assert facts_of("de_captain_010", scripted, category="vo") == []
     said = "The second line"
-    for one in questions("captain_010", "vo", said, False, False):
-        said += f". {one.fact.value.capitalize()}: {one.answers[0]}"
+    for question in questions("captain_010", "vo", said, False, False):
+        said += f". {question.fact.value.capitalize()}: {question.answers[0]}"
     assert facts_of("captain_010", said, category="vo") == []
 
 
@@ -114,8 +114,8 @@ def test_a_cry_without_words_is_asked_as_a_sound() -> None:
 
 def test_what_was_answered_is_not_asked_again() -> None:
     said = "A splash"
-    for one in questions("splash", "", said, False, False):
-        said += f". {one.fact.value.capitalize()}: blorp"
+    for question in questions("splash", "", said, False, False):
+        said += f". {question.fact.value.capitalize()}: blorp"
     assert facts_of("splash", said) == []
 
 

@@ -11,7 +11,7 @@ import xlsxwriter
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app import rooms
+from app import registry
 from app.core.parsing import Parsers
 from app.sound_lists.errors import SheetUnreadable
 from app.sound_lists.rules import read_label
@@ -27,7 +27,7 @@ Fields = tuple[int | None, tuple[str, ...], list[tuple[int, list[str]]]]
 @pytest.fixture(scope="module")
 def parsers() -> Iterator[Parsers]:
     made = Parsers()
-    made.connect(rooms.PARSERS)
+    made.connect(registry.PARSERS)
     yield made
     made.close()
 

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 import audio_checks
 from app.cli import cli
 from app.sound_lists.kits.rules import Kit, KitCue, all_kits, file_name_of
-from app.sound_lists.rules import NEW_CUE, faults_of
+from app.sound_lists.rules import NEW_CUE, validation_errors
 from tests.support.server import World
 
 KITS = pytest.mark.parametrize("kit", all_kits(), ids=lambda kit: kit.key)
@@ -32,7 +32,7 @@ def test_a_kit_is_a_list_that_can_be_saved(kit: Kit) -> None:
     for cue in kit.cues:
         facts = {"name": cue.name, "category": cue.category, "description": cue.description, "use": cue.use}
         facts |= {"duration_s": cue.duration_s, "variations": cue.variations, "file_name": "_".join(cue.parts)}
-        assert list(faults_of(NEW_CUE | facts)) == []
+        assert list(validation_errors(NEW_CUE | facts)) == []
     for low, high in (kit.usual_cues, kit.usual_hours, kit.usual_memory_mb):
         assert 0 < low < high
     assert kit.usual_cues[1] >= len(kit.cues)

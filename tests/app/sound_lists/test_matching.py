@@ -23,7 +23,7 @@ def test_a_name_is_read_once_and_answered_the_same_way_again(names: ListNames, m
     sure, none = names.sure("Laser Fire FINAL.wav", ["Tones"]), names.sure("whoosh.wav", ["Tones"])
     guesses = names.guesses("laser.wav", ["Tones"])
     assert sure is not None
-    assert (sure.name, none, [one.name for one in guesses][:1]) == ("laser_fire", None, ["laser_fire"])
+    assert (sure.name, none, [guess.name for guess in guesses][:1]) == ("laser_fire", None, ["laser_fire"])
     monkeypatch.setattr(audio_checks.NameIndex, "sure", None)  # nobody may ask it again
     monkeypatch.setattr(audio_checks.NameIndex, "guesses", None)
     assert names.sure("Laser Fire FINAL.wav", ["Tones"]) == sure

@@ -75,10 +75,10 @@ def test_it_is_replaced_and_removed_and_the_files_follow(world: World, cue_id: s
     second = say(world, cue_id, wav_bytes(sine(hz=900, seconds=0.3), rate=44_100, bits=24), world.approver).json()
     assert second["sha256"] != first["sha256"]
     assert second["recorded_by"]["name"] == "Audio director"
-    assert [one["state"] for one in placeholders(world)] == ["made"]
+    assert [placeholder["state"] for placeholder in placeholders(world)] == ["made"]
     assert world.producer.delete(f"/v1/cues/{cue_id}/spoken-placeholder").status_code == 204
     assert world.producer.get(f"/v1/cues/{cue_id}/spoken-placeholder").json() is None
-    assert world.producer.delete(f"/v1/cues/{cue_id}/spoken-placeholder").json()["code"] == "nothing-said"
+    assert world.producer.delete(f"/v1/cues/{cue_id}/spoken-placeholder").json()["code"] == "spoken-placeholder-missing"
     [remade] = placeholders(world)
     assert remade["state"] == "made"
 
@@ -96,10 +96,10 @@ def test_a_file_of_what_was_said_before_does_not_replace_that_of_what_is_said_no
     say(world, cue_id)
     project, before = slot_now()
     say(world, cue_id, wav_bytes(sine(hz=900, seconds=0.3), rate=44_100, bits=24))
-    assert [one["state"] for one in placeholders(world)] == ["made"]
+    assert [placeholder["state"] for placeholder in placeholders(world)] == ["made"]
     with world.server.runtime.database.writing() as session:
         keep(session, project, "game", before, None, is_spoken=True, refusal="too late")
-    assert [one["state"] for one in placeholders(world)] == ["made"]
+    assert [placeholder["state"] for placeholder in placeholders(world)] == ["made"]
 
 
 @pytest.mark.parametrize(

@@ -38,7 +38,7 @@ def coded(path, samples=SOUND, form="OGG", codec="VORBIS", rate=48_000):
 
 def codes(path, text, **options):
     (entry,) = judge([task_for(path, parse_spec(text), coded=True, **options)])
-    return entry, [one.code for one in entry.findings]
+    return entry, [finding.code for finding in entry.findings]
 
 
 @pytest.mark.parametrize(("name", "form", "codec", "encoding"), KINDS)

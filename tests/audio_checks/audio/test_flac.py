@@ -120,7 +120,7 @@ def test_a_render_is_never_flac(tmp_path, inside):
 def test_the_same_sound_in_both_is_a_duplicate(tmp_path, inside):
     samples = noise(seconds=0.1)
     paths = [write_wav(tmp_path / "a.wav", samples), write(tmp_path / "b.flac", flacs.flac_bytes(samples))]
-    assert "duplicate:same-sound" in [one.code for one in check_files(paths, ACCEPTS).files[1].findings]
+    assert "duplicate:same-sound" in [finding.code for finding in check_files(paths, ACCEPTS).files[1].findings]
 
 
 def test_metadata_and_loops_that_were_kept(tmp_path, inside):
@@ -162,7 +162,9 @@ def test_a_render_of_it_is_that_of_its_wav(tmp_path, inside):
     theirs = render_master(plain, target, tmp_path / "theirs.wav")
     assert ours.pcm_sha256 == theirs.pcm_sha256
     assert ours.master_sha256 == hashlib.sha256(packed.read_bytes()).hexdigest()
-    assert [one.to_dict() for one in wave_shapes(packed)] == [one.to_dict() for one in wave_shapes(plain)]
+    assert [wave_shape.to_dict() for wave_shape in wave_shapes(packed)] == [
+        wave_shape.to_dict() for wave_shape in wave_shapes(plain)
+    ]
 
 
 GOOD = flacs.flac_bytes(noise(seconds=0.2), bits=16)

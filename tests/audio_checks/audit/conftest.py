@@ -36,7 +36,7 @@ def run(capsys):
     """Run a command; return its exit code and what it printed."""
 
     def run(*arguments):
-        code = main([str(one) for one in arguments])
+        code = main([str(argument) for argument in arguments])
         captured = capsys.readouterr()
         return code, captured.out, captured.err
 

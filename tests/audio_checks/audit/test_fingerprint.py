@@ -9,8 +9,8 @@ from audio_checks.audit.fingerprint import (
     as_text,
     fingerprint,
     from_text,
+    next_fast_len,
     pieces_of,
-    smooth_length,
     wave_of,
 )
 from tests.support.waves import noise, silence, sine
@@ -72,4 +72,4 @@ def test_what_is_none(text):
 
 
 def test_smooth_lengths():
-    assert [smooth_length(least) for least in (1, 7, 11, 97, 1_025)] == [1, 8, 12, 100, 1_080]
+    assert [next_fast_len(least) for least in (1, 7, 11, 97, 1_025)] == [1, 8, 12, 100, 1_080]

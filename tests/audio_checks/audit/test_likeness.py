@@ -65,10 +65,10 @@ def test_an_equaliser_is_distinguished_from_gain():
 @pytest.mark.parametrize("family", ["footsteps", "impact", "rain", "voice", "bell", "wind"])
 def test_variations_are_not_the_same(family):
     variations = [waves(sound(family, seed)) for seed in range(6)]
-    for one in variations:
+    for variation in variations:
         for other in variations:
-            like = likeness(one, other)
-            assert (like is not None and like.is_same_sound) == (one is other)
+            like = likeness(variation, other)
+            assert (like is not None and like.is_same_sound) == (variation is other)
 
 
 def test_a_footstep_on_the_same_floor_is_another():

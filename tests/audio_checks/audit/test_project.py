@@ -67,7 +67,7 @@ def game(folders, sound, run):
 @pytest.mark.parametrize("engine", KINDS)
 def test_the_level_of_approval_is_the_same(game, engine):
     code, entries, document, _ = game.write(engine, {(level, 0): -2.0 for level in KINDS[engine].levels}).audit()
-    assert {one["status"] for one in entries.values()} == {"same"}
+    assert {entry["status"] for entry in entries.values()} == {"same"}
     assert code == 0
     assert document["project"]["engine"] == engine
     jsonschema.validate(document, report.schema())
@@ -80,7 +80,7 @@ def test_a_raised_gain_is_found_where_it_is_set(game, engine, level):
     code, entries, document, _ = game.audit()
     reached = {KINDS[engine].file.format(one).rpartition("/")[2] for one in KINDS[engine].reached((level, 0), 4)}
     assert {name for name, one in entries.items() if one["status"] == "gain"} == reached
-    assert {one["status"] for one in entries.values()} <= {"gain", "same"}
+    assert {entry["status"] for entry in entries.values()} <= {"gain", "same"}
     for name in reached:
         assert entries[name]["gain_db"] == pytest.approx(6.0, abs=0.02)
         assert "6.0 dB louder" in entries[name]["message"]
@@ -93,7 +93,7 @@ def test_a_raised_gain_is_found_where_it_is_set(game, engine, level):
 
 def test_without_levels_in_the_manifest_a_sound_was_approved_as_its_file_is(game):
     code, entries, _, _ = game.write("wwise", {("container", 0): -4.0}, with_levels=False).audit()
-    assert (code, {one["status"] for one in entries.values()}) == (1, {"gain"})
+    assert (code, {entry["status"] for entry in entries.values()}) == (1, {"gain"})
     assert entries["snd_0000.wav"]["plays"][0]["approved_db"] == 0.0
 
 
@@ -140,7 +140,7 @@ def test_a_level_that_depends_on_the_game_is_not_called_the_same(game):
     end = text.index(">", begin) + 1
     unit.write_text(text[:end] + rtpc + text[end:])
     code, entries, _, _ = game.audit()
-    assert (code, {one["status"] for one in entries.values()}) == (0, {"depends"})
+    assert (code, {entry["status"] for entry in entries.values()}) == (0, {"depends"})
     assert 'depends on game parameter "RPM"' in entries["snd_0000.wav"]["message"]
 
 
@@ -159,7 +159,7 @@ def test_a_part_of_the_project_that_cannot_be_read_is_named_and_the_rest_is_comp
     game.write()
     (game.root / "Actor-Mixer Hierarchy" / "Broken.wwu").write_text("<WwiseDocument>\n<AudioObjects>\n")
     code, entries, document, _ = game.audit()
-    assert (code, {one["status"] for one in entries.values()}) == (1, {"same"})
+    assert (code, {entry["status"] for entry in entries.values()}) == (1, {"same"})
     (unread,) = document["project"]["unread"]
     assert (unread["file"], unread["line"]) == ("Actor-Mixer Hierarchy/Broken.wwu", 3)
     assert game.audit("--allow", "unread")[0] == 0

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from audio_checks import difference_of, known_sound, likely_sounds
+from audio_checks import difference_of, likely_sounds, sound_signature
 from audio_checks.audit.moments import MOMENT_BYTES
 from audio_checks.errors import Unreadable
 from tests.support.waves import noise, silence, sine, write_wav
@@ -17,7 +17,7 @@ def burst(seed, seconds=0.6):
 
 
 def known(tmp_path, samples, rate=RATE):
-    return known_sound(str(write_wav(tmp_path / "sound.wav", samples, rate=rate, bits=24)))
+    return sound_signature(str(write_wav(tmp_path / "sound.wav", samples, rate=rate, bits=24)))
 
 
 def test_gain_is_measured_in_either_order(tmp_path):
@@ -69,4 +69,4 @@ def test_the_rate_is_kept(tmp_path):
 def test_what_is_no_sound_is_refused(tmp_path):
     (tmp_path / "notes.wav").write_bytes(b"no sound")
     with pytest.raises(Unreadable):
-        known_sound(str(tmp_path / "notes.wav"))
+        sound_signature(str(tmp_path / "notes.wav"))

@@ -81,7 +81,7 @@ class TestInTheReport:
 
     def test_it_warns_and_the_judgement_is_there(self, tmp_path):
         entry = self.judged(tmp_path, WET, ADDS)
-        assert (entry.verdict, [one.severity for one in entry.findings]) == ("conforming", ["warning"])
+        assert (entry.verdict, [finding.severity for finding in entry.findings]) == ("conforming", ["warning"])
         assert entry.judgements["reverb"]["verdict"] == "reverb"
 
     def test_it_rejects_where_the_spec_says_so(self, tmp_path):
@@ -102,7 +102,7 @@ class TestInTheReport:
         monkeypatch.setattr("audio_checks.judge.reverb.features_of", lambda _: 1 / 0)
         entry = self.judged(tmp_path, sine(hz=997), ADDS)
         assert entry.verdict == "unjudged"
-        assert [one.code for one in entry.findings] == ["baked-reverb:crashed"]
+        assert [finding.code for finding in entry.findings] == ["baked-reverb:crashed"]
         assert [one.check for one in entry.unjudged] == ["baked-reverb"]
 
 

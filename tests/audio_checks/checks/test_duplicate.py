@@ -13,7 +13,7 @@ SPEC = parse_spec("format = 1")
 
 def found_in(*paths, spec=SPEC):
     report = check_files(paths, spec)
-    return [[one for one in entry.findings if one.check == "duplicate"] for entry in report.files]
+    return [[finding for finding in entry.findings if finding.check == "duplicate"] for entry in report.files]
 
 
 @pytest.mark.parametrize(

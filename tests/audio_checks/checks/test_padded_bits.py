@@ -85,7 +85,7 @@ def test_padding_is_found_in_every_real_recording_and_real_depth_passes(recordin
         alarms += [step_at_24_bits(one / 1.5) for one in mixed]
     assert sum(one is not None and one > 1 for one in found) >= 0.99 * len(found)
     assert len(alarms) >= 1_000
-    assert not [one for one in alarms if one is not None and one > 1]
+    assert not [alarm for alarm in alarms if alarm is not None and alarm > 1]
 
 
 def step_at_24_bits(samples):

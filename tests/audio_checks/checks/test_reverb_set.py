@@ -28,7 +28,7 @@ def codes(files):
 
 def test_four_undecided_sounds_show_it_together():
     (first, *_) = found = set_findings([judged(f"step_{number}.wav", 0.88) for number in range(4)])
-    assert [[one.code for one in findings] for findings in found] == [["reverb-set:heard"]] * 4
+    assert [[finding.code for finding in findings] for findings in found] == [["reverb-set:heard"]] * 4
     assert first[0].severity == "warning"
     assert first[0].measured == pytest.approx(0.88)
     assert "these 4 sounds have reverb together (score 0.88 of 1)" in first[0].message

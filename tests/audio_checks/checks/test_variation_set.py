@@ -30,13 +30,13 @@ def steps(tmp_path, levels_db, *, seconds=0.5, lengths=None, wanted=None, channe
 def found_in(paths, wanted, spec=SPEC):
     sounds = read_sound_list(f"number,file_name,variations\nSW-1,step,{wanted}\n")
     return [
-        [one for one in entry.findings if one.check == "variation-set"]
+        [finding for finding in entry.findings if finding.check == "variation-set"]
         for entry in check_files(paths, spec, sound_list=sounds).files
     ]
 
 
 def codes(found):
-    return [[one.code.partition(":")[2] for one in findings] for findings in found]
+    return [[finding.code.partition(":")[2] for finding in findings] for findings in found]
 
 
 @pytest.mark.parametrize("channels", [1, 2])

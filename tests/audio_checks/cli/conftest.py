@@ -23,7 +23,7 @@ def run(capsys):
     """Run a command; return its exit code and what it printed to stdout and stderr."""
 
     def run(*arguments):
-        code = main([str(one) for one in arguments])
+        code = main([str(argument) for argument in arguments])
         captured = capsys.readouterr()
         lines = captured.err.splitlines(keepends=True)
         # A server of earlier tests may still run in this process; its log is JSON.

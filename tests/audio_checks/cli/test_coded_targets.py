@@ -78,11 +78,11 @@ def test_an_audit_recognises_a_coded_file_and_one_encoded_again(folder, run):
     run("render", "--spec", "spec.toml", "--target", "game", "--out", "game", "masters")
     assert run("manifest", "game/game", "--out", "approved.json")[0] == 0
     code, out, _ = run("audit", "--manifest", "approved.json", "--format", "json", "game/game")
-    assert (code, {one["status"] for one in json.loads(out)["files"]}) == (0, {"same"})
+    assert (code, {load["status"] for load in json.loads(out)["files"]}) == (0, {"same"})
     (folder / "spec.toml").write_text(SPEC.replace('"vorbis" }', '"vorbis", quality = 0.0 }'), encoding="utf-8")
     run("render", "--replace", "--spec", "spec.toml", "--target", "game", "--out", "game", "masters")
     code, out, _ = run("audit", "--manifest", "approved.json", "--format", "json", "game/game")
-    found = {one["path"]: one["status"] for one in json.loads(out)["files"]}
+    found = {load["path"]: load["status"] for load in json.loads(out)["files"]}
     assert code == 1
     assert found["click.opus"] == "same"
     assert found["music/tune.ogg"] != "same"
@@ -100,4 +100,4 @@ def test_placeholders_are_in_the_codec_and_refused_among_game_files(folder, run)
     assert "this is a placeholder for cue 1" in out
     run("manifest", "stand-ins/game", "--out", "approved.json")
     _, out, _ = run("audit", "--manifest", "approved.json", "--format", "json", "stand-ins/game")
-    assert [one["status"] for one in json.loads(out)["files"]] == ["placeholder"]
+    assert [load["status"] for load in json.loads(out)["files"]] == ["placeholder"]

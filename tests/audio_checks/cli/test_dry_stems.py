@@ -33,7 +33,7 @@ def check(folder, run):
             *options,
             ".",
         )
-        return code, {one["path"].removeprefix("./"): one for one in json.loads(out)["files"]}
+        return code, {load["path"].removeprefix("./"): load for load in json.loads(out)["files"]}
 
     return check
 

@@ -16,8 +16,8 @@ OF_SOUNDS = {"check", "measure", "render", "fix", "export-master", "placeholders
 
 
 def flags_of(command):
-    (group,) = [one for one in parser_of()._actions if isinstance(one, argparse._SubParsersAction)]
-    return {flag for one in group.choices[command]._actions for flag in one.option_strings}
+    (group,) = [action for action in parser_of()._actions if isinstance(action, argparse._SubParsersAction)]
+    return {flag for action in group.choices[command]._actions for flag in action.option_strings}
 
 
 @pytest.fixture
@@ -123,7 +123,7 @@ class TestOptions:
         assert made["number"] == "1"
         assert run("placeholders", *arguments, "-q")[:2] == (0, "")
         code, out, _ = run("memory", *SPEC, "--list", "sounds.csv", "--format", "json")
-        assert (code, {one["target"] for one in json.loads(out)["targets"]}) == (0, {"game", "handheld"})
+        assert (code, {load["target"] for load in json.loads(out)["targets"]}) == (0, {"game", "handheld"})
         assert run("memory", *SPEC, "--list", "sounds.csv", "--quiet")[:2] == (0, "")
 
     def test_the_former_name_of_fix(self, folder, run):

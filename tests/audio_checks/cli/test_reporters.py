@@ -98,7 +98,7 @@ class TestSarif:
         document, run = sarif(entry("a.wav", *findings))
         official.validate(document)
         rules = run["tool"]["driver"]["rules"]
-        assert [rule["id"] for rule in rules] == [one.code for one in findings]
+        assert [rule["id"] for rule in rules] == [finding.code for finding in findings]
         assert all(one["ruleIndex"] == place for place, one in enumerate(run["results"]))
         assert all(rule["help"]["markdown"] and rule["fullDescription"]["text"] for rule in rules)
         assert all(len(rule["properties"]["tags"]) <= 20 and len(rule["id"]) <= 255 for rule in rules)

@@ -93,7 +93,7 @@ def test_everything_else_is_carried_byte_for_byte_in_its_place(tmp_path):
     info = chunk(b"LIST", b"INFO" + chunk(b"IART", b"Designer\0"))
     others = {b"inst": b"i" * 7, b"acid": b"a" * 24, b"XyZ1": b"x" * 33, b"id3 ": b"3" * 10}
     _, kept, layout = fixed(
-        tmp_path, before=[chunk(b"inst", others[b"inst"]), info], after=[chunk(*one) for one in others.items()][1:]
+        tmp_path, before=[chunk(b"inst", others[b"inst"]), info], after=[chunk(*item) for item in others.items()][1:]
     )
     assert {name.decode(): payload for name, payload in others.items()}.items() <= kept.items()
     assert kept["LIST"] == info[8:]

@@ -53,10 +53,10 @@ def test_a_file_under_the_lists_own_name_is_not_advised_away(tmp_path):
     path = tmp_path / "UI_Button_Click.wav"
     write_wav(path, 0.1 * np.ones(4_800))
     listed = check_file(path, SPEC, cue=CLICK)
-    assert [(one.code, one.severity) for one in listed.findings if one.check == "naming"] == [
+    assert [(finding.code, finding.severity) for finding in listed.findings if finding.check == "naming"] == [
         ("naming:listed", "warning")
     ]
     other = check_file(path, SPEC, cue=CueFacts("SW-002", "Other", "other"))
-    assert [one.code for one in other.findings if one.check == "naming"] == ["naming:pattern"]
+    assert [finding.code for finding in other.findings if finding.check == "naming"] == ["naming:pattern"]
     strict = parse_spec(new_spec().replace("[checks]", '[checks]\nnaming = "error"'))
     assert [one.severity for one in check_name(path.name, strict, CLICK)] == ["warning"]

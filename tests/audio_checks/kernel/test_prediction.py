@@ -76,7 +76,7 @@ def how_hard_to_predict(row: NDArray[np.float64], order: int) -> tuple[float, fl
         slice(length - around.stop, length - around.start),
     )[::-1]
     cells = [one.reshape(-1, SIZE).max(axis=1) for one in (before, after)]
-    worst = [min(one[at : at + PLACE].max() for one in cells) for at in range(2 * AROUND + 1)]
+    worst = [min(cell[at : at + PLACE].max() for cell in cells) for at in range(2 * AROUND + 1)]
     others = worst[: AROUND - PLACE] + worst[AROUND + PLACE + 1 :]
     return min(beside), worst[AROUND] / max(others)
 

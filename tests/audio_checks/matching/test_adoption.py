@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.sound_lists.rules import faults_of
+from app.sound_lists.rules import validation_errors
 from app.sound_lists.save_edits import whole_facts
 from audio_checks import AdoptionPlan, ShippedFile, folded_stem, plan_adoption, stems_of
 
@@ -38,13 +38,13 @@ def test_every_file_is_in_one_cue_or_skipped_and_a_list_can_hold_the_cues(
     plan = planned(*paths, owned=owned)
     placed = [path for cue in plan.cues for path in cue.paths] + [one.path for one in plan.skipped]
     assert sorted(placed) == paths
-    stems = [folded_stem(one) for cue in plan.cues for one in stems_of(cue.name, cue.file_name, len(cue.paths))]
+    stems = [folded_stem(stem) for cue in plan.cues for stem in stems_of(cue.name, cue.file_name, len(cue.paths))]
     assert len({*stems, *owned}) == len(stems) + 1
     for cue in plan.cues:
         facts = whole_facts(
             {"name": cue.name, "file_name": cue.file_name, "category": cue.category, "variations": len(cue.paths)}
         )
-        assert list(faults_of(facts)) == []
+        assert list(validation_errors(facts)) == []
         assert (facts["file_name"], facts["category"]) == (cue.file_name, cue.category)
     files = [ShippedFile(path, f"{place:064x}") for place, path in enumerate(paths)]
     shuffled.shuffle(files)
@@ -71,7 +71,7 @@ def test_names_stay_and_numbered_files_are_sets() -> None:
 def test_numbers_that_do_not_count_from_one_make_no_set(names: list[str]) -> None:
     plan = planned(*(f"{name}.wav" for name in names))
     assert sorted(cues(plan)) == sorted(names)
-    assert {one.code for one in plan.oddities} == {"numbering"}
+    assert {oddity.code for oddity in plan.oddities} == {"numbering"}
 
 
 def test_digits_that_are_part_of_a_name_make_no_set() -> None:
@@ -80,7 +80,7 @@ def test_digits_that_are_part_of_a_name_make_no_set() -> None:
 
 def test_a_set_that_the_list_numbers_otherwise_is_named() -> None:
     plan = planned("hit_1.wav", "hit_2.wav")
-    assert [(one.path, one.code, one.message) for one in plan.oddities] == [
+    assert [(oddity.path, oddity.code, oddity.message) for oddity in plan.oddities] == [
         ("hit_1.wav", "renamed", "its name in the list is hit_01"),
         ("hit_2.wav", "renamed", "its name in the list is hit_02"),
     ]
@@ -89,7 +89,7 @@ def test_a_set_that_the_list_numbers_otherwise_is_named() -> None:
 def test_the_same_name_in_two_folders_gets_the_folder_before_it() -> None:
     plan = planned("menu/click.wav", "ui/Click.wav", "ui/sub/click.wav")
     assert sorted(cues(plan)) == ["click", "sub_click", "ui_Click"]
-    assert [one.path for one in plan.oddities] == ["ui/Click.wav", "ui/sub/click.wav"]
+    assert [oddity.path for oddity in plan.oddities] == ["ui/Click.wav", "ui/sub/click.wav"]
 
 
 def test_a_folder_named_like_a_category_of_the_spec_comes_first() -> None:
@@ -116,5 +116,5 @@ def test_a_rare_rate_is_odd_and_the_same_bytes_are_named() -> None:
     files = [ShippedFile(f"{place}.wav", f"{ord(place):064x}", 44_100, 16) for place in "abcdefghijklmno"]
     files += [ShippedFile("odd.wav", f"{1:064x}", 22_050, 16), ShippedFile("twin.wav", f"{1:064x}", 44_100, 16)]
     plan = plan_adoption(files)
-    assert [tuple(one) for one in plan.oddities] == [("odd.wav", "format", "22050 Hz, most files have 44100 Hz")]
+    assert [tuple(oddity) for oddity in plan.oddities] == [("odd.wav", "format", "22050 Hz, most files have 44100 Hz")]
     assert plan.duplicates == (("odd.wav", "twin.wav"),)

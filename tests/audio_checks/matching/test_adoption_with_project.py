@@ -27,7 +27,7 @@ def test_a_random_container_is_a_set_in_the_order_of_its_numbers() -> None:
         ("click", "ui", ("click.wav",), True, ()),
         ("grass", "steps", ("grass_2.wav", "grass_4.wav", "grass_10.wav"), False, ("Play_Step",)),
     ]
-    assert [one.path for one in plan.oddities if one.code == "renamed"] == [
+    assert [oddity.path for oddity in plan.oddities if oddity.code == "renamed"] == [
         "grass_10.wav",
         "grass_2.wav",
         "grass_4.wav",
@@ -65,7 +65,7 @@ def test_what_nothing_plays_is_named_and_adopted() -> None:
     ]
     plan = planned("wwise", sounds, "silent.wav", "played.wav", "scripted.wav", "left.wav")
     assert len(plan.cues) == 4
-    assert [(one.path, one.message) for one in plan.oddities] == [
+    assert [(oddity.path, oddity.message) for oddity in plan.oddities] == [
         ("left.wav", "no event plays it in the project"),
         ("silent.wav", "no event plays it in the project"),
     ]

@@ -165,11 +165,11 @@ def test_no_sure_match_of_real_lists_is_wrong(list_name: str) -> None:
         cues, names = messy.make(messy.names_of(list_name), seed, each=1)
         listed = [ListedCue(cue.stem, cue.stem, cue.stem, variations=cue.variations) for cue in cues]
         index = NameIndex(listed, [messy.PROJECT, messy.PREFIX, messy.STUDIO])
-        for one in names:
-            found = index.sure(one.path, [messy.DESIGNER])
-            on_list += one.cue is not None
+        for name in names:
+            found = index.sure(name.path, [messy.DESIGNER])
+            on_list += name.cue is not None
             if found is not None:
-                assert (found.cue, found.variation) == (one.cue, one.variation), one.path
+                assert (found.cue, found.variation) == (name.cue, name.variation), name.path
                 right += 1
     assert right >= 0.8 * on_list
 

@@ -105,7 +105,7 @@ class TestOfAKind:
     def test_cues_and_variations_are_distinguished(self):
         sounds = [pattern(f"SW-{number:03}", 1, 9_600, 16_000) for number in range(60)]
         sounds += [pattern("SW-000", variation, 9_600, 16_000) for variation in (2, 3, 4)]
-        prints = [tuple(np.argmax(np.abs(np.fft.rfft(part))) for part in np.split(one, 4)) for one in sounds]
+        prints = [tuple(np.argmax(np.abs(np.fft.rfft(part))) for part in np.split(sound, 4)) for sound in sounds]
         assert len(set(prints)) == 63  # of these; two cues in a large list may sound alike
         notes = prints[0] * 2
         assert prints[60:] == [notes[begin : begin + 4] for begin in (1, 2, 3)]  # each begins one note later

@@ -99,7 +99,7 @@ def test_the_file_is_what_its_check_accepts(tmp_path, name, sound):
     master = write_wav(tmp_path / "a.wav", samples, rate=rate)
     rendered = rendered_to(name, master, tmp_path)
     entry = check_file(rendered.path, SPEC, target=name)
-    assert [one.code for one in entry.findings if one.severity == "error"] == []
+    assert [finding.code for finding in entry.findings if finding.severity == "error"] == []
     assert entry.facts["frames"] == rendered.frames == -(-len(samples) * target.sample_rate_hz // rate)
     assert entry.facts["channels"] == samples.shape[1]
     assert entry.sha256 == rendered.sha256 == hashlib.sha256(rendered.path.read_bytes()).hexdigest()
@@ -205,7 +205,7 @@ class TestWhatGoesAlong:
         assert f"LOOPLENGTH={last - first + 1}".encode() in content
         assert is_placeholder(rendered.path)
         entry = check_file(rendered.path, SPEC, target="opus")
-        assert "placeholder:marked" in [one.code for one in entry.findings if one.severity == "error"]
+        assert "placeholder:marked" in [finding.code for finding in entry.findings if finding.severity == "error"]
 
     def test_names_go_along_only_where_everything_does(self, tmp_path):
         about = [chunk(b"LIST", b"INFOIART" + struct.pack("<I", 8) + b"Someone\0")]
@@ -228,7 +228,7 @@ class TestWhatGoesAlong:
         flac = rendered_to("flac", master, tmp_path)
         render_master(master, Target("pc", 44_100, 16), tmp_path / "plain.wav", true_peak_limit_dbtp=-1.0)
         with AudioFile(flac.path) as coded, AudioFile(tmp_path / "plain.wav") as plain:
-            assert [(one.start, one.end) for one in coded.layout.loops] == list(flac.loop_points)
+            assert [(loop.start, loop.end) for loop in coded.layout.loops] == list(flac.loop_points)
             assert coded.metadata.cue_points == plain.metadata.cue_points
             assert coded.metadata.cue_points
 

@@ -100,9 +100,9 @@ def test_a_spec_says_it_and_a_shipped_file_is_read_whatever_the_spec_accepts(tmp
     path = tmp_path / "theme.ogg"
     path.write_bytes(coded_bytes("ogg"))
     delivered = check_file(path, spec)
-    assert (delivered.verdict, [one.code for one in delivered.findings]) == ("unreadable", ["container:ogg"])
+    assert (delivered.verdict, [finding.code for finding in delivered.findings]) == ("unreadable", ["container:ogg"])
     shipped = check_file(path, spec, shipped=True)
     assert shipped.verdict == "rejected"
-    assert "container:not-accepted" in [one.code for one in shipped.findings]
+    assert "container:not-accepted" in [finding.code for finding in shipped.findings]
     assert shipped.facts is not None
     assert shipped.facts["encoding"] == "vorbis"

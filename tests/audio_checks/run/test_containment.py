@@ -91,8 +91,8 @@ class TestFigures:
     def test_every_figure_has_a_check_that_would_be_named(self):
         from audio_checks import judge
 
-        read = {one for check in all_checks().values() for one in check.figures}
-        read |= {one for name in judge.names() for one in judge.figures_of(name)}
+        read = {figure for check in all_checks().values() for figure in check.figures}
+        read |= {figure for name in judge.names() for figure in judge.figures_of(name)}
         assert all(read & set(figures) for figures in FIGURES.values())
 
     def test_a_machine_without_memory_is_no_bug_of_a_figure(self, monkeypatch, sound):
@@ -109,7 +109,7 @@ class TestReports:
     def test_its_check_is_unjudged_and_the_others_count(self, sound):
         entry = check_file(sound, LIMITED)
         assert entry.verdict == "unjudged"
-        codes = [one.code for one in entry.findings]
+        codes = [finding.code for finding in entry.findings]
         assert codes[0] == "noise-floor:crashed"
         assert {"sample-peak:over", "head-silence:over"} <= set(codes)
         (unjudged,) = entry.unjudged
@@ -189,7 +189,7 @@ def test_measure_survives_a_file_that_it_fails_on_altogether(tmp_path, monkeypat
     monkeypatch.setattr(AudioFile, "measured", broken)
     assert main(["measure", "--format", "json", *map(str, paths)]) == 2
     entries = json.loads(capsys.readouterr().out)["files"]
-    assert ["sample_peak_dbfs" in one["measurements"] for one in entries] == [True, False, True]
+    assert ["sample_peak_dbfs" in entry["measurements"] for entry in entries] == [True, False, True]
     assert entries[1]["unjudged"][0]["check"] == "audio-checks"
 
 

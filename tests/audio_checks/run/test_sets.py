@@ -68,7 +68,7 @@ def test_severity_is_each_files_own(tmp_path):
         '[files]\n"vo_*" = "vo"\n[categories.vo]\nchecks.duplicate = "warning"'
     )
     paths.append(write_wav(tmp_path / "vo_c.wav", noise(seconds=0.1)))
-    assert [[one.severity for one in entry.findings] for entry in check_files(paths, spec).files] == [
+    assert [[finding.severity for finding in entry.findings] for entry in check_files(paths, spec).files] == [
         [],
         [],
         ["warning"],

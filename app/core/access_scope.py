@@ -5,11 +5,11 @@ from uuid import UUID
 
 
 @dataclass(frozen=True)
-class Reach:
+class AccessScope:
     """A person's studios and engagements, or one project alone; without either, nothing."""
 
     person_id: UUID | None = None
     project_id: UUID | None = None  # of a build's token, or of a shared link
 
 
-NOBODY = Reach()
+NOBODY = AccessScope()

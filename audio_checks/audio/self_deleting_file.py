@@ -7,7 +7,7 @@ import os
 from contextlib import suppress
 
 
-class Passing(io.FileIO):
+class SelfDeletingFile(io.FileIO):
     """A file that is removed with its last use: at once where the system can, else when it is closed."""
 
     def __init__(self, path: str) -> None:

@@ -21,7 +21,7 @@ _BESSEL_TERMS = 80  # for arguments up to 25 the last are below 1e-17 of the sum
 
 
 @lru_cache(maxsize=32)
-def turns_of(count: int) -> Floats:
+def twiddle_factors(count: int) -> Floats:
     """Return exp(−2πi·j / count) for j = 0..count−1, shape (count, 2): real and imaginary parts."""
     eighths = np.arange(count, dtype=np.int64) * 8
     octant, rest = eighths // count, eighths % count

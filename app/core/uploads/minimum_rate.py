@@ -8,7 +8,7 @@ from app.core.uploads.errors import UploadStalled
 
 
 @dataclass(frozen=True)
-class Pace:
+class MinimumRate:
     """A minimum mean rate, over windows in which the server waits for the sender."""
 
     bytes_per_s: int = 1 << 10

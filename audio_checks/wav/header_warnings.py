@@ -33,7 +33,7 @@ def _warning(code: str, message: str) -> StructureWarning:
     return StructureWarning(f"structure:{code}", message, EXPORT_AGAIN)
 
 
-def of_counts(
+def frame_count_warnings(
     read: Read, chunks: Sequence[Chunk], frames: int, sizes64: Sizes64 | None
 ) -> tuple[list[StructureWarning], bool]:
     """Return warnings about the counts of frames in `fact` and `ds64`, and whether `ds64` is what counts them.
