@@ -21,7 +21,7 @@ POLICY = "within_reach"
 WRITING = ("insert", "update", "delete")  # each has a separate policy where fewer rows are writable than readable
 UNGUARDED = frozenset({"accounts_people"})  # people are global: an invitation must find any address
 # Read by the server alone: answers it replays, under a hash of the credentials, and changes for open pages.
-ADD_ONLY = frozenset({"kit_saved_responses", "kit_changed_rooms"})
+ADD_ONLY = frozenset({"core_saved_responses", "core_changed_rooms"})
 NEVER_ALTERED = frozenset(  # what was said and owed stands
     {
         *("contracts_events", "contracts_acceptances", "contracts_amendment_acceptances"),
@@ -32,7 +32,7 @@ NEVER_ALTERED = frozenset(  # what was said and owed stands
 )
 SERVERS_OWN = frozenset(
     {
-        *("kit_heartbeats", "kit_backups", "accounts_rate_limits", "accounts_sign_ups"),
+        *("core_heartbeats", "core_backups", "accounts_rate_limits", "accounts_sign_ups"),
         *("operations_scrubs", "operations_damaged_blobs"),
     }
 )

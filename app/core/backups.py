@@ -15,7 +15,7 @@ log = structlog.get_logger(__name__)
 class Backup(Base):
     """A finished backup; only the newest is kept."""
 
-    __tablename__ = "kit_backups"
+    __tablename__ = "core_backups"
 
     finished_at: Mapped[datetime] = mapped_column(primary_key=True)
     damaged_blobs: Mapped[int]  # left out, because their bytes are not what their names say

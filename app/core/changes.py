@@ -21,13 +21,13 @@ from app.core.db import Base, Database, new_id
 LATE_S = 5.0  # between the making of a row and its commit, and between the clocks of two machines
 KEPT_FOR = timedelta(minutes=15)
 CHANGED = "changed rooms"  # key in a session's info
-OWN_ROOM = "kit"  # uploads, saved answers, heartbeats: no page shows them
+OWN_ROOM = "core"  # uploads, saved answers, heartbeats: no page shows them
 
 
 class ChangedRooms(Base):
     """The rooms that one transaction wrote in, for a project, or for a studio outside its projects."""
 
-    __tablename__ = "kit_changed_rooms"
+    __tablename__ = "core_changed_rooms"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)  # UUIDv7: in order of time
     studio_id: Mapped[UUID]

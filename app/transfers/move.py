@@ -18,7 +18,7 @@ from app.transfers import rows
 from app.transfers.refusal import TransferRefused
 
 # What tells a running server of changes and of its workers, and means nothing elsewhere.
-LEFT = frozenset({"kit_changed_rooms", "kit_heartbeats"})
+LEFT = frozenset({"core_changed_rooms", "core_heartbeats"})
 
 
 @dataclass

@@ -34,7 +34,7 @@ FORMAT = 1
 MANIFEST, PEOPLE, TABLES, BLOBS = "soundlist.json", "people.jsonl", "tables/", "blobs/"
 LEFT_OUT = frozenset(
     {
-        *("kit_changed_rooms", "accounts_quotas", "notifications_mails", "contracts_signing_codes"),
+        *("core_changed_rooms", "accounts_quotas", "notifications_mails", "contracts_signing_codes"),
         *("accounts_sign_in_providers", "accounts_sign_in_domains"),
         "operations_erasures",  # the studio that is imported is to stay
         *("webhooks_webhooks", "webhooks_calls", "webhooks_attempts"),
@@ -127,7 +127,7 @@ def _rows_of(table: sa.Table, studio_id: UUID) -> sa.ColumnElement[bool] | None:
     if table.name in LEFT_OUT:
         return None
     where = scopes.of_studio(table, studio_id)
-    if where is not None and table.name == "kit_uploads":
+    if where is not None and table.name == "core_uploads":
         return sa.and_(where, table.c.sha256.is_not(None))
     return where
 

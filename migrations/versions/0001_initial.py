@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_0ab2e1b4"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_999dab19"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -50,27 +50,27 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_accounts_sign_ups_email"), "accounts_sign_ups", ["email"])
     op.create_table(
-        "kit_backups",
+        "core_backups",
         sa.Column("finished_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("damaged_blobs", sa.Integer(), nullable=False),
-        sa.PrimaryKeyConstraint("finished_at", name=op.f("pk_kit_backups")),
+        sa.PrimaryKeyConstraint("finished_at", name=op.f("pk_core_backups")),
     )
     op.create_table(
-        "kit_changed_rooms",
+        "core_changed_rooms",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid()),
         sa.Column("rooms", JSON, nullable=False),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_kit_changed_rooms")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_core_changed_rooms")),
     )
     op.create_table(
-        "kit_heartbeats",
+        "core_heartbeats",
         sa.Column("worker_id", sa.String(), nullable=False),
         sa.Column("beat_at", sa.DateTime(timezone=True), nullable=False),
-        sa.PrimaryKeyConstraint("worker_id", name=op.f("pk_kit_heartbeats")),
+        sa.PrimaryKeyConstraint("worker_id", name=op.f("pk_core_heartbeats")),
     )
     op.create_table(
-        "kit_saved_responses",
+        "core_saved_responses",
         sa.Column("key", sa.String(), nullable=False),
         sa.Column("request_sha256", sa.String(), nullable=False),
         sa.Column("status", sa.Integer()),
@@ -78,11 +78,11 @@ def upgrade() -> None:
         sa.Column("body", sa.String()),
         sa.Column("rights", sa.String()),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
-        sa.PrimaryKeyConstraint("key", name=op.f("pk_kit_saved_responses")),
+        sa.PrimaryKeyConstraint("key", name=op.f("pk_core_saved_responses")),
     )
-    op.create_index(op.f("ix_kit_saved_responses_created_at"), "kit_saved_responses", ["created_at"])
+    op.create_index(op.f("ix_core_saved_responses_created_at"), "core_saved_responses", ["created_at"])
     op.create_table(
-        "kit_uploads",
+        "core_uploads",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("owner_id", sa.Uuid(), nullable=False),
@@ -94,11 +94,11 @@ def upgrade() -> None:
         sa.Column("multipart_id", sa.String()),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("finished_at", sa.DateTime(timezone=True)),
-        sa.CheckConstraint("(sha256 is null) = (finished_at is null)", name=op.f("ck_kit_uploads_finished_is_hashed")),
-        sa.CheckConstraint("length >= 0", name=op.f("ck_kit_uploads_length_known")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_kit_uploads")),
+        sa.CheckConstraint("(sha256 is null) = (finished_at is null)", name=op.f("ck_core_uploads_finished_is_hashed")),
+        sa.CheckConstraint("length >= 0", name=op.f("ck_core_uploads_length_known")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_core_uploads")),
     )
-    op.create_index(op.f("ix_kit_uploads_studio_id"), "kit_uploads", ["studio_id"])
+    op.create_index(op.f("ix_core_uploads_studio_id"), "core_uploads", ["studio_id"])
     op.create_table(
         "operations_damaged_blobs",
         sa.Column("studio_id", sa.Uuid(), nullable=False),
@@ -1589,7 +1589,7 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["delivery_id"], ["deliveries_deliveries.id"], name=op.f("fk_deliveries_archives_delivery_id")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_archives_project_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_archives_studio_id")),
-        sa.ForeignKeyConstraint(["upload_id"], ["kit_uploads.id"], name=op.f("fk_deliveries_archives_upload_id")),
+        sa.ForeignKeyConstraint(["upload_id"], ["core_uploads.id"], name=op.f("fk_deliveries_archives_upload_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_archives")),
         sa.UniqueConstraint("upload_id", name=op.f("uq_deliveries_archives_upload_id")),
     )
@@ -2317,7 +2317,7 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["delivery_id"], ["deliveries_deliveries.id"], name=op.f("fk_deliveries_dry_stems_delivery_id")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_dry_stems_project_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_dry_stems_studio_id")),
-        sa.ForeignKeyConstraint(["upload_id"], ["kit_uploads.id"], name=op.f("fk_deliveries_dry_stems_upload_id")),
+        sa.ForeignKeyConstraint(["upload_id"], ["core_uploads.id"], name=op.f("fk_deliveries_dry_stems_upload_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_dry_stems")),
         sa.UniqueConstraint("archive_id", "archive_entry", name=op.f("uq_deliveries_dry_stems_archive_id_archive_entry")),
         sa.UniqueConstraint("upload_id", "stem", name=op.f("uq_deliveries_dry_stems_upload_id_stem")),
@@ -2368,7 +2368,7 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_takes_project_id")),
         sa.ForeignKeyConstraint(["rechecked_by"], ["accounts_people.id"], name=op.f("fk_deliveries_takes_rechecked_by")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_takes_studio_id")),
-        sa.ForeignKeyConstraint(["upload_id"], ["kit_uploads.id"], name=op.f("fk_deliveries_takes_upload_id")),
+        sa.ForeignKeyConstraint(["upload_id"], ["core_uploads.id"], name=op.f("fk_deliveries_takes_upload_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_takes")),
         sa.UniqueConstraint("archive_id", "archive_entry", name=op.f("uq_deliveries_takes_archive_id_archive_entry")),
         sa.UniqueConstraint("cue_id", "variation", "number", name=op.f("uq_deliveries_takes_cue_id_variation_number")),

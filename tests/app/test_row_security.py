@@ -311,9 +311,9 @@ def test_what_was_said_is_not_altered_even_by_its_own(database: Database, name: 
 
 def test_the_servers_own_tables_are_closed_to_requests(database: Database):
     for schema, name in (
-        (None, "kit_heartbeats"),
-        (None, "kit_saved_responses"),
-        (None, "kit_changed_rooms"),
+        (None, "core_heartbeats"),
+        (None, "core_saved_responses"),
+        (None, "core_changed_rooms"),
         ("dbos", "workflow_status"),
         ("dbos", "workflow_inputs"),
     ):

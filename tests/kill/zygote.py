@@ -12,7 +12,7 @@ from typing import Any
 
 import granian.server.mp  # noqa: F401  what serving imports when it starts
 
-from app import main, migrate, rooms, row_security, worker  # noqa: F401
+from app import main, migrate, registry, row_security, worker  # noqa: F401
 from app.cli import cli
 from app.core.permissions import keep_new_files_private
 
@@ -51,7 +51,7 @@ def serve() -> None:
 
 
 if __name__ == "__main__":
-    for module in rooms.JOB_MODULES:
+    for module in registry.JOB_MODULES:
         __import__(module)
     print("ready", flush=True)  # noqa: T201
     serve()

@@ -70,7 +70,7 @@ log = structlog.get_logger(__name__)
 class Heartbeat(Base):
     """The last heartbeat of a worker process."""
 
-    __tablename__ = "kit_heartbeats"
+    __tablename__ = "core_heartbeats"
 
     worker_id: Mapped[str] = mapped_column(primary_key=True)
     beat_at: Mapped[datetime]

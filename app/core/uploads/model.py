@@ -17,7 +17,7 @@ FINISHED_KEPT_FOR = timedelta(days=30)  # by then something was made of it, or n
 class Upload(Base):
     """One file on its way in, or arrived; `scope` and `owner_id` mean something to the caller only."""
 
-    __tablename__ = "kit_uploads"
+    __tablename__ = "core_uploads"
     __table_args__ = (
         CheckConstraint("length >= 0", name="length_known"),
         CheckConstraint("(sha256 is null) = (finished_at is null)", name="finished_is_hashed"),

@@ -45,7 +45,7 @@ class NoLongerAllowed(Forbidden):
 class SavedResponse(Base):
     """The answer to a write that carried an Idempotency-Key, written in the write's own transaction."""
 
-    __tablename__ = "kit_saved_responses"
+    __tablename__ = "core_saved_responses"
 
     key: Mapped[str] = mapped_column(primary_key=True)  # hash of caller, method, path and Idempotency-Key
     request_sha256: Mapped[str]

@@ -18,7 +18,7 @@ from tests.support.waiting import until
 WITHIN_S = 240.0
 PROGRAM = """
 import sys
-from app.core import serving
+from app.core.web import serving
 
 serving.HEAD_S = 1
 port, processes, drain_s = int(sys.argv[1]), int(sys.argv[2]), float(sys.argv[3])

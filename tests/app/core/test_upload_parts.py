@@ -47,7 +47,7 @@ def _small_parts(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def database(tmp_path: Path) -> Iterator[Database]:
     database = Database(f"sqlite:///{tmp_path / 'test.sqlite'}")
-    Base.metadata.create_all(database.engine, tables=[Base.metadata.tables["kit_uploads"]])
+    Base.metadata.create_all(database.engine, tables=[Base.metadata.tables["core_uploads"]])
     yield database
     database.dispose()
 

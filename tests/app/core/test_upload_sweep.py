@@ -27,7 +27,7 @@ TOUCHED_AT = datetime(2026, 3, 1, 12, tzinfo=UTC)
 @pytest.fixture
 def database(tmp_path: Path) -> Iterator[Database]:
     database = Database(f"sqlite:///{tmp_path / 'test.sqlite'}")
-    Base.metadata.create_all(database.engine, tables=[Base.metadata.tables["kit_uploads"]])
+    Base.metadata.create_all(database.engine, tables=[Base.metadata.tables["core_uploads"]])
     yield database
     database.dispose()
 

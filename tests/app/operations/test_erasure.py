@@ -215,7 +215,7 @@ def test_the_file_of_what_was_removed_leaves_the_disk(
 def test_every_table_without_a_studio_is_known_to_the_erasure_of_people() -> None:
     of_nobody = {
         *("accounts_people", "accounts_studios", "accounts_rate_limits", "accounts_sign_ups"),
-        *("kit_backups", "kit_heartbeats", "kit_saved_responses", "operations_scrubs"),
+        *("core_backups", "core_heartbeats", "core_saved_responses", "operations_scrubs"),
     }
     without = {table.name for table in Base.metadata.sorted_tables if "studio_id" not in table.c}
     personal = {name for name in without if "person_id" in Base.metadata.tables[name].c}

@@ -32,7 +32,7 @@ __all__ = ["opened"]
 NAMES_NO_BLOB = {
     "accounts_people.picture_sha256",  # kept in the database
     "accounts_pictures.sha256",
-    "kit_uploads.expected_sha256",
+    "core_uploads.expected_sha256",
     "projects_specs.sha256",
     "projects_engagements.nda_sha256",
     "contracts_contracts.record_sha256",

@@ -102,7 +102,7 @@ def at_rest(server: RunningServer) -> None:
     assert server.worker is not None
     let_jobs_end(server)
     server.worker.stop()
-    server.in_database(lambda session: session.execute(sa.text("delete from kit_heartbeats")))
+    server.in_database(lambda session: session.execute(sa.text("delete from core_heartbeats")))
 
 
 def rows_of(runtime: Runtime, *, without: frozenset[str] = LEFT) -> dict[str, rows.Digest]:
