@@ -55,8 +55,8 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await producer.getByLabel('Game title').fill('Deep Field')
     await producer.keyboard.press('Enter')
     await expect(producer.getByText('The sound list is empty')).toBeVisible()
-    await producer.getByRole('navigation', { name: 'Screens' }).getByRole('link', { name: 'Project' }).click()
-    await producer.getByRole('link', { name: /brief/i }).first().click()
+    await producer.getByRole('navigation', { name: 'Areas' }).getByRole('link', { name: 'Sounds' }).click()
+    await producer.getByRole('navigation', { name: 'Pages of Sounds' }).getByRole('link', { name: 'Brief' }).click()
     await producer.getByRole('region', { name: 'What kind of game is it?' }).getByRole('textbox').fill('A platformer')
     await producer.keyboard.press('Escape')
     await producer.getByRole('button', { name: /^Next topic/ }).click()
@@ -72,7 +72,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
 
   let cues = 0
   await test.step('fills the list from a kit', async () => {
-    await producer.getByRole('navigation', { name: 'Screens' }).getByRole('link', { name: 'Sound list' }).click()
+    await producer.getByRole('navigation', { name: 'Areas' }).getByRole('link', { name: 'Sounds' }).click()
     await producer.getByRole('link', { name: /kit/i }).first().click()
     await producer
       .getByRole('link', { name: /^Look at its cues/ })

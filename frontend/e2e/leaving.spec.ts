@@ -54,7 +54,7 @@ async function leaveAndSend(page: Page, form: Typed): Promise<void> {
   await show(form.first)
 
   await form.field.fill(form.then)
-  const elsewhere = page.getByRole('navigation', { name: 'Screens' }).getByRole('link', { name: /^Project/ })
+  const elsewhere = page.getByRole('navigation', { name: 'Areas' }).getByRole('link', { name: /^Today/ })
   await elsewhere.click()
   await expect(leaveDialog(page), `${form.name} is left`).toBeVisible()
   await leaveDialog(page).getByRole('button', { name: 'Leave', exact: true }).click()

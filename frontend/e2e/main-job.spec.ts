@@ -145,11 +145,12 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await approver.getByLabel('Your name').fill('Audio director')
     await approver.getByLabel('Password', { exact: true }).fill(PASSWORD)
     await approver.getByRole('button', { name: /^Join Producer/ }).click()
-    await expect(approver.getByRole('navigation', { name: 'Screens' })).toBeVisible()
+    await expect(approver.getByRole('navigation', { name: 'Areas' })).toBeVisible()
 
     await producer.goto(`${project}/people`)
     await producer.getByRole('button', { name: /^Make audio lead.*Audio director/ }).click()
     await toast(producer, 'Audio director is an audio lead now.')
+    await producer.goto(`${project}/approvers`)
     await producer.getByRole('button', { name: 'Change approver' }).click()
     await expect(producer.getByLabel('New approver').first()).toHaveValue('Audio director')
     await producer.getByLabel('Reason (logged)').fill('Knows the palette best')
@@ -158,6 +159,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
   })
 
   await test.step('the designer sees the list by the link alone, and makes an account to deliver', async () => {
+    await producer.goto(`${project}/people`)
     const invite = producer.getByRole('form', { name: 'Invite a designer' })
     await invite.getByLabel('Email').fill(addressOf('designer'))
     await invite.getByLabel(/^Message/).fill('Start with the shield.')
@@ -283,7 +285,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
 
   let pack = new Map<string, Buffer>()
   await test.step('the producer downloads the pack: the names that the game expects, at its rate and depth', async () => {
-    await producer.goto(project)
+    await producer.goto(`${project}/progress`)
     await expect(card(producer, 'Approved pack')).toContainText('4 of 4')
     const downloading = producer.waitForEvent('download')
     await producer.getByRole('link', { name: 'Download game' }).click()

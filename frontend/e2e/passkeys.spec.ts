@@ -32,7 +32,7 @@ test('a passkey is added on Account and signs in without password @slow', async 
     await page.getByLabel('Your name').fill('Producer')
     await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
     await page.getByRole('button', { name: 'Create account' }).click()
-    await expect(page.getByRole('navigation', { name: 'Screens' })).toBeVisible()
+    await expect(page.getByRole('navigation', { name: 'Areas' })).toBeVisible()
 
     await page.goto(`${server.url}/account`)
     const card = page.getByRole('region', { name: 'Passkeys' })

@@ -36,7 +36,7 @@ async function joinTeam(browser: Browser, producer: Page, url: string, lineUrl: 
   await page.getByLabel('Your name').fill('Audio director')
   await page.getByLabel('Password', { exact: true }).fill(PASSWORD)
   await page.getByRole('button', { name: /^Join Producer/ }).click()
-  await expect(page.getByRole('navigation', { name: 'Screens' })).toBeVisible()
+  await expect(page.getByRole('navigation', { name: 'Areas' })).toBeVisible()
   return page
 }
 

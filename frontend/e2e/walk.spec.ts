@@ -44,7 +44,7 @@ const WRONG: Record<string, Buffer> = {
 }
 
 const badge = (page: Page, tab: string) =>
-  page.getByRole('navigation', { name: 'Screens' }).getByRole('link', { name: new RegExp(`^${tab}`) })
+  page.getByRole('navigation', { name: 'Areas' }).getByRole('link', { name: new RegExp(`^${tab}`) })
 const next = (page: Page, head: string | RegExp) => page.getByRole('region', { name: head })
 
 async function linkFor(page: Page, url: string, recipient: string): Promise<string> {
@@ -148,7 +148,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     await expect(desk.getByText('This is an MP3 named .wav.')).toBeVisible({ timeout: 30_000 })
     await expect(tray.getByText('1 file without a cue')).toBeVisible({ timeout: 60_000 })
     await expect(desk.getByText(/^One file has no cue yet/)).toBeVisible({ timeout: 30_000 })
-    await expect(badge(desk, 'Desk')).toHaveText(/^Desk\s*1/)
+    await expect(badge(desk, 'Deliveries')).toHaveText(/^Deliveries\s*1/)
     const projectId = /\/projects\/([0-9a-f-]{36})/.exec(page.url())?.[1] ?? ''
     const wanted = Object.entries(MESSY).map(([name, cue]) => [name.split('/').at(-1), cue])
     await expect(async () => {
@@ -160,7 +160,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
       expect(Object.fromEntries(found)).toEqual(Object.fromEntries(wanted))
     }).toPass({ timeout: 60_000 })
     await expect(tray.getByText('1 file without a cue')).toBeVisible()
-    await expect(badge(desk, 'Desk')).toHaveText(/^Desk\s*1/)
+    await expect(badge(desk, 'Deliveries')).toHaveText(/^Deliveries\s*1/)
   })
 
   await test.step('Ctrl K finds a cue, a file, a person and a contract from any page', async () => {

@@ -9,13 +9,17 @@ export interface ShellProject {
 export interface ShellData {
   /** Not signed in: null. */
   person: { name: string; role: string; picture?: string | null } | null
-  /** Designers have a Desk; everyone of the studio has Today and Review. */
+  /** Designers have Deliveries; everyone of the studio has Today. */
   side: 'studio' | 'designer'
   project: ShellProject | null
   /** The project is closed to this person until its NDA is agreed; then all but its contracts is. */
   ndaOpen: boolean
   /** The project's contracts and money are this person's to see. */
   isParty: boolean
+  /** A producer of the project's studio. */
+  isProducer: boolean
+  /** In the studio to put sounds into the game, and for nothing else. */
+  isImplementer: boolean
   projects: ShellProject[]
   /** What waits for this person, shown next to the tab where it is done. */
   counts: { today?: number; desk?: number; review?: number | string; contract?: number }
@@ -46,6 +50,8 @@ export const NOBODY: ShellData = {
   project: null,
   ndaOpen: false,
   isParty: false,
+  isProducer: false,
+  isImplementer: false,
   projects: [],
   counts: {},
   operates: false,

@@ -108,6 +108,13 @@ const SHAPES = {
       <path d="M1.8 13a4.2 4.2 0 0 1 8.4 0M10.6 3.2a2.4 2.4 0 0 1 0 4.4M11.8 9.2a4.2 4.2 0 0 1 2.4 3.8" />
     </>
   ),
+  game: (
+    <>
+      <path d="M4.6 5h6.8a3 3 0 0 1 3 3.2l-.3 2.6a1.5 1.5 0 0 1-2.7.7L10.2 10H5.8l-1.2 1.5a1.5 1.5 0 0 1-2.7-.7l-.3-2.6A3 3 0 0 1 4.6 5z" />
+      <path d="M5.2 6.9v1.8M4.3 7.8h1.8M10.8 7.8h.01" />
+    </>
+  ),
+  more: <path d="M3.5 8h.01M8 8h.01M12.5 8h.01" strokeWidth="2.6" />,
   mail: <path d="M2.4 3.8h11.2v8.4H2.4zM2.6 4.2L8 8.6l5.4-4.4" />,
 } as const satisfies Record<string, ReactNode>
 

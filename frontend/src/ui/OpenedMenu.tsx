@@ -4,7 +4,7 @@ import { type ReactNode, useEffect, useRef, useState } from 'react'
 import type { MenuProps } from './LazyMenu'
 
 interface OpenedMenuProps extends MenuProps {
-  position: 'bottom-start' | 'bottom-end'
+  position: 'bottom-start' | 'bottom-end' | 'top-end'
   width?: number
   children: ReactNode
 }

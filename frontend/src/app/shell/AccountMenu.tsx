@@ -6,6 +6,7 @@ import type { MenuProps } from '@/ui/LazyMenu'
 import { OpenedMenu } from '@/ui/OpenedMenu'
 
 import type { ShellData } from '../session'
+import { areasOf } from './areas'
 import { useScheme } from './scheme'
 
 const SCHEMES = [
@@ -23,12 +24,18 @@ export function AccountMenu({ data, onKeys, button }: AccountMenuProps) {
   const router = useRouter()
   const scheme = useScheme()
   const go = (path: string) => void router.navigate({ href: path })
-  const { person, side, operates, switcher, signOut } = data
+  const { person, switcher, signOut } = data
+  const pages = areasOf(data).find(({ id }) => id === 'you')?.pages ?? []
   return (
     <OpenedMenu button={button} position="bottom-end" width={232}>
       {person && (
         <Menu.Label>{person.name === person.role ? person.role : `${person.name}, ${person.role}`}</Menu.Label>
       )}
+      {pages.map(({ label, path }) => (
+        <Menu.Item key={path} onClick={() => go(path)}>
+          {label}
+        </Menu.Item>
+      ))}
       {switcher}
       <Menu.Label>Theme</Menu.Label>
       <Menu.RadioGroup value={scheme.chosen} onChange={(value) => scheme.set(value as MantineColorScheme)}>
@@ -44,11 +51,6 @@ export function AccountMenu({ data, onKeys, button }: AccountMenuProps) {
       </Menu.Item>
       {person && (
         <>
-          {side === 'studio' && <Menu.Item onClick={() => go('/studio')}>Studio, people and emails</Menu.Item>}
-          {side === 'studio' && <Menu.Item onClick={() => go('/roster')}>Roster of designers</Menu.Item>}
-          {side === 'designer' && <Menu.Item onClick={() => go('/work')}>Your work</Menu.Item>}
-          {operates && <Menu.Item onClick={() => go('/operations')}>Jobs and storage</Menu.Item>}
-          <Menu.Item onClick={() => go('/account')}>Account</Menu.Item>
           <Menu.Divider />
           <Menu.Item onClick={signOut}>Sign out</Menu.Item>
         </>

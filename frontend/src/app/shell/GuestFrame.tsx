@@ -18,7 +18,7 @@ export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) 
   useHotkeys([{ keys: '?', label: 'Keyboard shortcuts', group: 'Everywhere', run: () => setShowingKeys(true) }])
   return (
     <>
-      <header className={classes.bar}>
+      <header className={`${classes.head} ${classes.bar}`}>
         <ShellLink path="/" className={classes.mark} aria-label="Soundlist home">
           <Mark />
           <span className="strong">Soundlist</span>

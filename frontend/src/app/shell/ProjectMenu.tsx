@@ -6,12 +6,15 @@ import type { MenuProps } from '@/ui/LazyMenu'
 import { OpenedMenu } from '@/ui/OpenedMenu'
 
 import type { ShellData } from '../session'
+import { areasOf } from './areas'
 
 interface ProjectMenuProps extends MenuProps {
   data: ShellData
 }
 
-export function ProjectMenu({ data: { project, projects, side }, button }: ProjectMenuProps) {
+export function ProjectMenu({ data, button }: ProjectMenuProps) {
+  const { project, projects } = data
+  const pages = areasOf(data).find(({ id }) => id === 'projects')?.pages ?? []
   const router = useRouter()
   const go = (path: string) => void router.navigate({ href: path })
   return (
@@ -27,12 +30,11 @@ export function ProjectMenu({ data: { project, projects, side }, button }: Proje
         </Menu.Item>
       ))}
       {projects.length > 0 && <Menu.Divider />}
-      <Menu.Item onClick={() => go('/projects')}>All projects</Menu.Item>
-      {side === 'studio' && (
-        <Menu.Item leftSection={<Icon name="plus" />} onClick={() => go('/projects/new')}>
-          New project
+      {pages.map(({ label, path }) => (
+        <Menu.Item key={path} onClick={() => go(path)}>
+          {label}
         </Menu.Item>
-      )}
+      ))}
     </OpenedMenu>
   )
 }

@@ -15,7 +15,7 @@ import { Main } from './Main'
 import { isClosed, NdaFirst } from './NdaFirst'
 import { loadKeysSheet, loadPalette } from './overlays'
 import { useScheme } from './scheme'
-import { placesOf, screensOf } from './screens'
+import { areasOf } from './areas'
 import { TopBar } from './TopBar'
 import { useFinding } from './useFinding'
 
@@ -28,8 +28,9 @@ export function Shell({ session }: { session: Session }) {
   const [showingKeys, setShowingKeys] = useState(false)
   const { next: nextScheme, set: setScheme } = useScheme()
 
-  const screens = screensOf(data)
-  const likely = screens.flatMap(({ path, count }) => (count ? [path] : [])).join('\n')
+  const areas = areasOf(data)
+  const inBar = areas.filter(({ isInMenu }) => !isInMenu)
+  const likely = inBar.flatMap(({ path, count }) => (count ? [path] : [])).join('\n')
   useFirstSign(useCallback(() => loadAhead(router, likely.split('\n').filter(Boolean)), [router, likely]))
   const go = (path: string) => void router.navigate({ href: path })
   useFinding(data.project?.id, data.side === 'designer', go)
@@ -38,7 +39,7 @@ export function Shell({ session }: { session: Session }) {
     { keys: 'mod+k', label: 'Search or run a command', group: 'Everywhere', run: () => setFinding(true) },
     { keys: '?', label: 'Keyboard shortcuts', group: 'Everywhere', run: () => setShowingKeys(true) },
     ...(data.person ? [{ keys: 'g n', label: 'Go to Notices', group: 'Everywhere', run: () => go('/notices') }] : []),
-    ...screens.map(({ label, path, letter }) => ({
+    ...inBar.map(({ label, path, letter }) => ({
       keys: `g ${letter}`,
       label: `Go to ${label}`,
       group: 'Everywhere',
@@ -46,32 +47,16 @@ export function Shell({ session }: { session: Session }) {
     })),
   ])
   useCommands([
-    ...screens.map(({ label, path, letter, icon }) => ({
-      id: `go-${letter}`,
-      label: `Go to ${label}`,
-      icon,
-      keys: `g ${letter}`,
-      run: () => go(path),
-    })),
-    ...(data.person
-      ? [
-          {
-            id: 'place-/notices',
-            label: 'Notices',
-            icon: 'bell' as const,
-            keys: 'g n',
-            also: ['news', 'mentions', 'unread'],
-            run: () => go('/notices'),
-          },
-        ]
-      : []),
-    ...placesOf(data).map(({ label, path, also }) => ({
-      id: `place-${path}`,
-      label,
-      icon: 'right' as const,
-      also,
-      run: () => go(path),
-    })),
+    ...areas.flatMap(({ label: area, letter, icon, pages }) =>
+      pages.map(({ label, path, also }, index) => ({
+        id: `page-${path}`,
+        label: index === 0 && letter ? `Go to ${area}` : label,
+        icon,
+        keys: index === 0 && letter ? `g ${letter}` : path === '/notices' ? 'g n' : undefined,
+        also: index === 0 ? [label, ...also] : [...also],
+        run: () => go(path),
+      })),
+    ),
     ...data.projects
       .filter(({ id }) => id !== data.project?.id)
       .map(({ id, name }) => ({
@@ -95,7 +80,8 @@ export function Shell({ session }: { session: Session }) {
     <ProjectName value={data.project?.name}>
       <TopBar
         data={data}
-        screens={screens}
+        areas={areas}
+        pathname={pathname}
         findKeys={isMac() ? '⌘ K' : 'Ctrl K'}
         onFind={() => setFinding(true)}
         onKeys={() => setShowingKeys(true)}

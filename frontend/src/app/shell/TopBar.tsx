@@ -1,64 +1,113 @@
-import { useLocation } from '@tanstack/react-router'
-
 import { Count } from '@/ui/Count'
 import { Icon } from '@/ui/Icon'
+import { LazyMenu } from '@/ui/LazyMenu'
 
 import type { ShellData } from '../session'
 import { StatusSlot } from '../toast'
+import { type Area, homeOf } from './areas'
 import { Mark } from './Mark'
 import { ProjectSwitcher } from './ProjectSwitcher'
-import { type Screen, screenOf } from './screens'
 import classes from './Shell.module.css'
 import { ShellLink } from './ShellLink'
 import { WhoMenu } from './WhoMenu'
 
+const loadMore = () => import('./MoreMenu').then(({ MoreMenu }) => MoreMenu)
+
 interface TopBarProps {
   data: ShellData
-  screens: Screen[]
+  areas: readonly Area[]
+  pathname: string
   findKeys: string
   onFind: () => void
   onKeys: () => void
 }
 
-export function TopBar({ data, screens, findKeys, onFind, onKeys }: TopBarProps) {
-  const home = screens[0]?.path ?? '/'
-  const here = screenOf(screens, useLocation().pathname)
+/** Two rows: where one is, and below it the pages of that area with the place for what goes on. */
+export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopBarProps) {
+  const inBar = areas.filter(({ isInMenu }) => !isInMenu)
+  const under = inBar.filter(({ onPhone }) => onPhone === undefined)
+  const home = homeOf(pathname, data)
+  const area = areas.find(({ id }) => id === home?.area)
   return (
-    <header className={classes.bar}>
-      <ShellLink path={home} className={classes.mark} aria-label={`Soundlist, ${screens[0]?.label ?? 'home'}`}>
-        <Mark />
-      </ShellLink>
-      {data.person && <ProjectSwitcher data={data} />}
-      {screens.length > 0 && (
-        <nav className={classes.tabs} aria-label="Screens">
-          {screens.map(({ label, path, icon, count }) => (
-            <ShellLink key={path} path={path} current={path === here?.path}>
-              <Icon name={icon} size={18} />
-              <span>{label}</span>
-              {count ? <Count of={count} what="waiting" /> : null}
-            </ShellLink>
-          ))}
-        </nav>
-      )}
-      <StatusSlot />
-      <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
-        <Icon name="search" />
-        <span className={classes.findWords}>Search or do</span>
-        <kbd className={classes.findKeys} aria-hidden="true">
-          {findKeys}
-        </kbd>
-      </button>
-      {data.person && (
+    <header className={classes.head}>
+      <div className={classes.bar}>
         <ShellLink
-          path="/notices"
-          className={classes.bell}
-          aria-label={data.unread ? `Notices, ${data.unread} unread` : 'Notices'}
+          path={inBar[0]?.path ?? '/'}
+          className={classes.mark}
+          aria-label={`Soundlist, ${inBar[0]?.label ?? 'home'}`}
         >
-          <Icon name="bell" size={18} />
-          {data.unread && <Count of={data.unread} />}
+          <Mark />
         </ShellLink>
-      )}
-      <WhoMenu data={data} onKeys={onKeys} />
+        {data.person && <ProjectSwitcher data={data} />}
+        {inBar.length > 0 && (
+          <nav className={classes.tabs} aria-label="Areas">
+            {inBar.map(({ id, label, onPhone, path, icon, count }) => (
+              <ShellLink
+                key={id}
+                path={path}
+                current={id === area?.id}
+                className={onPhone === undefined ? 'wide-only' : undefined}
+              >
+                <Icon name={icon} size={18} />
+                {onPhone === undefined || onPhone === label ? (
+                  <span>{label}</span>
+                ) : (
+                  <>
+                    <span className="wide-only">{label}</span>
+                    <span className="narrow-only">{onPhone}</span>
+                  </>
+                )}
+                {count ? <Count of={count} what="waiting" /> : null}
+              </ShellLink>
+            ))}
+            {under.length > 0 && (
+              <span className={classes.more}>
+                <LazyMenu
+                  button={
+                    <button type="button" aria-current={under.some(({ id }) => id === area?.id) || undefined}>
+                      <Icon name="more" size={18} />
+                      More
+                    </button>
+                  }
+                  load={loadMore}
+                  given={{ areas: under }}
+                />
+              </span>
+            )}
+          </nav>
+        )}
+        <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
+          <Icon name="search" />
+          <span className={classes.findWords}>Search or do</span>
+          <kbd className={classes.findKeys} aria-hidden="true">
+            {findKeys}
+          </kbd>
+        </button>
+        {data.person && (
+          <ShellLink
+            path="/notices"
+            className={classes.bell}
+            aria-label={data.unread ? `Notices, ${data.unread} unread` : 'Notices'}
+          >
+            <Icon name="bell" size={18} />
+            {data.unread && <Count of={data.unread} />}
+          </ShellLink>
+        )}
+        <WhoMenu data={data} onKeys={onKeys} />
+      </div>
+      <div className={classes.sub}>
+        {area && (
+          <nav className={classes.pages} aria-label={`Pages of ${area.label}`}>
+            {area.pages.map(({ label, path, count }) => (
+              <ShellLink key={path} path={path} current={label === home?.label}>
+                {label}
+                {count ? <Count of={count} what="waiting" /> : null}
+              </ShellLink>
+            ))}
+          </nav>
+        )}
+        <StatusSlot />
+      </div>
     </header>
   )
 }

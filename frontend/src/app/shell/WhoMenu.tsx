@@ -12,11 +12,11 @@ export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void 
   const { person } = data
   const button = (
     <button type="button" className={classes.who}>
-      {person ? <Face name={person.role} picture={person.picture} filled /> : <Icon name="sliders" />}
+      {person ? <Face name={person.name} picture={person.picture} filled /> : <Icon name="sliders" />}
       <span className={classes.whoWords} aria-hidden="true">
-        {person?.role ?? 'Settings'}
+        {person?.name ?? 'Settings'}
       </span>
-      <span className="visually-hidden">{person ? `${person.role}: account and settings` : 'Settings'}</span>
+      <span className="visually-hidden">{person ? `${person.name}: account and settings` : 'Settings'}</span>
       <span className={classes.whoChevron}>
         <Icon name="chevron" />
       </span>

@@ -8,10 +8,11 @@ import { useComparedBlind } from '@/judging/comparedBlind'
 import { draw } from '@/test/draw'
 import { serve } from '@/test/server'
 
+import { router as product } from '../router'
 import { nowhereRoute, rootRoute, shellRoute } from '../roots'
 import type { ShellData } from '../session'
 import { useTitle } from '../title'
-import { screenOf, screensOf } from './screens'
+import { areasOf, homeOf, HOMES } from './areas'
 
 const PRODUCER: ShellData = {
   person: { name: 'Producer', role: 'Producer' },
@@ -23,6 +24,8 @@ const PRODUCER: ShellData = {
   ],
   ndaOpen: false,
   isParty: true,
+  isProducer: true,
+  isImplementer: false,
   counts: { review: 4 },
   operates: true,
   signOut: vi.fn(),
@@ -31,6 +34,7 @@ const DESIGNER: ShellData = {
   ...PRODUCER,
   person: { name: 'Sound designer', role: 'Sound designer' },
   side: 'designer',
+  isProducer: false,
   counts: { desk: 3 },
   operates: false,
 }
@@ -85,44 +89,111 @@ async function open(data: ShellData, at = '/projects/p1/today', ensureSignedIn =
   return router
 }
 
-const tabs = () => within(screen.getByRole('navigation', { name: 'Screens' })).getAllByRole('link')
+const tabs = () => within(screen.getByRole('navigation', { name: 'Areas' })).getAllByRole('link')
+const pages = (area: string) =>
+  within(screen.getByRole('navigation', { name: `Pages of ${area}` })).getAllByRole('link')
+const labels = (data: ShellData) => areasOf(data).flatMap(({ label, isInMenu }) => (isInMenu ? [] : [label]))
 
-test('the studio has Today, Sound list, Review and Project; what waits is beside its tab', async () => {
+test('the studio has seven areas; what waits is beside the area and beside its first page', async () => {
   await open(PRODUCER)
-  expect(tabs().map((tab) => tab.textContent)).toEqual([
-    'Today',
-    'Sound list',
-    'Review4 waiting',
-    'Contract',
-    'Project',
-  ])
-  expect(tabs()[0]).toHaveAttribute('aria-current', 'page')
-  expect(tabs()[4]).not.toHaveAttribute('aria-current')
+  expect(labels(PRODUCER)).toEqual(['Today', 'Sounds', 'Review', 'Game', 'People', 'Contract & money', 'Settings'])
+  expect(tabs().map((tab) => tab.getAttribute('aria-current'))).toEqual(['page', ...Array<null>(6).fill(null)])
+  expect(tabs()[2]).toHaveTextContent('Review4 waiting')
+  expect(pages('Today').map((page) => page.textContent)).toEqual(['For you', 'Overview', 'Progress', 'Activity'])
+  expect(pages('Today')[0]).toHaveAttribute('aria-current', 'page')
 })
 
-test('a page below a screen is marked as part of it', async () => {
-  expect(screenOf(screensOf(PRODUCER), '/projects/p1/builds')?.label).toBe('Project')
-  expect(screenOf(screensOf(PRODUCER), '/projects/p1/sound-list/compare')?.label).toBe('Sound list')
-  expect(screenOf(screensOf(PRODUCER), '/studio')).toBeUndefined()
+test('a page below another is marked as part of it, in both rows', async () => {
+  expect(homeOf('/projects/p1/drift', PRODUCER)).toEqual({ area: 'game', label: 'Builds' })
+  expect(homeOf('/projects/p1/sound-list/compare', PRODUCER)).toEqual({ area: 'sounds', label: 'List' })
+  expect(homeOf('/studio/s1/security-log', PRODUCER)).toEqual({ area: 'you', label: 'Studio' })
   await open(PRODUCER, '/projects/p1/builds')
-  expect(tabs().map((tab) => tab.getAttribute('aria-current'))).toEqual([null, null, null, null, 'true'])
+  expect(tabs().findIndex((tab) => tab.getAttribute('aria-current') === 'true')).toBe(3)
+  expect(pages('Game').map((page) => page.textContent)).toEqual([
+    'Packs',
+    'Builds',
+    'Placeholders',
+    'In-game listening',
+    'Tasks',
+  ])
+  expect(pages('Game')[1]).toHaveAttribute('aria-current', 'page')
 })
 
-test('a designer has a Desk, Sound list and Project', async () => {
+test('a designer begins with Deliveries', async () => {
   await open(DESIGNER, '/desk')
-  expect(tabs().map((tab) => tab.textContent)).toEqual(['Desk3 waiting', 'Sound list', 'Contract', 'Project'])
+  expect(labels(DESIGNER)).toEqual(['Deliveries', 'Sounds', 'Review', 'Contract & money', 'Settings'])
+  expect(tabs()[0]).toHaveTextContent('Deliveries3 waiting')
+  expect(pages('Deliveries')[0]).toHaveTextContent('To do3 waiting')
 })
 
-test('without a project there is one place to find one', () => {
-  const paths = screensOf({ ...PRODUCER, project: null }).map(({ path }) => path)
-  expect(paths).toEqual(['/today', '/projects'])
-  expect(screensOf({ ...PRODUCER, person: null })).toEqual([])
+const REVIEWER: ShellData = { ...PRODUCER, isParty: false, isProducer: false, operates: false }
+const IMPLEMENTER: ShellData = { ...REVIEWER, isImplementer: true }
+
+test('who implements has the game and no verdicts; who only reviews has no contract and no money', () => {
+  expect(labels(IMPLEMENTER)).toEqual(['Today', 'Sounds', 'Game', 'Settings'])
+  expect(labels(REVIEWER)).toEqual(['Today', 'Sounds', 'Review', 'Game', 'People', 'Settings'])
 })
 
-test('g l goes to the list; the head takes the focus and the title follows', async () => {
+test('without a project there are the pages that need none', () => {
+  expect(labels({ ...PRODUCER, project: null })).toEqual(['Today', 'People', 'Settings'])
+  expect(areasOf({ ...PRODUCER, person: null })).toEqual([])
+})
+
+/** Every address of the shell, with what is open in it. */
+const addresses = Object.values(product.routesById as Record<string, { id: string; fullPath: string }>)
+  .filter(({ id, fullPath }) => id.startsWith('/shell/') && fullPath !== '/$')
+  .map(({ fullPath }) => fullPath.replace('$projectId', 'p1').replace(/\$\w+/g, 'x1'))
+
+const OF_DESIGNERS = /^\/(work|postings|desk)/
+const OF_LEADS = /(contracts|money|milestones|p1\/postings)/
+const OF_PRODUCERS = /(tokens|webhooks|settings|operations)$/
+const any = (...patterns: RegExp[]) => new RegExp(patterns.map(({ source }) => `(?:${source})`).join('|'))
+
+test.each([
+  ['a producer', PRODUCER, OF_DESIGNERS],
+  ['an approver', { ...PRODUCER, isProducer: false, operates: false }, any(OF_DESIGNERS, OF_PRODUCERS)],
+  ['a reviewer', REVIEWER, any(OF_DESIGNERS, OF_LEADS, OF_PRODUCERS)],
+  [
+    'an implementer',
+    IMPLEMENTER,
+    any(
+      OF_DESIGNERS,
+      OF_LEADS,
+      OF_PRODUCERS,
+      /(review|sharing|playlists|people|hours|credits|roster|approvers|approval)/,
+    ),
+  ],
+  [
+    'a designer',
+    DESIGNER,
+    any(
+      OF_PRODUCERS,
+      /(packs|game-files|builds|placeholders|people|hours|roster|p1\/postings|approvers|approval|studio)/,
+    ),
+  ],
+])('every route has one home for %s', (_, viewer, notTheirs) => {
+  expect(addresses.length).toBeGreaterThan(50)
+  const homeless = addresses.filter((address) => homeOf(address, viewer) === undefined)
+  expect(homeless.filter((address) => !notTheirs.test(address))).toEqual([])
+  expect(
+    homeless.every((address) => !areasOf(viewer).some(({ pages }) => pages.some(({ path }) => path === address))),
+  ).toBe(true)
+  for (const { path } of areasOf(viewer).flatMap((area) => area.pages)) expect(addresses).toContain(path)
+})
+
+test('the producer and the designer have homes for all routes together, and no two pages claim one address', () => {
+  const homeless = addresses.filter((address) => [PRODUCER, DESIGNER].every((viewer) => !homeOf(address, viewer)))
+  expect(homeless).toEqual([])
+  for (const viewer of [PRODUCER, REVIEWER, IMPLEMENTER, DESIGNER]) {
+    const claimed = HOMES.filter(({ sees }) => sees(viewer)).flatMap(({ routes }) => routes)
+    expect(claimed.filter((route, index) => claimed.indexOf(route) !== index)).toEqual([])
+  }
+})
+
+test('g s goes to the list; the head takes the focus and the title follows', async () => {
   await open(PRODUCER)
   await waitFor(() => expect(document.title).toBe('Today · Shield Wing · Soundlist'))
-  await userEvent.keyboard('gl')
+  await userEvent.keyboard('gs')
   const head = await screen.findByRole('heading', { name: 'Sound list', level: 1 })
   await waitFor(() => expect(head).toHaveFocus())
   expect(document.title).toBe('Sound list · Shield Wing · Soundlist')
@@ -235,7 +306,7 @@ test('an address that nobody knows keeps the frame and the ways on', async () =>
   await open(PRODUCER, '/no/such/place')
   expect(screen.getByRole('heading', { name: 'Page not found', level: 1 })).toBeInTheDocument()
   expect(screen.getByRole('link', { name: 'All projects' })).toHaveAttribute('href', '/projects')
-  expect(tabs()).toHaveLength(5)
+  expect(tabs()).toHaveLength(7)
 })
 
 test('a page that breaks says so and can be tried again', async () => {
@@ -252,10 +323,4 @@ test('before anyone is let in, nothing of the page is shown', async () => {
   await open(PRODUCER, '/projects/p1/today', () => Promise.reject(new Error('the server is away')))
   expect(await screen.findByRole('alert')).toHaveTextContent('This page could not be loaded.')
   expect(screen.queryByRole('heading', { name: 'Today' })).not.toBeInTheDocument()
-})
-
-test('who only reviews has no tab for contracts', () => {
-  const labels = (data: ShellData) => screensOf(data).map(({ label }) => label)
-  expect(labels(PRODUCER)).toContain('Contract')
-  expect(labels({ ...PRODUCER, isParty: false })).toEqual(['Today', 'Sound list', 'Review', 'Project'])
 })

@@ -8,12 +8,10 @@ import { Row, Rows } from '@/ui/Rows'
 
 import { sessionQuery, useChangePassword, useOpenStudio, useRename } from './api'
 import classes from './Account.module.css'
-import { DeskTokensCard } from './DeskTokensCard'
 import { EraseCard } from './EraseCard'
 import { Field, Form, Submit } from '@/ui/Form'
 import { PageSkeleton } from '@/ui/Skeleton'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
-import { MailCard } from './MailCard'
 import { ROLE_WORDS } from './parts'
 import { PasskeysCard } from './PasskeysCard'
 import { PictureCard } from './PictureCard'
@@ -85,8 +83,6 @@ export function AccountPage() {
           </Rows>
         </Card>
         {me.projects.some(({ part }) => part === 'designer') && <InvoiceDetailsCard />}
-        {session?.demo === false && me.projects.some(({ part }) => part === 'designer') && <DeskTokensCard />}
-        <MailCard />
         {session?.demo !== true && <StudioCard />}
         {session?.demo !== true && <EraseCard to="/erase/account" title="Erase your account" />}
       </div>

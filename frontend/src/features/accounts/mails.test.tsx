@@ -31,7 +31,7 @@ describe('the emails of a person', () => {
   test('a kind of news is set to once a day, and the others stay', async () => {
     const daily = { ...WISHES, cadences: { ...AT_ONCE, talk: 'daily' } }
     const server = serve(account({ 'PUT /v1/me/mail-preferences': daily }))
-    openApp('/account')
+    openApp('/account/notifications')
     const user = userEvent.setup()
     await user.selectOptions(await within(await card()).findByLabelText('Questions and replies'), 'daily')
     expect(await within(await card()).findByLabelText('The day’s email at')).toHaveValue('08:00')
@@ -41,7 +41,7 @@ describe('the emails of a person', () => {
 
   test('emails about contracts can be once a day, and are never turned off', async () => {
     serve(account())
-    openApp('/account')
+    openApp('/account/notifications')
     const choice = await within(await card()).findByLabelText('Contracts and payments')
     expect(
       within(choice)
@@ -56,7 +56,7 @@ describe('the emails of a person', () => {
         'PUT /v1/me/mail-preferences': { ...WISHES, quiet_from: '20:00:00', quiet_until: '07:30:00' },
       }),
     )
-    openApp('/account')
+    openApp('/account/notifications')
     const user = userEvent.setup()
     await user.type(await within(await card()).findByLabelText('Send nothing from'), '20:00')
     const save = await within(await card()).findByRole('button', { name: 'Save quiet hours' })
@@ -74,7 +74,7 @@ describe('the emails of a person', () => {
         'PUT /v1/me/mail-preferences': refusal(422, 'time-zone-unknown', 'there is no time zone "UTC"'),
       }),
     )
-    openApp('/account')
+    openApp('/account/notifications')
     const user = userEvent.setup()
     await user.selectOptions(await within(await card()).findByLabelText('Sounds'), 'never')
     expect(await within(await card()).findByText(/no time zone/)).toBeInTheDocument()

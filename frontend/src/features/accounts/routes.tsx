@@ -74,6 +74,16 @@ export const accountRoutes = [
   }),
   createRoute({
     getParentRoute: () => shellRoute,
+    path: '/account/notifications',
+    component: lazyRouteComponent(() => import('./SettingPages'), 'NotificationsPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/account/tokens',
+    component: lazyRouteComponent(() => import('./SettingPages'), 'DeskTokensPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
     path: '/verify-address/$secret',
     component: lazyRouteComponent(() => import('./VerifyPage'), 'VerifyPage'),
   }),

@@ -89,12 +89,15 @@ function useShell(): ShellData {
 
   if (me === undefined) return NOBODY
   const isDemo = session?.demo === true
+  const roles = (me.studios.find(({ id }) => id === project?.studio_id) ?? me.studios[0])?.roles ?? []
   return {
-    person: { name: me.person.name, role: isDemo ? me.person.name : partWord(me, project), picture: me.person.picture },
+    person: { name: me.person.name, role: partWord(me, project), picture: me.person.picture },
     side: project ? (isTeam ? 'studio' : 'designer') : me.studios.length > 0 ? 'studio' : 'designer',
     project: project ? { id: project.id, name: project.name } : null,
     ndaOpen: project?.nda_open ?? false,
     isParty: isParty(project),
+    isProducer: project ? project.is_producer : roles.includes('producer'),
+    isImplementer: project?.is_approver !== true && roles.length > 0 && roles.every((role) => role === 'implementer'),
     projects: me.projects.map(({ id, name }) => ({ id, name })),
     counts: {
       review: review && counted(review),

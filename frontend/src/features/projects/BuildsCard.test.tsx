@@ -21,7 +21,7 @@ describe('builds', () => {
 
   test('the squares are described in words; the latest names what it refuses, and a waived file is none of it', async () => {
     serve(withBuilds())
-    openApp('/projects/p1')
+    openApp('/projects/p1/progress')
     expect(await screen.findByRole('img', { name: '3 builds: 1 passed, 1 with warnings, 1 refused' })).toBeVisible()
     const refused = await screen.findByRole('list', { name: 'Refused files' })
     expect(within(refused).getByText('assets/airlock.wav')).toBeVisible()
@@ -35,7 +35,7 @@ describe('builds', () => {
   test('the copy button takes the one command that does everything', async () => {
     serve(withBuilds())
     const press = userEvent.setup()
-    openApp('/projects/p1')
+    openApp('/projects/p1/progress')
     await press.click(await screen.findByRole('button', { name: 'Copy the CI command' }))
     expect(await navigator.clipboard.readText()).toBe(
       'curl soundlist.pyz && python3 -I soundlist.pyz ci --target game assets/',
@@ -58,7 +58,7 @@ describe('builds', () => {
       'POST /v1/projects/p1/tokens': answer({ ...made, secret: 'slt_once' }, 201),
     })
     const press = userEvent.setup()
-    openApp('/projects/p1')
+    openApp('/projects/p1/progress')
     await press.click(await screen.findByRole('button', { name: 'Create token' }))
     const name = screen.getByLabelText('Token name')
     await press.clear(name)
@@ -80,7 +80,7 @@ describe('builds', () => {
   test('a token reads contracts and sources only where that was chosen', async () => {
     const { asked } = serve({ ...withBuilds(), 'POST /v1/projects/p1/tokens': refusal(422, 'invalid', 'no') })
     const press = userEvent.setup()
-    openApp('/projects/p1')
+    openApp('/projects/p1/progress')
     await press.click(await screen.findByRole('button', { name: 'Create token' }))
     await press.click(screen.getByRole('checkbox', { name: 'Also reads contracts and sources of approved sounds' }))
     await press.click(screen.getByRole('button', { name: 'Create token' }))

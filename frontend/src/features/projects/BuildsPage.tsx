@@ -13,7 +13,6 @@ import { type Build, useBuilds } from './api'
 import { BuildLine, BuildReasons } from './BuildLines'
 import classes from './Builds.module.css'
 import { CiCard } from './CiLines'
-import { TokensCard } from './Tokens'
 
 /** Every build that reported, and the tokens of builds. */
 export function BuildsPage() {
@@ -62,7 +61,14 @@ export function BuildsPage() {
           )}
         </Card>
         <div className="stack">
-          {project?.mine.is_producer && <TokensCard projectId={projectId} />}
+          {project?.mine.is_producer && (
+            <p className="mid">
+              The CI signs in with a token.{' '}
+              <Link className="link" to="/projects/$projectId/tokens" params={{ projectId }}>
+                Tokens
+              </Link>
+            </p>
+          )}
           <CiCard projectId={projectId} />
         </div>
       </div>

@@ -21,7 +21,7 @@ const ADDRESS = 'GET /v1/projects/p1/handovers'
 
 test('cues without a designer are named, with what the next one begins with and how to hire them', async () => {
   serve({ ...inProject(), [ADDRESS]: [ENDED, { ...ENDED, contract_id: 'k2', title: 'Voices', cues: [cue(30)] }] })
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   const card = within(await screen.findByRole('region', { name: '11 cues have no designer' }))
   expect(card.getByText(/SW-010 sound_10, .*SW-017 sound_17 and 3 more/)).toBeVisible()
   expect(card.getByText(/Effects with Sound designer ended/)).toBeVisible()
@@ -37,13 +37,13 @@ test('cues without a designer are named, with what the next one begins with and 
 
 test('a refusal is shown', async () => {
   serve({ ...inProject(), [ADDRESS]: refusal(503, 'busy', 'the server is busy') })
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   expect(await screen.findByText('The server is busy.')).toBeVisible()
 })
 
 test('a designer does not ask for it', async () => {
   const { asked } = serve(inProject('designer'))
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   await screen.findByRole('region', { name: 'Pace' })
   expect(asked.some(({ path }) => path.endsWith('/handovers'))).toBe(false)
 })

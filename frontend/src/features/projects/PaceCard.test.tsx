@@ -56,7 +56,7 @@ test('what both sides had better talk about stands out, with the figures', async
       over_estimate: { cues: 1, over_min: 90 },
     }),
   })
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   const card = await screen.findByRole('region', { name: 'Pace' })
   expect(await within(card).findByText('75 %; 50 % in four weeks, 100 % before')).toHaveClass('tone-warn')
   expect(valueOf(card, 'Against the due day')).toHaveTextContent('2 days late')
@@ -93,7 +93,7 @@ test('small figures are neither rounded up to a unit nor down to none', async ()
       estimates: { cues: 3, estimated_min: 30_000, logged_min: 30_090, error_percent: 0.3 },
     }),
   })
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   const card = await screen.findByRole('region', { name: 'Pace' })
   expect(await within(card).findByText('over 99 %')).toBeVisible()
   expect(valueOf(card, 'Rounds per cue')).toHaveTextContent('under 0.1')
@@ -107,7 +107,7 @@ test('small figures are neither rounded up to a unit nor down to none', async ()
 
 test('what has no figure yet has no line, and nothing warns', async () => {
   serve({ ...inProject('designer'), 'GET /v1/projects/p1/pace': aPace() })
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   const card = await screen.findByRole('region', { name: 'Pace' })
   expect(await within(card).findByText('0 of 2')).toBeVisible()
   expect(within(card).getAllByRole('definition')).toHaveLength(1)
@@ -119,7 +119,7 @@ test('a producer sets a budget, and a mistyped amount stays to be put right', as
     ...inProject(),
     'PUT /v1/projects/p1/budget': [{ currency: 'EUR', amount_minor: 1_200_000 }],
   })
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   await userEvent.click(await screen.findByRole('button', { name: 'Set a budget' }))
   const form = within(screen.getByRole('form', { name: 'Budget' }))
   await userEvent.clear(form.getByLabelText('Currency'))
@@ -141,7 +141,7 @@ test('a producer sets a budget, and a mistyped amount stays to be put right', as
 
 test('a designer sets no budget', async () => {
   serve({ ...inProject('designer'), 'GET /v1/projects/p1/pace': aPace() })
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   const card = await screen.findByRole('region', { name: 'Pace' })
   expect(await within(card).findByText('0 of 2')).toBeVisible()
   expect(within(card).queryByRole('button', { name: 'Set a budget' })).toBeNull()

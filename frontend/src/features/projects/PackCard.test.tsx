@@ -44,7 +44,7 @@ describe('the approved pack', () => {
             : PACK,
       }),
     )
-    openApp('/projects/p1')
+    openApp('/projects/p1/progress')
     const pack = await screen.findByRole('region', { name: 'Approved pack' })
     expect(await within(pack).findByText('2 of 5 cues')).toBeVisible()
     expect(within(pack).getByText('3 files, 5.3 MB')).toBeVisible()

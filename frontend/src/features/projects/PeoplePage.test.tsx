@@ -137,7 +137,7 @@ describe('people', () => {
         return aProject('producer', { approver: people.producer })
       },
     })
-    openApp('/projects/p1/people')
+    openApp('/projects/p1/approvers')
     await userEvent.click(await screen.findByRole('button', { name: 'Make me the approver' }))
     fireEvent.change(screen.getByLabelText('Reason (logged)'), { target: { value: 'Away until Monday' } })
     await userEvent.click(screen.getByRole('button', { name: 'Make approver' }))
@@ -161,7 +161,7 @@ describe('people', () => {
         errors: [{ where: 'reason', message }],
       }),
     })
-    openApp('/projects/p1/people')
+    openApp('/projects/p1/approvers')
     await userEvent.click(await screen.findByRole('button', { name: 'Change approver' }))
     await userEvent.click(screen.getByRole('button', { name: 'Make approver' }))
     expect(await screen.findByText('Must have at least 1 character.')).toBeVisible()
@@ -172,7 +172,7 @@ describe('people', () => {
       ...inProject(),
       'POST /v1/projects/p1/approver-invitations': { email: 'ana@shieldwing.test', is_named: false },
     })
-    openApp('/projects/p1/people')
+    openApp('/projects/p1/approvers')
     const form = within(await screen.findByRole('form', { name: 'Invite an approver' }))
     await userEvent.type(form.getByLabelText('Approver’s email'), 'ana@shieldwing.test{Enter}')
     expect(await screen.findByText('ana@shieldwing.test is invited.')).toBeVisible()
@@ -214,7 +214,7 @@ describe('what designers hear of each other', () => {
       ...inProject(),
       'PATCH /v1/projects/p1': ({ body }: Asked) => aProject('producer', body as Record<string, unknown>),
     })
-    openApp('/projects/p1/people')
+    openApp('/projects/p1/approval')
     const group = await screen.findByRole('group', { name: 'Designers can play' })
     expect(within(group).getByRole('radio', { name: 'Approved sounds and the palette' })).toBeChecked()
     await userEvent.click(within(group).getByRole('radio', { name: LABEL }))
@@ -230,7 +230,7 @@ describe('what designers hear of each other', () => {
 
   test('others of the team read it', async () => {
     serve({ ...inProject('reviewer') })
-    openApp('/projects/p1/people')
+    openApp('/projects/p1/approval')
     const card = await screen.findByRole('region', { name: 'What designers hear of each other' })
     expect(within(card).getByText('Approved sounds and the palette')).toBeVisible()
     expect(within(card).queryByRole('radio')).toBeNull()

@@ -6,13 +6,7 @@ import { useTitle } from '@/app/title'
 import { Refusal } from '@/ui/Refusal'
 
 import { type Project } from './api'
-import { ApprovalCard } from './people/ApprovalCard'
-import { ApproverCard } from './people/ApproverCard'
-import { CategoriesCard } from './people/CategoriesCard'
-import { DeputiesCard } from './people/DeputiesCard'
 import { DesignersCard } from './people/DesignersCard'
-import { HearingCard } from './people/HearingCard'
-import { ReasonsCard } from './people/ReasonsCard'
 import { TeamCard } from './people/TeamCard'
 import classes from './Project.module.css'
 
@@ -39,24 +33,22 @@ export function PeoplePage() {
           <Link className="link" to="/projects/$projectId/credits" params={{ projectId }}>
             Credits
           </Link>
+          {project?.mine.is_producer && (
+            <>
+              {' · '}
+              <Link className="link" to="/projects/$projectId/hours" params={{ projectId }}>
+                Hours
+              </Link>
+            </>
+          )}
         </p>
       </div>
       <Refusal inset error={error ?? noMembers} />
       {project && !isTeam && <p>{`${approversOf(project)} Only the game team can see its members.`}</p>}
       {project && isTeam && (
         <div className={`columns ${classes.columns}`}>
-          <div className="stack">
-            <DesignersCard project={project} />
-            <TeamCard project={project} members={members} />
-            <CategoriesCard project={project} members={members} />
-          </div>
-          <div className="stack">
-            <ApproverCard project={project} members={members} />
-            <DeputiesCard project={project} members={members} />
-            <ApprovalCard project={project} />
-            <ReasonsCard project={project} />
-            <HearingCard project={project} />
-          </div>
+          <DesignersCard project={project} />
+          <TeamCard project={project} members={members} />
         </div>
       )}
     </div>

@@ -35,7 +35,7 @@ describe('placeholders', () => {
   }
   const shown = async (countdown: unknown) => {
     serve(inProject('producer', { 'GET /v1/projects/p1/placeholders/countdown': countdown }))
-    openApp('/projects/p1')
+    openApp('/projects/p1/progress')
     return screen.findByRole('region', { name: 'Placeholders' })
   }
 
@@ -74,7 +74,7 @@ describe('placeholders', () => {
         'GET /v1/projects/p1/placeholders/countdown': refusal(422, 'target-unknown', 'the spec has no target'),
       }),
     )
-    openApp('/projects/p1')
+    openApp('/projects/p1/progress')
     await screen.findByRole('region', { name: 'Approved pack' })
     await waitFor(() => expect(screen.queryByRole('region', { name: 'Placeholders' })).toBeNull())
   })

@@ -1,141 +1,262 @@
 import { useQuery } from '@tanstack/react-query'
-import { useNavigate, useParams } from '@tanstack/react-router'
+import { Link, type LinkProps, useNavigate, useParams } from '@tanstack/react-router'
+import type { ReactNode } from 'react'
 
 import { ApiProblem } from '@/api'
-import { projectQuery } from '@/api/project'
+import { isParty, useMyProject } from '@/api/me'
+import { projectQuery, studioPeopleQuery } from '@/api/project'
 import { useHotkeys } from '@/app/keys'
-import { useCommands } from '@/app/palette'
+import { awaitedWords, nextStepsQuery, wordsOf } from '@/app/nextSteps'
 import { NotFoundPage } from '@/app/NotFoundPage'
 import { useTitle } from '@/app/title'
+import { moneyQuery } from '@/money/api'
+import { money } from '@/money/words'
+import { ButtonLink } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { Face } from '@/ui/Face'
+import { age, figure, plural, shortDay } from '@/ui/format'
+import { Meter } from '@/ui/Meter'
 import { Refusal } from '@/ui/Refusal'
+import { PageSkeleton, Skeleton } from '@/ui/Skeleton'
+import { State, STATES } from '@/ui/State'
 
-import { overviewQuery } from './api'
-import { BuildsCard } from './BuildsCard'
-import { CalendarCard } from './CalendarCard'
-import { HandoverCard } from './HandoverCard'
-import { LatelyCard } from './LatelyCard'
-import { PaceCard } from './PaceCard'
-import { PackCard } from './PackCard'
-import { PaletteCard } from './PaletteCard'
-import classes from './Project.module.css'
-import { PlaceholdersCard } from './PlaceholdersCard'
+import { overviewQuery, packsQuery, type Project } from './api'
+import classes from './Overview.module.css'
 import { PlaylistsCard } from './PlaylistsCard'
-import { ProjectHead } from './ProjectHead'
-import { SpecCard } from './spec/SpecCard'
-import { StepsCard } from './StepsCard'
-import { speaks } from './words'
+import { type Status, STATUSES } from './steps'
+import { KIND_WORDS, otherMembers } from './words'
 
-/** A project at one glance: where every cue stands, what a file must be, what the builds said, what can be fetched. */
+/** A project at one glance: the next step, and four cards that lead on. */
 export function ProjectPage() {
-  useTitle('Project')
+  useTitle('Overview')
   const { projectId } = useParams({ from: '/shell/projects/$projectId' })
   const { data: project, error } = useQuery(projectQuery(projectId))
-  const { data: overview, error: noOverview } = useQuery(overviewQuery(projectId))
-  const navigate = useNavigate()
-  const maySpeak = project !== undefined && speaks(project)
-  const isTeam = project?.mine.is_team ?? false
-  const openSpec = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
-  useHotkeys(maySpeak ? [{ keys: 'e', label: 'Edit delivery spec', group: 'Project', run: openSpec }] : [])
-  useCommands([
-    ...(maySpeak
-      ? [{ id: 'spec', label: 'Edit delivery spec', icon: 'pencil' as const, keys: 'e', run: openSpec }]
-      : []),
-    ...(isTeam
-      ? [
-          {
-            id: 'people',
-            label: 'People and invitations',
-            icon: 'people' as const,
-            also: ['invite a designer', 'approver', 'liaison'],
-            run: () => void navigate({ to: '/projects/$projectId/people', params: { projectId } }),
-          },
-          {
-            id: 'game-files',
-            label: 'Game files, targets and memory',
-            icon: 'box' as const,
-            also: ['batch', 'render', 'budget'],
-            run: () => void navigate({ to: '/projects/$projectId/game-files', params: { projectId } }),
-          },
-          {
-            id: 'packs',
-            label: 'Packs',
-            icon: 'box' as const,
-            also: ['seal', 'release'],
-            run: () => void navigate({ to: '/projects/$projectId/packs', params: { projectId } }),
-          },
-          {
-            id: 'placeholders',
-            label: 'Placeholders',
-            icon: 'dashedSquare' as const,
-            also: ['placeholder-file'],
-            run: () => void navigate({ to: '/projects/$projectId/placeholders', params: { projectId }, search: {} }),
-          },
-          {
-            id: 'builds',
-            label: 'Builds and tokens',
-            icon: 'box' as const,
-            also: ['CI', 'key'],
-            run: () => void navigate({ to: '/projects/$projectId/builds', params: { projectId } }),
-          },
-        ]
-      : []),
-    ...(maySpeak || (project && !isTeam)
-      ? [
-          {
-            id: 'money',
-            label: 'Money: milestones, invoices, ledger',
-            icon: 'lines' as const,
-            also: ['payment', 'refund', 'owed'],
-            run: () => void navigate({ href: `/projects/${projectId}/money` }),
-          },
-        ]
-      : []),
-    {
-      id: 'deliveries',
-      label: 'Deliveries, open and closed',
-      icon: 'tray' as const,
-      run: () => void navigate({ to: '/projects/$projectId/deliveries', params: { projectId } }),
-    },
-    {
-      id: 'reasons',
-      label: 'Reasons of verdicts',
-      icon: 'lines' as const,
-      also: ['why', 'approved because'],
-      run: () => void navigate({ to: '/projects/$projectId/reasons', params: { projectId }, search: {} }),
-    },
-    {
-      id: 'spec-versions',
-      label: 'Versions of the delivery spec',
-      icon: 'file' as const,
-      run: () => void navigate({ to: '/projects/$projectId/spec/versions', params: { projectId }, search: {} }),
-    },
-  ])
+  const mine = useMyProject(projectId)
   if (error instanceof ApiProblem && error.status === 404) return <NotFoundPage />
+  if (project === undefined && error === null) return <PageSkeleton />
   return (
     <div className="page">
-      {project ? <ProjectHead project={project} members={overview?.reviewers} /> : <h1>Project</h1>}
-      <Refusal inset error={error ?? noOverview} />
-      {project && overview && (
-        <div className={`columns ${classes.columns}`}>
-          <div className="stack">
-            {project.mine.is_producer && <HandoverCard projectId={projectId} />}
-            <StepsCard project={project} overview={overview} />
-            {(maySpeak || !isTeam) && (
-              <PaceCard projectId={projectId} isProducer={project?.mine.is_producer ?? false} />
-            )}
-            <SpecCard project={project} />
-            <PaletteCard projectId={projectId} palette={overview.palette} cues={overview.cues} />
-            {isTeam && <PlaceholdersCard projectId={projectId} />}
+      <h1>{project?.name ?? 'Project'}</h1>
+      <p className={`mid ${classes.lead}`}>{project?.description}</p>
+      {project?.archived_at && (
+        <p className="mid">
+          This project is archived. It is read-only in lists of active projects and can be restored.
+        </p>
+      )}
+      <Refusal inset error={error} />
+      {project && (
+        <>
+          <NextStep projectId={projectId} />
+          <div className={classes.cards}>
+            <SoundsCard projectId={projectId} />
+            <PeopleCard project={project} />
+            {isParty(mine) && <MoneyCard projectId={projectId} />}
+            {project.mine.is_team ? <NextPackCard projectId={projectId} /> : <PlaylistsCard projectId={projectId} />}
           </div>
-          <aside className="stack" aria-label="Builds, pack and what happened">
-            {isTeam && <BuildsCard project={project} builds={overview.builds} />}
-            {isTeam && <PackCard projectId={projectId} />}
-            {!isTeam && <PlaylistsCard projectId={projectId} />}
-            <CalendarCard projectId={projectId} />
-            <LatelyCard projectId={projectId} happened={overview.lately} />
-          </aside>
-        </div>
+        </>
       )}
     </div>
+  )
+}
+
+/** What the reader does next, with its button; the steps after it are named. */
+function NextStep({ projectId }: { projectId: string }) {
+  const navigate = useNavigate()
+  const { data: next } = useQuery(nextStepsQuery(projectId))
+  const [first, ...others] = (next?.steps ?? []).map((step) => wordsOf(step, projectId))
+  useHotkeys(
+    first
+      ? [{ keys: 'Enter', label: first.act, group: 'Overview', run: () => void navigate({ href: first.path }) }]
+      : [],
+  )
+  if (next === undefined) return <Skeleton />
+  if (first === undefined) return null
+  return (
+    <section className={classes.next} aria-label="Next step">
+      <div className="grow">
+        <p className="strong">{first.head}</p>
+        <p className="small mid">
+          {first.why}
+          {others.length > 0 && ` Then: ${others.map(({ head }) => head).join('. ')}.`}
+        </p>
+      </div>
+      <ButtonLink component={Link} to={first.path} variant="primary" keys="Enter">
+        {first.act}
+      </ButtonLink>
+    </section>
+  )
+}
+
+interface OverviewCardProps {
+  title: string
+  note?: string
+  /** Where the card's subject is shown in full. */
+  link: { label: string; to: string }
+  error: unknown
+  children: ReactNode
+}
+
+/** One card; while its figures are asked for, and where they could not be read, its head stands. */
+function OverviewCard({ title, note, link, error, children }: OverviewCardProps) {
+  const id = `overview-${title.toLowerCase().replace(' ', '-')}`
+  return (
+    <Card aria-labelledby={id}>
+      <CardHead
+        id={id}
+        title={title}
+        note={note}
+        end={
+          <Link className="link small" to={link.to as LinkProps['to']}>
+            {link.label}
+          </Link>
+        }
+      />
+      <Refusal inset error={error} />
+      <div className={classes.inside}>{children ?? (error ? null : <Skeleton />)}</div>
+    </Card>
+  )
+}
+
+function SoundsCard({ projectId }: { projectId: string }) {
+  const { data: overview, error } = useQuery(overviewQuery(projectId))
+  const { data: earned } = useQuery({ ...moneyQuery(projectId), enabled: isParty(useMyProject(projectId)) })
+  const counts = overview?.counts ?? {}
+  const statuses = (Object.keys(STATUSES) as Status[]).filter((status) => (counts[status] ?? 0) > 0)
+  const milestones = (earned?.contracts ?? []).flatMap((contract) => contract.milestones).filter((m) => !m.is_deposit)
+  const words = statuses.map((status) => `${counts[status]} ${STATUSES[status].word.toLowerCase()}`).join(', ')
+  return (
+    <OverviewCard title="Sounds" link={{ label: 'Open list', to: `/projects/${projectId}/sound-list` }} error={error}>
+      {overview && (
+        <>
+          <p>
+            <span className={classes.figure}>{`${counts.accepted ?? 0} of ${figure(overview.cues - (counts.cut ?? 0))}`}</span>{' '}
+            <span className="mid">{`accepted${counts.cut ? `; ${counts.cut} cut` : ''}`}</span>
+          </p>
+          <Meter
+            label={words || 'No cues yet'}
+            whole={overview.cues - (counts.cut ?? 0)}
+            parts={statuses
+              .filter((status) => !['to_make', 'cut'].includes(status))
+              .map((status) => ({ value: counts[status] ?? 0, tone: STATES[STATUSES[status].kind].tone }))}
+          />
+          <ul className={`small ${classes.legend}`} aria-label="Cues by state">
+            {statuses.map((status) => (
+              <li key={status}>
+                <State kind={STATUSES[status].kind}>{`${counts[status]} ${STATUSES[status].word.toLowerCase()}`}</State>
+              </li>
+            ))}
+          </ul>
+          <ul className={classes.rows} aria-label="Milestones">
+            {milestones.slice(0, 4).map(({ id, name, accepted, wanted, due_on, done_at }) => (
+              <li key={id}>
+                <span className="strong">{name}</span>
+                <span className="mid grow">{`${accepted} of ${wanted}`}</span>
+                <span className="small dim">{done_at ? 'done' : due_on ? shortDay(due_on) : ''}</span>
+              </li>
+            ))}
+          </ul>
+        </>
+      )}
+    </OverviewCard>
+  )
+}
+
+/** The people who decide and make, and what each is awaited for. */
+function PeopleCard({ project }: { project: Project }) {
+  const { id: projectId, approver, mine, studio } = project
+  const { data: members, error } = useQuery({ ...studioPeopleQuery(studio.id), enabled: mine.is_team })
+  const { data: next } = useQuery(nextStepsQuery(projectId))
+  const producers = (members ?? []).filter(
+    ({ roles, person }) => roles.includes('producer') && person.id !== approver.id,
+  )
+  const designers = project.engagements.filter(({ ended_at }) => ended_at === null)
+  const people = [
+    { ...approver, part: 'Approver' },
+    ...producers.map(({ person }) => ({ ...person, part: 'Producer' })),
+    ...designers.map(({ designer, kind }) => ({ ...designer, part: `Sound designer, ${KIND_WORDS[kind]}` })),
+  ]
+  const others = (members?.length ?? 0) - (people.length - designers.length)
+  const link = mine.is_team
+    ? { label: 'Open team', to: `/projects/${projectId}/people` }
+    : { label: 'Credits', to: `/projects/${projectId}/credits` }
+  return (
+    <OverviewCard title="People" link={link} error={error}>
+      <ul className={classes.rows} aria-label="People">
+        {people.map(({ id, name, picture, part }) => {
+          const awaited = next?.awaited.find(({ person_id }) => person_id === id)
+          return (
+            <li key={id}>
+              <Face name={name} picture={picture} />
+              <span className="strong">{name}</span>
+              <span className="small dim">{part}</span>
+              <span className={`small mid ${classes.awaited}`}>
+                {awaited && `${awaitedWords(awaited)}${awaited.since ? `, ${age(awaited.since)}` : ''}`}
+              </span>
+            </li>
+          )
+        })}
+        {mine.is_team && others > 0 && <li className="mid">{otherMembers(others)}</li>}
+        {designers.length === 0 && <li className="mid">No designer yet</li>}
+      </ul>
+    </OverviewCard>
+  )
+}
+
+function MoneyCard({ projectId }: { projectId: string }) {
+  const { data, error } = useQuery(moneyQuery(projectId))
+  return (
+    <OverviewCard title="Money" link={{ label: 'Open invoices', to: `/projects/${projectId}/money` }} error={error}>
+      {data?.totals.length === 0 && <p className="mid">No signed contract yet.</p>}
+      {data?.totals.map(({ currency, figures: { paid_minor, agreed_minor, due_minor, open_minor } }) => (
+        <div key={currency} className="stack">
+          <p>
+            <span className={classes.figure}>{money(paid_minor, currency)}</span>{' '}
+            <span className="mid">paid of {money(agreed_minor, currency)}</span>
+          </p>
+          <Meter
+            label={`${money(paid_minor, currency)} paid, ${money(due_minor, currency)} due`}
+            whole={agreed_minor}
+            parts={[{ value: paid_minor }, { value: due_minor, tone: 'idle' }]}
+          />
+          <p className="small mid">
+            <span className="strong">{money(due_minor, currency)}</span> due,{' '}
+            <span className="strong">{money(open_minor, currency)}</span> still open
+          </p>
+        </div>
+      ))}
+    </OverviewCard>
+  )
+}
+
+function NextPackCard({ projectId }: { projectId: string }) {
+  const { data: packs, error } = useQuery(packsQuery(projectId))
+  const { data: overview } = useQuery(overviewQuery(projectId))
+  const isWithoutTarget = error instanceof ApiProblem && error.code === 'target-unknown'
+  const refused = overview?.builds[0]?.rejected ?? 0
+  const [pack] = packs ?? []
+  return (
+    <OverviewCard
+      title="Next pack"
+      link={{ label: 'Open packs', to: `/projects/${projectId}/packs` }}
+      error={isWithoutTarget ? null : error}
+    >
+      {isWithoutTarget && <p className="mid">The spec has no targets, so no game files are rendered.</p>}
+      {pack && (
+        <>
+          <p>
+            <span className={classes.figure}>{plural(pack.files, 'file')}</span>{' '}
+            <span className="mid">{`of ${plural(pack.cues_accepted, 'accepted cue')}, for ${pack.target}`}</span>
+          </p>
+          {pack.missing.length > 0 && (
+            <State kind="warning">{`${plural(pack.missing.length, 'accepted file')} missing`}</State>
+          )}
+        </>
+      )}
+      {overview && overview.builds.length > 0 && (
+        <p className="small mid">
+          {`Build ${overview.builds[0]?.label}: ${refused === 0 ? 'no file refused' : `${plural(refused, 'file')} refused`}`}
+        </p>
+      )}
+    </OverviewCard>
   )
 }

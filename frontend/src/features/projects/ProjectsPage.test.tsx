@@ -106,17 +106,16 @@ describe('projects', () => {
     expect(wrote(asked, 'GET /v1/projects').at(-1)?.query.get('archived')).toBe('true')
   })
 
-  test('a project is renamed in its head, and the head says the new name', async () => {
+  test('a project is renamed in its settings', async () => {
     const { asked } = serve({
       ...inProject(),
       'PATCH /v1/projects/p1': ({ body }: Asked) => aProject('producer', body as Record<string, unknown>),
     })
-    openApp('/projects/p1')
-    await userEvent.click(await screen.findByRole('button', { name: /Change name, prefix/ }))
-    await userEvent.clear(screen.getByLabelText('Name'))
+    openApp('/projects/p1/settings')
+    await userEvent.clear(await screen.findByLabelText('Name'))
     await userEvent.type(screen.getByLabelText('Name'), 'Shield Wing II')
     await userEvent.click(screen.getByRole('button', { name: 'Save' }))
-    expect(await screen.findByRole('heading', { name: 'Shield Wing II' })).toBeVisible()
+    expect(await screen.findByText('Shield Wing II updated.')).toBeVisible()
     expect(wrote(asked, 'PATCH /v1/projects/p1')[0]?.body).toMatchObject({ name: 'Shield Wing II', cue_prefix: 'SW' })
   })
 })

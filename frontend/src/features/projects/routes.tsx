@@ -33,6 +33,36 @@ export const projectRoutes = [
   }),
   createRoute({
     getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/progress',
+    component: lazyRouteComponent(() => import('./ProgressPage'), 'ProgressPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/activity',
+    component: lazyRouteComponent(() => import('./ActivityPage'), 'ActivityPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/settings',
+    component: lazyRouteComponent(() => import('./SettingsPage'), 'SettingsPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/approvers',
+    component: lazyRouteComponent(() => import('./ApprovalPages'), 'ApproversPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/approval',
+    component: lazyRouteComponent(() => import('./ApprovalPages'), 'ApprovalPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
+    path: '/projects/$projectId/tokens',
+    component: lazyRouteComponent(() => import('./TokensPage'), 'TokensPage'),
+  }),
+  createRoute({
+    getParentRoute: () => shellRoute,
     path: '/projects/$projectId/people',
     component: lazyRouteComponent(() => import('./PeoplePage'), 'PeoplePage'),
   }),

@@ -166,8 +166,8 @@ describe('the next step', () => {
     const others = screen.getByRole('region', { name: 'Waiting on others' })
     expect(others).toHaveTextContent('maker@tones.example to join')
     await waitFor(() => expect(others).toHaveTextContent(/Ada\s*designer\s*to invoice Effects/))
-    const tabs = screen.getByRole('navigation', { name: 'Screens' })
-    expect(within(tabs).getByRole('link', { name: /^Contract\s*3/ })).toBeVisible()
+    const tabs = screen.getByRole('navigation', { name: 'Areas' })
+    expect(within(tabs).getByRole('link', { name: /^Contract & money.*3/ })).toBeVisible()
     expect(within(tabs).getByRole('link', { name: /^Today\s*3/ })).toBeVisible()
   })
 

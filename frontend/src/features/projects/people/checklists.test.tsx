@@ -27,7 +27,7 @@ test('a producer writes the checklist of a category and says what blocks approva
     },
     'PUT /v1/projects/p1/approval-blockers': { ...SETTINGS, blockers: 'both' },
   })
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   const before = within(await card())
   await userEvent.selectOptions(await before.findByLabelText('Checklist of'), 'ui')
   const items = before.getByLabelText('Items for ui')
@@ -52,12 +52,12 @@ test('what was typed stays when it is refused, and after a reload', async () => 
     'GET /v1/projects/p1/approval-settings': { ...SETTINGS, checklists: [] },
     'PUT /v1/projects/p1/checklist': () => refusal(422, 'checklist-invalid', '“Short” is in the checklist twice.'),
   })
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   await userEvent.type(await within(await card()).findByLabelText('Items for every cue'), 'Short\nShort')
   await userEvent.click(screen.getByRole('button', { name: 'Save checklist' }))
   expect(await screen.findByText('“Short” is in the checklist twice.')).toBeVisible()
   cleanup()
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   expect(await within(await card()).findByLabelText('Items for every cue')).toHaveValue('Short\nShort')
   expect(screen.getByText(/Draft restored/)).toBeVisible()
 })
@@ -68,7 +68,7 @@ test('who is not a producer reads what is checked and what blocks', async () => 
     'GET /v1/projects/p1/categories': [{ category: 'ui', cues: 12 }],
     'GET /v1/projects/p1/approval-settings': { ...SETTINGS, blockers: 'items' },
   })
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   const before = within(await card())
   expect(await before.findByText('Unchecked items')).toBeVisible()
   await userEvent.selectOptions(before.getByLabelText('Checklist of'), 'ui')

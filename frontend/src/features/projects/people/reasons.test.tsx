@@ -31,7 +31,7 @@ test('a producer writes a list of the studio, one a line, and takes ours again',
     answers['GET /v1/projects/p1/review-reasons'] = lists
     return lists
   }
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   await userEvent.click(await (await card()).findByRole('button', { name: 'Approvals' }))
   const field = (await card()).getByLabelText('Why a version is approved')
   expect(field).toHaveValue(OURS.pick.reasons.join('\n'))
@@ -48,13 +48,13 @@ test('a producer writes a list of the studio, one a line, and takes ours again',
 
 test('what was typed stays when it is refused, and after a reload', async () => {
   served(OWN, { [PUT]: () => refusal(422, 'reasons-invalid', '“dry” is in the list twice.') })
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   await userEvent.click(await (await card()).findByRole('button', { name: 'Labels' }))
   await userEvent.type((await card()).getByLabelText('What an alternate is'), '\nDry')
   await userEvent.click((await card()).getByRole('button', { name: 'Save list' }))
   expect(await screen.findByText('“dry” is in the list twice.')).toBeVisible()
   cleanup()
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   await userEvent.click(await (await card()).findByRole('button', { name: 'Labels' }))
   expect((await card()).getByLabelText('What an alternate is')).toHaveValue([...OURS.label.reasons, 'Dry'].join('\n'))
 })
@@ -66,7 +66,7 @@ test('who is not a producer reads them', async () => {
     'GET /v1/projects/p1/approval-settings': { blockers: 'none', checklists: [] },
     'GET /v1/projects/p1/review-reasons': OWN,
   })
-  openApp('/projects/p1/people')
+  openApp('/projects/p1/approval')
   await userEvent.click(await (await card()).findByRole('button', { name: 'Approvals' }))
   expect((await card()).getByRole('listitem')).toHaveTextContent('1 Feels right')
   expect((await card()).queryByRole('button', { name: 'Save list' })).toBeNull()
