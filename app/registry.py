@@ -262,6 +262,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "list.revised": ("notifications.notify_list_revised",),
     "question.asked": ("notifications.notify_question",),
     "question.answered": ("notifications.notify_answer",),
+    "change.requested": ("reviews.send_change_request",),
     "changes.sent": ("notifications.notify_changes",),
     "note.answered": ("notifications.notify_reply",),
     "person.mentioned": ("notifications.notify_mention",),

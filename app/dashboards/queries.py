@@ -254,7 +254,7 @@ def tray_since(session: Session, project_id: UUID, designer_id: UUID) -> tuple[i
 def drafts_since(session: Session, project_id: UUID, scope: ApprovalScope) -> tuple[int, datetime | None]:
     """Return how many change requests of cues that a person approves wait to be sent, and since when the oldest."""
     found = select(func.count(), func.min(ChangeRequest.created_at)).where(
-        ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None)
+        ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None), ChangeRequest.sends_at.is_(None)
     )
     if not scope.is_all:
         approved = Cue.category.not_in(scope.others) if scope.rest else Cue.category.in_(scope.own)

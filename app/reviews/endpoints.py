@@ -149,7 +149,7 @@ def get_cue_review(cue_id: UUID, session: DbSession, actor: Actor = allows(Audie
 def give_verdict(
     take_id: UUID, body: VerdictGive, session: DbSession, actor: Actor = allows(Audience.APPROVER)
 ) -> VerdictGiven:
-    """Approve a take, set it aside, or note a change as a draft."""
+    """Approve a take, set it aside, or request a change, as a draft or to be sent by itself."""
     return service.give_verdict(
         session,
         actor,
@@ -162,6 +162,7 @@ def give_verdict(
         seen_state=body.seen_state,
         mentions=body.mentions,
         heard=body.heard,
+        sends=body.send,
     )
 
 

@@ -1,4 +1,4 @@
-"""The jobs of this room: what a silent studio means, what was accepted before its contract, and adopted sounds."""
+"""The jobs of this room: requested changes, what a silent studio means, accepted cues, and adopted sounds."""
 
 from uuid import UUID
 
@@ -7,10 +7,18 @@ from app.core import clock
 from app.core.jobs.queue import BULK, Payload, job
 from app.core.runtime import Runtime
 from app.reviews.adoptions.queries import adopted_take_ids
+from app.reviews.rounds import change_requests
 from app.reviews.verdicts import deemed_acceptance
 from app.reviews.verdicts.settlement import add_accepted_cue
 
 TAKES_AT_ONCE = 250  # so that others write between
+
+
+@job("reviews.send_change_request")
+def send_change_request(runtime: Runtime, payload: Payload) -> None:
+    """Send a change request that was not undone."""
+    with runtime.database.writing() as session:
+        change_requests.send_due_change(session, UUID(payload["change_request_id"]))
 
 
 @job("reviews.apply_deemed_acceptance")

@@ -108,7 +108,7 @@ class Feedback(Base):
 
 
 class ChangeRequest(Base):
-    """A change request for a take, at a time in the sound; a draft until it is sent with others."""
+    """A change request for a take, at a time in the sound; a draft until it is sent."""
 
     __tablename__ = "reviews_change_requests"
     __table_args__ = (
@@ -141,6 +141,7 @@ class ChangeRequest(Base):
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     created_at: Mapped[datetime] = mapped_column(default=clock.now)
     feedback_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_feedback.id"), index=True)
+    sends_at: Mapped[datetime | None]  # when it leaves by itself; None: it waits until its approver sends it
     mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name after the @
     cue: Mapped[Cue] = relationship(lazy="raise")  # its take may be moved to another one, or to none
     take: Mapped[Take] = relationship(lazy="raise")

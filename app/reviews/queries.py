@@ -16,7 +16,17 @@ from app.deliveries.rules import TakeState
 from app.projects.models import Engagement, Project
 from app.projects.visibility import engaged_with_nda_accepted
 from app.renders.models import Picture
-from app.reviews.models import Acknowledgement, ChangeRequest, ClockPause, Comment, NoteAnswer, Reminder, Round, Verdict
+from app.reviews.models import (
+    Acknowledgement,
+    ChangeRequest,
+    ClockPause,
+    Comment,
+    Feedback,
+    NoteAnswer,
+    Reminder,
+    Round,
+    Verdict,
+)
 from app.reviews.rules import VerdictKind, missing_variations
 from app.sound_lists.models import Cue, Question
 from app.sound_lists.rules import CueState
@@ -48,6 +58,23 @@ def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]
     """Return how many rounds count for cues."""
     query = select(Round.cue_id, func.count(Round.number)).where(in_array(Round.cue_id, cue_ids)).group_by(Round.cue_id)
     return dict(session.execute(query).all())
+
+
+def unanswered_rounds(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
+    """Return the last counted round of cues for which nothing was delivered since it was sent, by cue."""
+    last = (
+        select(Round.cue_id, func.max(Round.number).label("number"))
+        .where(in_array(Round.cue_id, cue_ids))
+        .group_by(Round.cue_id)
+        .subquery()
+    )
+    query = (
+        select(Round.cue_id, Round.number)
+        .join(last, (last.c.cue_id == Round.cue_id) & (last.c.number == Round.number))
+        .join(Feedback, Feedback.id == Round.feedback_id)
+        .where(~exists().where(Take.cue_id == Round.cue_id, Take.received_at > Feedback.created_at))
+    )
+    return {cue_id: number for cue_id, number in session.execute(query).all() if number is not None}
 
 
 def rounds_of(session: Session, cue_id: UUID) -> Sequence[Round]:

@@ -85,6 +85,7 @@ class QueueFilter:
 
 EVERYTHING = QueueFilter()
 UNDO_WITHIN = timedelta(minutes=1)
+SEND_AFTER = timedelta(seconds=10)  # a change request that sends itself; it can be undone until then
 REVERSAL = "the approver reversed an approval"
 NAMED_ITEMS = 3  # of those that are not checked
 SECONDS_BEYOND_END = 0.01  # a time typed or clicked at the very end may round up
@@ -143,9 +144,14 @@ def queue_kind(variations: int, waiting: Sequence[int]) -> QueueKind:
     return QueueKind.ALTERNATES if len(waiting) > 1 else QueueKind.SINGLE
 
 
-def why_not_counted(reversals: Sequence[bool]) -> str | None:
-    """Return why a sending is no round for a cue, given which of its requests reverse an approval; None: it is."""
-    return REVERSAL if all(reversals) else None
+def why_not_counted(reversals: Sequence[bool], unanswered_round: int | None = None) -> str | None:
+    """Return why a sending is no round for a cue, given which of its requests reverse an approval; None: it is.
+
+    A request that follows one that nothing was delivered for belongs to the round of that one.
+    """
+    if all(reversals):
+        return REVERSAL
+    return None if unanswered_round is None else f"part of round {unanswered_round}: nothing was delivered since"
 
 
 def work_state(variations: int, states: Mapping[int, Collection[TakeState]]) -> WorkState:

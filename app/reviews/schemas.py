@@ -88,6 +88,7 @@ class ChangeRequestRead(Schema):
     written_by: PersonBrief
     created_at: datetime
     feedback_id: UUID | None
+    sends_at: datetime | None = Field(description="When it sends itself; null for a draft that waits to be sent.")
     sent_at: datetime | None
 
 
@@ -122,6 +123,7 @@ class ReviewTake(SoundBrief):
     draft_change: ChangeRequestRead | None
     open_comments: int
     is_heard: bool = Field(description="By the caller; nobody sees what others heard.")
+    heard_at: datetime | None = Field(description="When the caller first heard it.")
     undecided_with: list[UUID] = Field(
         description="Files of the same delivery for the same sound, under other names: nobody said which one counts."
     )
@@ -176,6 +178,11 @@ class VerdictGive(Schema):
         False,
         description="Whether the caller has just heard this version. An approval by someone who has not heard it, "
         "neither now nor by `heard-takes` before, is recorded as `without_listening`.",
+    )
+    send: bool = Field(
+        False,
+        description="Send the requested change to the designer by itself, ten seconds from now; until then the verdict "
+        "can be undone. Without it the change stays a draft until the drafts are sent.",
     )
 
 

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_999dab19"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_7b49fccf"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -3006,6 +3006,7 @@ def upgrade() -> None:
         sa.Column("written_by", sa.Uuid(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("feedback_id", sa.Uuid()),
+        sa.Column("sends_at", sa.DateTime(timezone=True)),
         sa.Column("mentions", JSON, nullable=False),
         sa.CheckConstraint("end_s is null or end_s >= start_s", name=op.f("ck_reviews_change_requests_range_forwards")),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_reviews_change_requests_cue_id")),

@@ -249,7 +249,8 @@ def review_take(
         ],
         draft_change=change_request_read(one.draft, prefix) if one.draft else None,
         open_comments=one.open_comments,
-        is_heard=one.is_heard,
+        is_heard=one.heard_at is not None,
+        heard_at=one.heard_at,
         undecided_with=(undecided or {}).get(take.id, []),
     )
 
@@ -283,6 +284,7 @@ def change_request_read(request: ChangeRequest, prefix: str) -> ChangeRequestRea
         written_by=PersonBrief.model_validate(request.author),
         created_at=request.created_at,
         feedback_id=request.feedback_id,
+        sends_at=request.sends_at,
         sent_at=request.sending.created_at if request.sending else None,
     )
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from functools import cache
 from typing import Any
 from uuid import UUID
@@ -42,18 +43,18 @@ class TakeOnReview:
     renders: dict[str, ShownRender | None]
     thumb: Thumb | None
     open_comments: int
-    is_heard: bool  # by the caller
+    heard_at: datetime | None  # by the caller
 
 
 def _takes() -> Select[*tuple[Any, ...]]:
     drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.feedback_id.is_(None))
     waivers = select(Waiver.id).where(Waiver.take_id == Take.id)
-    heard = select(HeardTake.take_id).where(HeardTake.take_id == Take.id, HeardTake.person_id == bindparam("person_id"))
+    heard = select(HeardTake.heard_at).where(HeardTake.take_id == Take.id, HeardTake.person_id == bindparam("person_id"))
     comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
     return (
         select(
             *(Take, CheckRun.report, row_exists(drafts, Take), row_exists(waivers, Take)),
-            *(comments.correlate(Take).scalar_subquery(), row_exists(heard, Take), *PICTURE),
+            *(comments.correlate(Take).scalar_subquery(), heard.correlate(Take).scalar_subquery(), *PICTURE),
         )
         .outerjoin(Picture, and_(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256))
         .outerjoin(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
@@ -114,9 +115,9 @@ def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]])
             renders=renders[take.id],
             thumb=shapes.get(take.id),
             open_comments=comments,
-            is_heard=is_heard,
+            heard_at=heard_at,
         )
-        for take, report, _, _, comments, is_heard, *_ in rows
+        for take, report, _, _, comments, heard_at, *_ in rows
     ]
 
 

@@ -1,11 +1,14 @@
 """Change requests and their sending: drafts go out together, and each cue counts one round at most."""
 
 from collections import defaultdict
+from datetime import timedelta
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.accounts.queries import actor_for_person
 from app.accounts.rules import Actor
+from app.core import clock
 from app.core.db import new_id
 from app.core.events import publish
 from app.core.web.http import Page, cursor_of, uuid_cursor
@@ -31,6 +34,7 @@ from app.reviews.verdicts.settlement import settle_acceptance
 from app.sound_lists.models import Cue
 
 PAGE_CHANGE_REQUESTS = 200
+CLOCK_TOLERANCE = timedelta(seconds=1)  # between the clock that a job waits by and ours
 
 
 def change_requests(
@@ -72,13 +76,37 @@ def drop_change_request(session: Session, actor: Actor, change_request_id: UUID)
     session.delete(request)
 
 
-def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str = "") -> FeedbackRead:
-    """Send the caller's drafts of a project together: their takes go back, and each cue counts one round at most."""
+def send_due_change(session: Session, change_request_id: UUID) -> None:
+    """Send a change request whose time to undo it is over, with the others of its cue that are on their way."""
+    request = queries.change_request_by_id(session, change_request_id)
+    if request is None or request.feedback_id is not None or request.sends_at is None:
+        return  # undone, sent with others, or left as a draft
+    if request.sends_at > clock.now() + CLOCK_TOLERANCE:
+        return  # it was written again, and leaves later
+    try:
+        sent = send_changes(
+            session, actor_for_person(session, request.written_by), request.project_id, cue_id=request.cue_id
+        )
+        kept = {held.change_request_id for held in sent.held_back}
+    except (ApproverNeeded, NothingToSend, ProjectNotFound):
+        kept = {change_request_id}
+    for draft in queries.drafts_of_project(session, request.project_id):
+        if draft.id in kept:
+            draft.sends_at = None  # it stays a draft that its approver sees
+
+
+def send_changes(
+    session: Session, actor: Actor, project_id: UUID, *, note: str = "", cue_id: UUID | None = None
+) -> FeedbackRead:
+    """Send the caller's drafts of a project together: their takes go back, and each cue counts one round at most.
+
+    With a cue, only its drafts that send themselves go.
+    """
     access = project_access(session, actor, project_id)
     rights = approval_rights(session, access.project)
     if not (access.is_team and rights.scope_of(actor.person).is_any):
         raise ApproverNeeded("only an approver of the project sends changes; add a comment instead")
-    sendable, held_back = _sorted_drafts(session, project_id, rights.scope_of(actor.person))
+    sendable, held_back = _sorted_drafts(session, project_id, rights.scope_of(actor.person), cue_id)
     if not sendable:
         raise NothingToSend(held_back[0].why if held_back else "there are no draft change requests to send")
     sending = Feedback(studio_id=access.project.studio_id, project_id=project_id, sent_by=actor.person, note=note)
@@ -104,7 +132,7 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
         given.append((verdict, draft.take, draft.id))
         change_state(session, draft.take, TakeState.CHANGE_REQUESTED, reasons=draft.reasons)
         draft.feedback_id = sending.id
-    rounds = _count_rounds(session, sending, reversals)
+    rounds = _count_rounds(session, sending, reversals, joins=cue_id is not None)
     session.flush()
     record_reasons(session, ReasonKind.CHANGE, given)
     for one in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
@@ -127,7 +155,7 @@ def send_changes(session: Session, actor: Actor, project_id: UUID, *, note: str 
 
 
 def _sorted_drafts(
-    session: Session, project_id: UUID, scope: ApprovalScope
+    session: Session, project_id: UUID, scope: ApprovalScope, cue_id: UUID | None
 ) -> tuple[list[ChangeRequest], list[HeldBack]]:
     """Return the drafts that can go now, and why the others cannot; their cues are locked.
 
@@ -135,10 +163,12 @@ def _sorted_drafts(
     """
     sendable: list[ChangeRequest] = []
     held_back: list[HeldBack] = []
-    for cue_id in sorted({draft.cue_id for draft in queries.drafts_of_project(session, project_id)}):
-        queries.lock_cue(session, cue_id)
+    for drafted_id in sorted({draft.cue_id for draft in queries.drafts_of_project(session, project_id)}):
+        if cue_id in (None, drafted_id):
+            queries.lock_cue(session, drafted_id)
     for draft in queries.drafts_of_project(session, project_id):
-        if not scope.covers(draft.cue.category):
+        is_asked = cue_id is None or (draft.cue_id == cue_id and draft.sends_at is not None)
+        if not is_asked or not scope.covers(draft.cue.category):
             continue
         take = draft.take
         if take.cue_id != draft.cue_id:
@@ -152,11 +182,15 @@ def _sorted_drafts(
     return sendable, held_back
 
 
-def _count_rounds(session: Session, sending: Feedback, reversals: dict[UUID, list[bool]]) -> list[Round]:
+def _count_rounds(
+    session: Session, sending: Feedback, reversals: dict[UUID, list[bool]], *, joins: bool
+) -> list[Round]:
+    """Return the rounds of a sending; `joins` has it belong to the round that nothing was delivered for yet."""
     counted = queries.round_counts(session, reversals)
+    unanswered = queries.unanswered_rounds(session, reversals) if joins else {}
     rounds = []
     for cue_id, reversed_ones in reversals.items():
-        why_not = why_not_counted(reversed_ones)
+        why_not = why_not_counted(reversed_ones, unanswered.get(cue_id))
         rounds.append(
             Round(
                 studio_id=sending.studio_id,

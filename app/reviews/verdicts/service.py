@@ -35,6 +35,7 @@ from app.reviews.reasons.rules import ensure_distinct
 from app.reviews.reasons.service import forget_reasons
 from app.reviews.rounds.mentions import mentions_in
 from app.reviews.rules import (
+    SEND_AFTER,
     STATE_WORDS,
     UNDO_WITHIN,
     VerdictKind,
@@ -74,8 +75,9 @@ def give_verdict(
     seen_state: TakeState = TakeState.CONFORMING,
     mentions: Sequence[UUID] = (),
     heard: bool = False,
+    sends: bool = False,
 ) -> VerdictGiven:
-    """Record the approver's verdict on a take; a requested change stays a draft until it is sent with others.
+    """Record the approver's verdict on a take; a requested change stays a draft until it is sent, here by itself.
 
     Whoever repeats their own decision is answered as the first time, and nothing changes.
     """
@@ -100,6 +102,7 @@ def give_verdict(
             start_s=start_s,
             end_s=end_s,
             mentions=named,
+            sends=sends,
         )
     decision = Decision(session, actor.person, note, reasons=reasons, on_behalf_of=for_whom)
     if kind is VerdictKind.APPROVE:
@@ -178,6 +181,7 @@ def _draft_change(
     start_s: float | None,
     end_s: float | None,
     mentions: dict[str, str],
+    sends: bool,
 ) -> VerdictGiven:
     if take.state not in (TakeState.CONFORMING, TakeState.APPROVED):
         raise NotReviewable(f"this version {STATE_WORDS[take.state]}, so no change can be asked of it")
@@ -199,7 +203,16 @@ def _draft_change(
     draft.cue_id, draft.text, draft.start_s, draft.end_s, draft.mentions = cue.id, text, start_s, end_s, mentions
     draft.written_by = access.actor.person
     draft.created_at = clock.now()
+    draft.sends_at = draft.created_at + SEND_AFTER if sends else None
     session.flush()
+    if sends:
+        publish(
+            session,
+            "change.requested",
+            studio_id=draft.studio_id,
+            delay_s=SEND_AFTER.total_seconds(),
+            change_request_id=draft.id,
+        )
     session.expire(draft)
     approved = queries.approved_variations(session, [cue.id]).get(cue.id, [])
     return VerdictGiven(

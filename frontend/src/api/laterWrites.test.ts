@@ -46,7 +46,7 @@ const say = (writes: LaterWrites, takeId: string, text: string, onKept: () => vo
   answered(
     api.POST('/v1/takes/{take_id}/comments', {
       params: { path: { take_id: takeId } },
-      body: { text, mentions: [], heard: true },
+      body: { text, mentions: [], heard: true, send: false },
       fetch: writes.fetch(`Comment on ${takeId}`, onKept),
     }),
   )

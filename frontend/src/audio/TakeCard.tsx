@@ -1,5 +1,6 @@
 import type { ReactNode } from 'react'
 
+import { Choice } from '@/ui/Choice'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
 
@@ -28,12 +29,11 @@ interface TakeCardProps {
 /** One of several alternates. A press selects it, and playback continues with it. */
 export function TakeCard({ letter, keys, peaks, inHand, setAside, blind, facts = [], flat, onPick }: TakeCardProps) {
   return (
-    <button
-      type="button"
+    <Choice
       className={flat ? `${classes.card} ${classes.flat}` : classes.card}
-      aria-pressed={inHand}
+      checked={inHand}
       aria-keyshortcuts={keys}
-      onClick={onPick}
+      onChoose={onPick}
     >
       <span className={inHand ? `${classes.letter} on-ink` : classes.letter}>
         {letter}
@@ -55,6 +55,6 @@ export function TakeCard({ letter, keys, peaks, inHand, setAside, blind, facts =
           )}
         </span>
       </span>
-    </button>
+    </Choice>
   )
 }

@@ -12,6 +12,7 @@ import { Segmented } from '@/ui/Segmented'
 
 import classes from './ChangeForm.module.css'
 import { Mentions } from './Mentions'
+import { SendField } from './SendField'
 import type { ChangeSaid } from './useJudge'
 
 type Where = 'whole' | 'point' | 'range'
@@ -30,12 +31,16 @@ interface ChangeFormProps {
   problem: ApiProblem | null
   /** What it takes back, where the version is approved. */
   reversal?: ReactNode
-  /** `done` ends the form's draft, once the change is noted. */
+  /** Who gets it. */
+  to?: string
+  /** What it counts: "Round 1 of 2 begins with it." */
+  counts?: string
+  /** `done` ends the form's draft, once the change is requested. */
   onSave: (said: ChangeSaid, done: () => void) => void
   onClose: () => void
 }
 
-/** What to change: reasons on the digits, a line of text, where in the sound. Enter notes it as a draft. */
+/** What to change: reasons on the digits, a text, where in the sound. Enter sends it; for ten seconds it can be undone. */
 export function ChangeForm({
   takeId,
   what,
@@ -45,6 +50,8 @@ export function ChangeForm({
   saving,
   problem,
   reversal,
+  to = 'the designer',
+  counts = '',
   onSave,
   onClose,
 }: ChangeFormProps) {
@@ -55,12 +62,12 @@ export function ChangeForm({
   const setText = (next: string) => setSaid((now) => ({ ...now, text: next }))
   const [where, setWhere] = useState<Where>(range ? 'range' : positionS > 0 ? 'point' : 'whole')
   const [empty, setEmpty] = useState(false)
-  const field = useRef<HTMLInputElement>(null)
+  const field = useRef<HTMLTextAreaElement>(null)
   const errorId = useId()
 
   // Before the next key: continued typing must not decide anything.
   useLayoutEffect(() => field.current?.focus(), [])
-  useHotkeys([{ keys: 'Escape', label: 'Close without adding a change request', group: 'Review', run: onClose }])
+  useHotkeys([{ keys: 'Escape', label: 'Close without requesting a change', group: 'Review', run: onClose }])
 
   const toggle = (reason: string) => {
     setEmpty(false)
@@ -85,9 +92,6 @@ export function ChangeForm({
       // The first digit is a reason; after it one types, and "3 dB less" begins with a digit too.
       event.preventDefault()
       toggle(reason)
-    } else if (event.key === 'Enter' && !event.nativeEvent.isComposing) {
-      event.preventDefault()
-      if (!saving) save()
     }
   }
 
@@ -110,6 +114,7 @@ export function ChangeForm({
       }}
     >
       <div className={classes.reasons} role="group" aria-label="Reasons">
+        <span className="strong">Request a change of {what}</span>
         {offered.map((reason, index) => (
           <Button
             key={reason}
@@ -124,36 +129,39 @@ export function ChangeForm({
           </Button>
         ))}
       </div>
-      <div className={classes.line}>
-        <input
-          ref={field}
-          className={`line-field ${classes.text}`}
-          aria-label={`What to change in ${what}`}
-          aria-invalid={empty || undefined}
-          aria-describedby={empty ? errorId : undefined}
-          placeholder="What to change (the designer reads this)"
-          maxLength={10_000}
-          value={text}
-          onChange={(event) => {
-            setText(event.currentTarget.value)
-            setEmpty(false)
-          }}
-          onKeyDown={onKeyDown}
-        />
-        {places.length > 1 && <Segmented label="Where" options={places} value={where} onChange={setWhere} />}
-        <Button onClick={onClose} keys="Escape">
-          Close
-        </Button>
-        <Button variant="primary" icon="pencil" type="submit" keys="Enter" disabled={saving}>
-          Add change request
-        </Button>
-      </div>
+      <SendField
+        ref={field}
+        className={`line-field ${classes.text}`}
+        aria-label={`What to change in ${what}`}
+        aria-invalid={empty || undefined}
+        aria-describedby={empty ? errorId : undefined}
+        placeholder={`What to change (${to} reads this)`}
+        value={text}
+        onText={(next) => {
+          setText(next)
+          setEmpty(false)
+        }}
+        onKeyDown={onKeyDown}
+        onSend={() => {
+          if (!saving) save()
+        }}
+        onLeave={onClose}
+      />
       <Mentions takeId={takeId} field={field} text={text} onText={setText} />
       {empty && <FieldError id={errorId}>Choose a reason or write what to change.</FieldError>}
       <Refusal error={problem} />
       {reversal}
       <DraftNote draft={draft} />
-      <p className="small dim">It stays a draft until you send all change requests together.</p>
+      <div className={classes.line}>
+        <p className="small mid grow">{counts} You can undo it for 10 seconds.</p>
+        {places.length > 1 && <Segmented label="Where" options={places} value={where} onChange={setWhere} />}
+        <Button variant="quiet" onClick={onClose} keys="Escape">
+          Cancel
+        </Button>
+        <Button variant="primary" type="submit" keys="Enter" disabled={saving}>
+          Send to {to}
+        </Button>
+      </div>
     </form>
   )
 }

@@ -2,7 +2,6 @@ import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { useDraft } from '@/app/drafts'
-import { HotkeyButton } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
@@ -14,6 +13,7 @@ import { type ChangeRequest, draftsQuery, type Sending, useDropDraft, useSendFee
 import classes from './Drafts.module.css'
 import { variationName } from './hearing'
 import { ReversalNote } from './ReversalNote'
+import { SendField } from './SendField'
 import { namesOf, sentence, spot } from './words'
 
 interface DraftsProps {
@@ -24,19 +24,19 @@ interface DraftsProps {
   onAsk?: () => void
 }
 
-/** How many changes are noted and not sent. */
+/** How many changes are drafts that no one sends but their approver. */
 export function useDraftCount(projectId: string): number {
   return useQuery(draftsQuery(projectId)).data?.length ?? 0
 }
 
-/** Changes that are noted, and the one button that sends them all. */
+/** Change requests that were kept as drafts, by another program or because they could not be sent; one button sends them all. */
 export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
   const { data: drafts = [] } = useQuery(draftsQuery(projectId))
   const dropping = useDropDraft(projectId)
   const sending = useSendFeedback(projectId)
   const [asking, setAsking] = useState(false)
   const [note, setNote, draft] = useDraft(`sending:${projectId}`, '')
-  const field = useFocusOnMount<HTMLInputElement>(asking)
+  const field = useFocusOnMount<HTMLTextAreaElement>(asking)
   const ask = () => {
     onAsk?.()
     setAsking(true)
@@ -73,21 +73,17 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
                 .map((each) => (
                   <ReversalNote key={each.id} cueId={each.cue_id} what={`${nameOf(each)} version ${each.number}`} />
                 ))}
-              <input
+              <SendField
                 ref={field}
                 className={`line-field ${classes.note}`}
                 aria-label="Message to the designer (optional)"
                 placeholder="Message to the designer (optional)"
-                maxLength={10_000}
                 value={note}
-                onChange={(event) => setNote(event.currentTarget.value)}
-                onKeyDown={(event) => {
-                  if (event.key === 'Enter' && !event.nativeEvent.isComposing && !sending.isPending) send()
-                  else if (event.key === 'Escape') {
-                    event.stopPropagation()
-                    setAsking(false)
-                  }
+                onText={setNote}
+                onSend={() => {
+                  if (!sending.isPending) send()
                 }}
+                onLeave={() => setAsking(false)}
               />
               <Button onClick={() => setAsking(false)}>Not yet</Button>
             </>
@@ -97,9 +93,9 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
               Send {plural(drafts.length, 'change')} to the designer
             </Button>
           ) : (
-            <HotkeyButton icon="upload" keys="s" keyLabel="Send the change requests" onPress={ask}>
+            <Button icon="upload" onClick={ask}>
               {plural(drafts.length, 'change')} to send
-            </HotkeyButton>
+            </Button>
           )}
         </div>
       )}

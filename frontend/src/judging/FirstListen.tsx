@@ -15,7 +15,8 @@ interface FirstListenProps {
   nameOf: (take: ReviewTake) => string
   /** Why there is nothing to hear; null where there is. */
   silent: string | null
-  onApproveUnheard: () => void
+  /** The way around it; left out where a menu has it. */
+  onApproveUnheard?: () => void
 }
 
 /** What an approval waits for, as long as a version was not heard; the way around it is named, and recorded. */
@@ -54,16 +55,18 @@ export function FirstListen({ listen, count, target, nameOf, silent, onApproveUn
           </>
         )}
       </span>{' '}
-      {listening && (
+      {listening && onApproveUnheard && (
         <>
           <button type="button" className="link" onClick={stop}>
             Stop <Key keys="Escape" />
           </button>{' '}
         </>
       )}
-      <button type="button" className="link" onClick={onApproveUnheard}>
-        Approve without listening
-      </button>
+      {onApproveUnheard && (
+        <button type="button" className="link" onClick={onApproveUnheard}>
+          Approve without listening
+        </button>
+      )}
     </span>
   )
 }

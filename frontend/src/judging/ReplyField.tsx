@@ -5,6 +5,7 @@ import { Button } from '@/ui/Button'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import { Mentions } from './Mentions'
+import { SendField } from './SendField'
 import classes from './ReplyField.module.css'
 
 interface ReplyFieldProps {
@@ -18,11 +19,11 @@ interface ReplyFieldProps {
   onClose: () => void
 }
 
-/** One line to answer a note with; Enter sends. */
+/** What a note is answered with; Enter sends. */
 export function ReplyField({ takeId, to, draftKey, onSend, onClose }: ReplyFieldProps) {
   const [text, setText, draft] = useDraft(draftKey, '')
   const [sending, setSending] = useState(false)
-  const field = useFocusOnMount<HTMLInputElement>(true)
+  const field = useFocusOnMount<HTMLTextAreaElement>(true)
   const send = async () => {
     if (text.trim() === '' || sending) return
     setSending(true)
@@ -39,20 +40,14 @@ export function ReplyField({ takeId, to, draftKey, onSend, onClose }: ReplyField
   return (
     <div>
       <div className={classes.reply}>
-        <input
+        <SendField
           ref={field}
           aria-label={`Reply to ${to}`}
           placeholder={`Reply to ${to}`}
-          maxLength={10_000}
           value={text}
-          onChange={(event) => setText(event.currentTarget.value)}
-          onKeyDown={(event) => {
-            if (event.key === 'Enter' && !event.nativeEvent.isComposing) void send()
-            else if (event.key === 'Escape') {
-              event.stopPropagation()
-              onClose()
-            }
-          }}
+          onText={setText}
+          onSend={() => void send()}
+          onLeave={onClose}
         />
         <Button disabled={sending || text.trim() === ''} onClick={() => void send()}>
           Send

@@ -85,7 +85,7 @@ export const historyQuery = (takeId: string) =>
     queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', { params: { path: { take_id: takeId } } })),
   })
 
-/** Changes that are noted and not sent. */
+/** Changes that are noted and that do not send themselves. */
 export const draftsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.changeRequests(projectId, 'draft'),
@@ -97,6 +97,7 @@ export const draftsQuery = (projectId: string) =>
           }),
         ),
       ),
+    select: (drafts) => drafts.filter(({ sends_at }) => sends_at === null),
   })
 
 /** Refetch what a verdict, a change or a sending affected. */

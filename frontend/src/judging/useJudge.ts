@@ -5,7 +5,7 @@ import { answered, api, ApiProblem, lineLost, newIdempotencyKey, useMutation } f
 import { answerOr, laterWrites, waitingId } from '@/api/laterWrites'
 import { type Me, meQuery } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
-import { dismissToast, showToast } from '@/app/toast'
+import { dismissToast, showToast, TOAST_MS as UNDO_MS } from '@/app/toast'
 
 import { withDraft, withoutPicks, withoutVerdict, withPicks, withVerdictBack } from './afterVerdict'
 import {
@@ -61,6 +61,7 @@ const giveVerdict = (
         seen_state: take.state,
         mentions,
         heard: take.is_heard,
+        send: kind === 'request_change',
       },
       fetch: laterWrites.fetch(what, onKept),
     }),
@@ -89,7 +90,7 @@ const isDropped = (error: unknown): boolean => error instanceof DOMException && 
 /** A change as it is shown until the server has it. */
 function waitingDraft(
   client: QueryClient,
-  cue: ReviewCue | undefined,
+  cue: ReviewCue,
   take: ReviewTake,
   { note, reasons, startS, endS }: ChangeSaid,
 ): NonNullable<ReviewTake['draft_change']> {
@@ -97,9 +98,9 @@ function waitingDraft(
   return {
     id: waitingId(),
     take_id: take.id,
-    cue_id: cue?.id ?? '',
-    cue_label: cue?.label ?? '',
-    cue_name: cue?.name ?? '',
+    cue_id: cue.id,
+    cue_label: cue.label,
+    cue_name: cue.name,
     variation: take.variation,
     number: take.number,
     text: note,
@@ -111,15 +112,20 @@ function waitingDraft(
     written_by: { id, name },
     created_at: new Date().toISOString(),
     feedback_id: null,
+    sends_at: new Date(Date.now() + UNDO_MS).toISOString(),
     sent_at: null,
   }
 }
 
-/** The cue that a version in the queue is for. */
-const cueOf = (queue: InfiniteData<QueuePage> | undefined, takeId: string): ReviewCue | undefined =>
-  queue?.pages.flatMap(({ items }) => items).find(({ takes }) => takes.some(({ id }) => id === takeId))?.cue
-
 const cuesOf = (pages: readonly QueuePage[] = []): number => pages.reduce((sum, { items }) => sum + items.length, 0)
+
+interface ChangeAsked {
+  cue: ReviewCue
+  takes: readonly ReviewTake[]
+  /** What they are called: "A", "_02". */
+  name: string
+  said: ChangeSaid
+}
 
 interface Decision {
   cue: ReviewCue
@@ -281,18 +287,52 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     )
   }
 
+  /** Where a change of takes stands in the queue and in their cue's review: requested, or not any more. */
+  const showDraft = (cueId: string, takeId: string, draft: ReviewTake['draft_change']) => {
+    client.setQueryData<InfiniteData<QueuePage>>(queueKey, (before) => before && withDraft(before, takeId, draft))
+    client.setQueryData<CueReview>(
+      queryKeys.cueReview(cueId),
+      (review) =>
+        review && {
+          ...review,
+          takes: review.takes.map((take) => (take.id === takeId ? { ...take, draft_change: draft } : take)),
+        },
+    )
+  }
   const change = useMutation({
-    mutationFn: async ({ takes, said }: { takes: readonly ReviewTake[]; said: ChangeSaid }) => {
+    mutationFn: async ({ cue, takes, said }: ChangeAsked) => {
       const what = `change request “${said.note}”`
+      const sent: Undoable[] = []
       for (const take of takes) {
+        const key = newIdempotencyKey()
         const mentions = await mentionsOf(client, take.id, said.note)
         const draft = await answerOr(
-          async (onKept) => (await giveVerdict(take, 'request_change', said, what, onKept, { mentions })).draft,
-          () => waitingDraft(client, cueOf(client.getQueryData(queueKey), take.id), take, said),
+          async (onKept) => (await giveVerdict(take, 'request_change', said, what, onKept, { mentions, key })).draft,
+          () => waitingDraft(client, cue, take, said),
         )
+        sent.push({ takeId: take.id, key })
         // Lists are refetched later than the next cue is opened: what was noted must not come again meanwhile.
-        client.setQueryData<InfiniteData<QueuePage>>(queueKey, (before) => before && withDraft(before, take.id, draft))
+        showDraft(cue.id, take.id, draft)
       }
+      return sent
+    },
+    onSuccess: (sent, { cue, name }) => {
+      const undo = async () => {
+        const atServer = sent.filter(({ key }) => !laterWrites.drop(key))
+        await answerOr(
+          (onKept) => Promise.all(atServer.map((one) => takeBack(one, `undo of the change of ${cue.name}`, onKept))),
+          () => undefined,
+        ).then(
+          () => {
+            for (const { takeId } of sent) showDraft(cue.id, takeId, null)
+            onBack?.(cue.id)
+          },
+          (error: unknown) =>
+            setRefusal({ what: `The change of ${cue.name} ${name} is sent.`, problem: asProblem(error) }),
+        )
+        await refresh(client, projectId)
+      }
+      showToast(`Change requested: ${cue.name} ${name}.`, undo)
     },
     // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),

@@ -93,6 +93,7 @@ export function aTake(id: string, take: Partial<ReviewTake> = {}): ReviewTake {
     renders: [],
     draft_change: null,
     open_comments: 0,
+    heard_at: null,
     is_heard: true,
     undecided_with: [],
     ...take,
@@ -183,6 +184,7 @@ export function aDraft(take: ReviewTake, cue: ReviewCue, text: string): ChangeRe
     written_by: APPROVER,
     created_at: AT,
     feedback_id: null,
+    sends_at: null,
     sent_at: null,
   }
 }

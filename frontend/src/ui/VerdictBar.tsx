@@ -4,32 +4,29 @@ import classes from './VerdictBar.module.css'
 
 interface VerdictBarProps {
   /** Who decides, and the round: "You decide. Round 1 of 2." */
-  who: ReactNode
+  who?: ReactNode
   /** What follows from it: "A makes Alpha 4 of 10." */
   follows?: ReactNode
-  /** Before the buttons on a narrow page, where the transport is out of sight. */
-  narrow?: ReactNode
-  /** Buttons, the first one last and filled. */
-  children: ReactNode
+  /** Buttons, the first one last and filled; none where what is open above has its own. */
+  children?: ReactNode
   /** What opens in place above the bar: the reasons of a change. */
   above?: ReactNode
 }
 
 /** Where a verdict is given: who decides and what it costs at the left, the actions at the right. */
-export function VerdictBar({ who, follows, narrow, children, above }: VerdictBarProps) {
+export function VerdictBar({ who, follows, children, above }: VerdictBarProps) {
   return (
     <section aria-label="Verdict" className={classes.bar}>
       {above && <div className={classes.above}>{above}</div>}
-      <div className={classes.line}>
-        <div className={classes.says}>
-          <p className="strong">{who}</p>
-          {follows && <p className="small mid">{follows}</p>}
+      {children && (
+        <div className={classes.line}>
+          <div className={classes.says}>
+            <p className="strong">{who}</p>
+            {follows && <p className="small mid">{follows}</p>}
+          </div>
+          <div className={classes.acts}>{children}</div>
         </div>
-        <div className={classes.acts}>
-          {narrow && <span className={classes.narrow}>{narrow}</span>}
-          {children}
-        </div>
-      </div>
+      )}
     </section>
   )
 }

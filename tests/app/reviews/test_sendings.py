@@ -1,14 +1,18 @@
 """Change requests and the rounds they count, comments, histories and cuts."""
 
+from datetime import timedelta
 from typing import Any
 from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
 
+from app.core import clock
 from app.core.db import new_id
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
+from app.reviews.jobs import send_change_request
+from app.reviews.models import ChangeRequest
 from tests.app.renders.making import add_cue, deliver_sound
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.server import World
@@ -311,3 +315,81 @@ def test_from_the_first_version_to_the_pack(world: World) -> None:
     world.server.wait_for_jobs()
     found = body_of(world.approver.get(f"/v1/cues/{cue['id']}/review"))
     assert [(take["number"], take["state"]) for take in found["takes"]] == [(2, "approved"), (1, "change_requested")]
+
+
+class _Sending:
+    """Change requests that send themselves, and the job that sends them."""
+
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.runtime = stage.world.server.runtime
+
+    def request(self, take_id: UUID, note: str) -> dict[str, Any]:
+        answer = self.stage.verdict(take_id, "request_change", note=note, send=True)
+        draft: dict[str, Any] = body_of(answer)["draft"]
+        return draft
+
+    def pass_time(self) -> None:
+        """Move every request that is on its way behind the ten seconds in which it can be undone."""
+        ago = clock.now() - timedelta(seconds=1)
+        self.stage.world.server.in_database(
+            lambda session: session.execute(
+                sa.update(ChangeRequest).where(ChangeRequest.sends_at.is_not(None)).values(sends_at=ago)
+            )
+        )
+
+    def run(self, draft: dict[str, Any]) -> None:
+        send_change_request(self.runtime, {"change_request_id": draft["id"]})
+
+    def send(self, take_id: UUID, note: str) -> None:
+        draft = self.request(take_id, note)
+        self.pass_time()
+        self.run(draft)
+
+
+@pytest.fixture
+def sending(stage: Stage) -> _Sending:
+    return _Sending(stage)
+
+
+def test_a_request_leaves_by_itself_once_it_cannot_be_undone(stage: Stage, sending: _Sending) -> None:
+    take = stage.take(stage.cue())
+    draft = sending.request(take, "shorter")
+    assert draft["sends_at"] is not None
+    sending.run(draft)  # too early
+    assert stage.states(take) == ["conforming"]
+    sending.pass_time()
+    sending.run(draft)
+    sending.run(draft)  # a job may run twice
+    assert stage.states(take) == ["change_requested"]
+    assert requests_seen_by(stage, "designer") == ["shorter"]
+
+
+def test_an_undone_request_is_never_sent(stage: Stage, sending: _Sending) -> None:
+    take = stage.take(stage.cue())
+    draft = sending.request(take, "shorter")
+    assert body_of(stage.undo(take))["draft_dropped"] is True
+    sending.pass_time()
+    sending.run(draft)
+    assert stage.states(take) == ["conforming"]
+    assert requests_seen_by(stage, "designer") == []
+
+
+def test_drafts_stay_when_a_request_leaves(stage: Stage, sending: _Sending) -> None:
+    cue = stage.cue(variations=2)
+    kept, sent = stage.take(cue, 1), stage.take(cue, 2)
+    stage.draft(kept, "later")
+    draft = sending.request(sent, "now")
+    sending.pass_time()
+    sending.run(draft)
+    assert stage.states(kept, sent) == ["conforming", "change_requested"]
+
+
+def test_requests_on_a_set_are_one_round_until_something_is_delivered(stage: Stage, sending: _Sending) -> None:
+    cue = stage.cue(variations=2)
+    takes = [stage.take(cue, variation) for variation in (1, 2)]
+    for take in takes:
+        sending.send(take, "softer")
+    sending.send(stage.take(cue, 1), "softer still")
+    assert [one["number"] for one in stage.review(cue)["rounds"]] == [1, None, 2]
+    assert stage.review(cue)["rounds"][1]["why_not_counted"] == "part of round 1: nothing was delivered since"

@@ -1,3 +1,3 @@
 export { StatusSlot } from './StatusSlot'
-export { dismissToast, showToast } from './store'
+export { dismissToast, showToast, TOAST_MS } from './store'
 export { useIsLoading } from './useIsLoading'

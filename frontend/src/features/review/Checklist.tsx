@@ -1,5 +1,3 @@
-import { useState } from 'react'
-
 import { useHotkeys } from '@/app/keys'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { Button } from '@/ui/Button'
@@ -13,11 +11,11 @@ interface ChecklistProps {
   checklist: CueReview['checklist']
   hand: ReviewTake
   cueId: string
+  onClose: () => void
 }
 
-/** What is checked of a version before it is approved: the next item with its key, and all of them when opened. */
-export function Checklist({ checklist, hand, cueId }: ChecklistProps) {
-  const [isOpen, setOpen] = useState(false)
+/** What is checked of a version before it is approved: all items, the next one with its key. */
+export function Checklist({ checklist, hand, cueId, onClose }: ChecklistProps) {
   const check = useCheckItem(cueId)
   const checks = new Map(checklist.checks.filter(({ take_id }) => take_id === hand.id).map((one) => [one.item_id, one]))
   const next = checklist.items.find(({ id }) => !checks.has(id))
@@ -27,7 +25,7 @@ export function Checklist({ checklist, hand, cueId }: ChecklistProps) {
   const checkNext = () => next && set(next.id, true)
   useHotkeys([
     { keys: 'i', label: 'Check the next item', group: 'Review', run: checkNext, disabled: next === undefined },
-    { keys: 'shift+i', label: 'Show or hide the checklist', group: 'Review', run: () => setOpen(!isOpen) },
+    { keys: 'Escape', label: 'Close', group: 'Review', unlisted: true, run: onClose },
   ])
   const done = checklist.items.filter(({ id }) => checks.has(id)).length
   return (
@@ -39,49 +37,39 @@ export function Checklist({ checklist, hand, cueId }: ChecklistProps) {
             {done} of {checklist.items.length} checked
           </span>
         </p>
-        {next && !isOpen && <p className={`small ${classes.next}`}>{next.text}</p>}
         <span className={classes.acts}>
-          {next && !isOpen && (
+          {next && (
             <Button keys="i" icon="tick" className="small" onClick={checkNext}>
               Check<span className="visually-hidden">: {next.text}</span>
             </Button>
           )}
-          <Button
-            variant="quiet"
-            className="small"
-            keys="shift+i"
-            aria-expanded={isOpen}
-            aria-controls="checklist-items"
-            onClick={() => setOpen(!isOpen)}
-          >
-            {isOpen ? 'Hide' : 'Show all'}
+          <Button variant="quiet" className="small" keys="Escape" onClick={onClose}>
+            Close
           </Button>
         </span>
       </div>
-      {isOpen && (
-        <ul id="checklist-items" className={classes.items}>
-          {checklist.items.map(({ id, text }) => {
-            const checked = checks.get(id)
-            return (
-              <li key={id}>
-                <label className={classes.item}>
-                  <input
-                    type="checkbox"
-                    checked={checked !== undefined}
-                    onChange={(event) => set(id, event.currentTarget.checked)}
-                  />
-                  <span>{text}</span>
-                </label>
-                {checked && (
-                  <span className="small dim nowrap">
-                    {checked.by.name}, {age(checked.checked_at)}
-                  </span>
-                )}
-              </li>
-            )
-          })}
-        </ul>
-      )}
+      <ul className={classes.items}>
+        {checklist.items.map(({ id, text }) => {
+          const checked = checks.get(id)
+          return (
+            <li key={id}>
+              <label className={classes.item}>
+                <input
+                  type="checkbox"
+                  checked={checked !== undefined}
+                  onChange={(event) => set(id, event.currentTarget.checked)}
+                />
+                <span>{text}</span>
+              </label>
+              {checked && (
+                <span className="small dim nowrap">
+                  {checked.by.name}, {age(checked.checked_at)}
+                </span>
+              )}
+            </li>
+          )
+        })}
+      </ul>
       <Refusal error={check.error} />
     </section>
   )

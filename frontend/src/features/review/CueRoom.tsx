@@ -1,37 +1,43 @@
+import { useNavigate } from '@tanstack/react-router'
 import { useEffect, useMemo, useState } from 'react'
 import { flushSync } from 'react-dom'
 
 import { showToast } from '@/app/toast'
-import { type Player, type PlayerState, spotOf } from '@/audio'
+import { CONDITIONS, type Player, type PlayerState, spotOf } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { FirstListen } from '@/judging/FirstListen'
-import { soundOf, sourceOf, targetsOf } from '@/judging/hearing'
+import { inOrder, MASTER, soundOf, sourceOf, targetsOf, variationName } from '@/judging/hearing'
 import { useLabelling } from '@/judging/labels'
 import { matchedWords } from '@/judging/levels'
 import { useReasons } from '@/judging/reasons'
 import { playWhole, useFirstListen, withHeard } from '@/judging/useFirstListen'
 import { type Placing, useHearing } from '@/judging/useHearing'
 import type { Judge } from '@/judging/useJudge'
-import { takeName } from '@/judging/words'
+import { STATE_OF_TAKE } from '@/judging/stateOfTake'
+import { usePreference } from '@/judging/usePreference'
+import { capital, takeName } from '@/judging/words'
 import type { CueMoney } from '@/money/api'
+import { copyText } from '@/ui/copyText'
+import { figure, shortDay } from '@/ui/format'
 import { useLazy } from '@/ui/useLazy'
 
 import { useComment } from './api'
 import { Asked } from './Asked'
 import { carriedMarks, carriedTo } from './carried'
 import { CueHead } from './CueHead'
+import { type MoreGroup, present } from './more'
 import classes from './Review.module.css'
 import { marksOf, type Said, saidOf } from './said'
 import { SetRows } from './SetRows'
-import { SetWayButton, SetWayPanel } from './SetWay'
+import { SetWayPanel } from './SetWay'
 import { SidePanel } from './SidePanel'
 import { TakeCards } from './TakeCards'
 import { Transport } from './Transport'
 import { useCompared } from './useCompared'
 import type { Conditions } from './useCondition'
-import { inside, nextWords, whySilent } from './soundInHand'
+import { inside, whySilent } from './soundInHand'
 import { useRoomKeys } from './useRoomKeys'
 import { useSetWay } from './useSetWay'
 import { useTakesHeard } from './useTakesHeard'
@@ -40,6 +46,7 @@ import { type Asking, Verdict } from './Verdict'
 import { WaveStage } from './WaveStage'
 
 const loadScene = () => import('./scene/SceneStage').then(({ SceneStage }) => SceneStage)
+const loadCutForm = () => import('./CutForm').then(({ CutForm }) => CutForm)
 const loadChecklist = () => import('./Checklist').then(({ Checklist }) => Checklist)
 const loadAgainst = () => import('./scene/AgainstPanel').then(({ AgainstPanel }) => AgainstPanel)
 
@@ -65,6 +72,9 @@ interface CueRoomProps {
   onJudged: () => void
   startTakeId?: string
   startS?: number
+  /** Play it as it opens: it follows a verdict, and this person wants the next one played. */
+  playsAtOnce: boolean
+  playsNext: { on: boolean; toggle: () => void }
 }
 
 /** One cue on the stage, and at its side what was said and found. */
@@ -95,13 +105,22 @@ export function CueRoom(props: CueRoomProps) {
   const [comparing, setComparing] = useState(false)
   const AgainstPanel = useLazy(loadAgainst, comparing, () => setComparing(false))
   const SceneStage = useLazy(loadScene, inScene, () => setInScene(false))
-  const Checklist = useLazy(loadChecklist, review.checklist.items.length > 0)
+  const [checkingOpen, setCheckingOpen] = useState(review.checklist.blocked.length > 0)
+  const Checklist = useLazy(loadChecklist, checkingOpen, () => setCheckingOpen(false))
+  const [cutting, setCutting] = useState(false)
+  const CutForm = useLazy(loadCutForm, cutting, () => setCutting(false))
+  const [hasStrips, setStrips] = usePreference('soundlist-review-strips', false)
+  const navigate = useNavigate()
   const source = useHearing(player, cue.id, hand, target, gains, placing)
   /** Where the version begins in what is heard. */
   const firstS = placing?.startS ?? 0
   const targets = targetsOf(review.takes)
 
-  const { startS } = props
+  const { startS, playsAtOnce } = props
+  const canSound = source !== null
+  useEffect(() => {
+    if (playsAtOnce && canSound) void player.play(0)
+  }, [player, playsAtOnce, canSound])
   useEffect(() => {
     if (startS !== undefined) player.seek(startS)
   }, [player, startS])
@@ -154,10 +173,20 @@ export function CueRoom(props: CueRoomProps) {
     void judge.acceptSet(cue, waiting, toPick, because)
     onJudged()
   }
-  const blocked = {
-    says: review.may_approve ? blockedWords(whole ? toPick : meant, why, blind ? nameOf : realName) : '',
-    free: free.length,
-    isSet: whole && toPick.some(({ id }) => why.has(id)),
+  const isCut = cue.state === 'cut'
+  const canApprove = hand?.state === 'conforming' || hand?.state === 'set_aside'
+  const canChange = hand?.state === 'conforming' || hand?.state === 'approved'
+  const rights = {
+    mayPick: review.may_approve && !isCut && (whole || canApprove),
+    isBlocked: whole ? toPick.some(({ id }) => why.has(id)) : free.length === 0,
+    mayAsk: review.may_approve && !isCut && canChange,
+    mayPrefer: !review.may_approve && canApprove,
+  }
+  const approveUnheard = () => (whole ? acceptSet() : approve())
+  const approveOnlyThis = (because?: readonly string[]) => listen.approveHeard(free, () => approve(because))
+  const approveMeant = (because?: readonly string[]) => {
+    if (whole) listen.approveHeard(toPick, () => acceptSet(because))
+    else approveOnlyThis(because)
   }
   const openChange = () => {
     player.pause()
@@ -183,7 +212,7 @@ export function CueRoom(props: CueRoomProps) {
     const atS = inside(player.positionS() - firstS, hand, target)
     const where = range ?? { startS: atS > 0 ? atS : undefined }
     judge.change.mutate(
-      { takes: meant, said: { note: `${reason}.`, reasons: [reason], ...where } },
+      { cue, takes: meant, name: meantName, said: { note: `${reason}.`, reasons: [reason], ...where } },
       { onSuccess: () => changed(meant) },
     )
   }
@@ -195,11 +224,11 @@ export function CueRoom(props: CueRoomProps) {
     const range = placing ? null : playing.range
     begin(text, range?.startS ?? inside(player.positionS() - firstS, hand, target), range?.endS)
   }
-  const wouldTake = () => {
+  const prefer = () => {
     if (hand === undefined) return
     comment.mutate(
-      { takeId: hand.id, text: `I’d pick ${realName(hand)}.` },
-      { onSuccess: () => showToast(`Comment sent: I’d pick ${realName(hand)}.`) },
+      { takeId: hand.id, text: `I prefer ${realName(hand)}.` },
+      { onSuccess: () => showToast(`Comment sent: I prefer ${realName(hand)}.`) },
     )
   }
   const goTo = (one: Said) => {
@@ -232,6 +261,167 @@ export function CueRoom(props: CueRoomProps) {
   }
   const canBlind = !isSet && waiting.length > 1
 
+  const versions = inOrder(review.takes).filter((take) => !isSet || take.variation === hand?.variation)
+  const { condition, choose: hearAs } = props.conditions
+  const mayHearScene = props.seesScene && blind === null
+  const unheard = listen.unheard.length > 0
+  const toggle = (next: Asking) => ask(asking === next ? null : next)
+  const copyLink = async () => {
+    if (hand === undefined) return
+    const link = new URL(window.location.href)
+    link.search = new URLSearchParams({ take: hand.id, at: player.positionS().toFixed(3) }).toString()
+    const isCopied = await copyText(link.href, document.body)
+    showToast(isCopied ? 'Link to this position copied.' : `Not copied. The link is ${link.href}`)
+  }
+  const more: MoreGroup[] = present<MoreGroup>([
+    targets.length > 1 && {
+      title: 'Listen to',
+      isChoice: true,
+      items: targets.map((each) => ({
+        label: each === MASTER ? 'Master' : capital(each),
+        checked: each === target,
+        run: () => onTarget(each),
+      })),
+    },
+    {
+      items: present([
+        {
+          label: 'Match levels',
+          keys: 'm',
+          checked: playing.matched,
+          run: () => player.setMatched(!playing.matched),
+        },
+        { label: 'Spectrum and level', keys: 's', checked: hasStrips, run: () => setStrips(!hasStrips) },
+        canBlind && {
+          label: 'Hide version names',
+          keys: 'd',
+          keyLabel: 'Hide version names: compare blind',
+          checked: blind !== null,
+          run: toggleBlind,
+        },
+        mayHearScene && {
+          label: 'Play in context',
+          keys: 'o',
+          keyLabel: 'Alone, or in its scene',
+          checked: inScene,
+          run: () => setInScene(!inScene),
+        },
+        {
+          label: 'Play in reverse',
+          keys: 'v',
+          checked: playing.reversed,
+          run: () => player.setReversed(!playing.reversed),
+        },
+        mayHearScene && {
+          label: 'Against another sound',
+          checked: comparing,
+          run: () => setComparing(!comparing),
+        },
+        isSet &&
+          heard.length > 1 && {
+            label: 'Play randomised',
+            note: 'hold h',
+            checked: playing.asGame,
+            run: () => (playing.asGame ? player.pause() : asGame()),
+          },
+        isSet &&
+          heard.length > 1 && {
+            label: 'How the set is played',
+            keys: 'shift+h',
+            keyLabel: 'How the set is played: rate, pitch, level',
+            checked: setWay.isOpen,
+            run: () => setWay.setOpen(!setWay.isOpen),
+          },
+        {
+          label: 'Play the next sound after a verdict',
+          checked: props.playsNext.on,
+          run: props.playsNext.toggle,
+        },
+      ]),
+    },
+    {
+      title: condition ? `Heard as: ${condition.name}` : 'Heard at full range',
+      isChoice: true,
+      isFolded: true,
+      items: [
+        { label: 'Full range', note: 'as delivered', checked: condition === null, run: () => hearAs(null) },
+        ...CONDITIONS.map((each) => ({
+          label: capital(each.name),
+          note: each.figures,
+          checked: each.id === condition?.id,
+          run: () => hearAs(each),
+        })),
+      ],
+    },
+    review.takes.length > 0 &&
+      blind === null && {
+        title: hand ? `Version ${hand.number} of ${versions.length}` : 'Versions',
+        isChoice: true,
+        isFolded: true,
+        items: versions.toReversed().map((take) => ({
+          label: `Version ${take.number}, ${shortDay(take.received_at)}${isSet ? `, ${variationName(take.variation)}` : ''}`,
+          note: STATE_OF_TAKE[take.state].replaceAll('_', ' '),
+          checked: take.id === hand?.id,
+          run: () => choose(take),
+        })),
+      },
+    {
+      items: present([
+        review.may_approve &&
+          canApprove && { label: `Prefer ${blind && hand ? nameOf(hand) : meantName}, as a comment`, run: prefer },
+        rights.mayPick && {
+          label: 'Approve with a reason',
+          keys: 'p',
+          keyLabel: 'Approve with a reason, then 1–9',
+          disabled: rights.isBlocked,
+          run: () => toggle('pick'),
+        },
+        rights.mayAsk && {
+          label: 'Request a change for one reason',
+          keys: 'shift+r',
+          keyLabel: 'Request a change for one reason, then 1–9',
+          run: () => toggle('change'),
+        },
+        whole &&
+          rights.mayPick &&
+          canApprove && {
+            label: `Approve only ${meantName}`,
+            keys: 'shift+a',
+            keyLabel: 'Approve only this variation',
+            disabled: free.length === 0,
+            run: () => approveOnlyThis(),
+          },
+        review.checklist.items.length > 0 &&
+          hand && {
+            label: `Checklist, ${checkedOf(review, hand)} of ${review.checklist.items.length}`,
+            keys: checkingOpen ? 'shift+i' : 'i',
+            keyLabel: 'Open the checklist',
+            run: () => setCheckingOpen(!checkingOpen),
+          },
+        hand &&
+          blind === null && {
+            label: 'Label',
+            keys: 'shift+l',
+            keyLabel: 'Label the version, then 1–9',
+            disabled: changing !== null,
+            run: () => toggle('label'),
+          },
+        hand && { label: `Copy link to ${figure(player.positionS(), 3)} s`, run: () => void copyLink() },
+      ]),
+    },
+    (props.mayCut || (rights.mayPick && !rights.isBlocked && unheard)) && {
+      items: present([
+        props.mayCut && {
+          label: 'Share with guests',
+          run: () =>
+            void navigate({ to: '/projects/$projectId/sharing', params: { projectId }, search: { cue: cue.id } }),
+        },
+        props.mayCut && !isCut && { label: 'Cut this cue', run: () => setCutting(true) },
+        rights.mayPick && !rights.isBlocked && unheard && { label: 'Approve without listening', run: approveUnheard },
+      ]),
+    },
+  ])
+
   useRoomKeys({
     heard,
     isSet,
@@ -250,26 +440,21 @@ export function CueRoom(props: CueRoomProps) {
   return (
     <>
       <section className={classes.stage} aria-label={cue.name}>
-        <CueHead
-          review={review}
-          hand={hand}
-          waitingHere={waiting.length > 0}
-          blind={blind !== null}
-          targets={targets}
-          target={target}
-          onTarget={onTarget}
-          onTake={choose}
-          projectId={projectId}
-          mayCut={props.mayCut}
-          onCut={onJudged}
-          queued={props.waiting}
-          onQueue={props.onQueue}
-        />
+        <CueHead review={review} waitingHere={waiting.length > 0} queued={props.waiting} onQueue={props.onQueue} />
+        {cutting && CutForm && (
+          <CutForm
+            cueId={cue.id}
+            name={cue.name}
+            projectId={projectId}
+            onClose={() => setCutting(false)}
+            onCut={onJudged}
+          />
+        )}
         {!isSet && heard.length > 1 && (
           <TakeCards
             takes={heard}
-            gains={gains}
             handId={hand?.id}
+            playingId={playing.status === 'playing' ? playing.takeId : null}
             nameOf={nameOf}
             blind={blind !== null}
             onChoose={choose}
@@ -297,6 +482,7 @@ export function CueRoom(props: CueRoomProps) {
             comments={blind ? [] : [...marksOf(said, hand.id), ...carriedMarks(carried)]}
             openComment={openSaid}
             hidden={blind !== null}
+            hasStrips={hasStrips}
             small={isSet}
             onMark={(startAtS, id) => {
               player.seek(startAtS)
@@ -310,28 +496,20 @@ export function CueRoom(props: CueRoomProps) {
             player={player}
             playing={playing}
             durationS={placing ? playing.durationS : soundOf(hand, target).durationS}
-            silent={source === null ? whySilent(hand, target) : null}
+            isSilent={source === null}
+            trouble={source === null ? whySilent(hand, target) : (playing.error ?? props.conditions.trouble)}
             onNext={heard.length > 1 ? () => stepTake(1) : before ? flip : undefined}
-            nextWords={before && current ? `${before.number} ⇄ ${current.number}` : nextWords(heard, hand, nameOf)}
-            matchedSays={
-              blind
-                ? ''
-                : matchedWords(compared.map((take) => ({ name: nameOf(take), gainDb: gains.get(take.id) ?? 0 })))
-            }
-            conditions={props.conditions}
-            blind={canBlind ? { on: blind !== null, toggle: toggleBlind } : undefined}
-            asGame={isSet && heard.length > 1 ? { play: asGame, way: <SetWayButton {...setWay} /> } : undefined}
-            scene={
-              props.seesScene && blind === null
-                ? {
-                    on: inScene,
-                    toggle: () => setInScene(!inScene),
-                    compares: comparing,
-                    compare: () => setComparing(!comparing),
-                  }
-                : undefined
-            }
-            takeId={hand.id}
+            says={present([
+              target !== MASTER && `Hearing the ${target} file`,
+              condition && `Heard as: ${condition.name}`,
+              playing.reversed && 'In reverse',
+              blind === null &&
+                playing.matched &&
+                compared.length > 1 &&
+                matchedWords(compared.map((take) => ({ name: nameOf(take), gainDb: gains.get(take.id) ?? 0 }))),
+              source !== null && playing.durationS > 0 && playing.isLight && 'Preview',
+            ])}
+            more={more}
           />
         )}
         {hand && AgainstPanel && comparing && blind === null && (
@@ -368,10 +546,17 @@ export function CueRoom(props: CueRoomProps) {
             meant={meant}
             toPick={toPick}
             name={blind && hand ? nameOf(hand) : meantName}
-            blocked={blocked}
+            rights={rights}
+            blockedSays={review.may_approve ? blockedWords(whole ? toPick : meant, why, blind ? nameOf : realName) : ''}
             checklist={
-              hand && Checklist && blind === null ? (
-                <Checklist key={hand.id} checklist={review.checklist} hand={hand} cueId={cue.id} />
+              checkingOpen && hand && Checklist && blind === null ? (
+                <Checklist
+                  key={hand.id}
+                  checklist={review.checklist}
+                  hand={hand}
+                  cueId={cue.id}
+                  onClose={() => setCheckingOpen(false)}
+                />
               ) : null
             }
             whole={whole}
@@ -383,9 +568,15 @@ export function CueRoom(props: CueRoomProps) {
             asking={asking}
             onAsking={ask}
             onChangeBecause={changeBecause}
-            onLabel={blind === null ? labelAs : null}
-            isPlaying={playing.status === 'playing'}
-            onPlay={source === null ? null : () => void player.toggle()}
+            onLabel={labelAs}
+            listening={
+              listen.listening && {
+                take: listen.listening,
+                name: (blind ? nameOf : realName)(listen.listening),
+                player,
+                stop: listen.stop,
+              }
+            }
             notHeard={
               <FirstListen
                 listen={listen}
@@ -393,16 +584,14 @@ export function CueRoom(props: CueRoomProps) {
                 target={target}
                 nameOf={blind ? nameOf : realName}
                 silent={source === null && hand ? whySilent(hand, target) : null}
-                onApproveUnheard={() => (whole ? acceptSet() : approve())}
               />
             }
-            onApprove={(because) => listen.approveHeard(free, () => approve(because))}
-            onAcceptSet={(because) => listen.approveHeard(toPick, () => acceptSet(because))}
+            onApprove={approveMeant}
             onChange={openChange}
             onCloseChange={() => setChanging(null)}
             onChanged={changed}
             onComment={() => write()}
-            onWouldTake={wouldTake}
+            onPrefer={prefer}
           />
         </div>
       </section>
@@ -418,7 +607,6 @@ export function CueRoom(props: CueRoomProps) {
         onOpen={goTo}
         onSpot={playFrom}
         writing={writing}
-        onWrite={write}
         onWriting={setWriting}
         comment={comment}
         blind={blind !== null}
@@ -426,3 +614,7 @@ export function CueRoom(props: CueRoomProps) {
     </>
   )
 }
+
+/** How many items of the checklist were checked for a version. */
+const checkedOf = ({ checklist }: CueReview, hand: ReviewTake): number =>
+  checklist.checks.filter(({ take_id }) => take_id === hand.id).length

@@ -63,6 +63,7 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
         change({ q: words.trim() })
       }}
     >
+      <p className={`small dim ${classes.words}`}>Urgent first, then by need, priority and age.</p>
       <label className={classes.words}>
         <span className="small mid">Words in name, description or use</span>
         <input

@@ -54,11 +54,11 @@ export function QueuePanel(props: QueuePanelProps) {
       <header className={classes.head}>
         <h2 className="nowrap">{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
-        <span className="small dim end">urgent, need, priority, then oldest</span>
         <Button
           variant="quiet"
           icon="sliders"
           square
+          className="end"
           aria-label={isFiltered(filter) ? 'Filter the queue, filtered now' : 'Filter the queue'}
           aria-expanded={isFiltering}
           pressed={isFiltered(filter)}
@@ -106,12 +106,9 @@ export function QueuePanel(props: QueuePanelProps) {
         <KeysLine
           keys={[
             { keys: ['j', 'k'], label: 'next, previous' },
-            { keys: ['f'], label: 'filter' },
-            { keys: ['u'], label: 'undo' },
-            { keys: ['?'], label: 'shortcuts' },
+            { keys: ['?'], label: 'all keys' },
           ]}
         />
-        {waiting.length > 1 && <p className="small dim">The next three sounds are preloaded.</p>}
       </footer>
     </aside>
   )

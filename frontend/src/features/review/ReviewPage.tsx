@@ -15,6 +15,7 @@ import { usePeaksAhead } from '@/judging/peaks'
 import { filterOf } from '@/judging/queueFilter'
 import { useReady } from '@/judging/useHearing'
 import { useJudge } from '@/judging/useJudge'
+import { usePreference } from '@/judging/usePreference'
 import { useQueue } from '@/judging/useQueue'
 import { counted } from '@/judging/words'
 import { Refusal } from '@/ui/Refusal'
@@ -46,6 +47,9 @@ export function ReviewPage(): ReactNode {
   const [queueOpen, setQueueOpen] = useState(false)
   const [isFiltering, setFiltering] = useState(false)
   const [target, setTarget] = useState(MASTER)
+  const [playsNext, setPlaysNext] = usePreference('soundlist-plays-next', true)
+  /** The cue that opens because another was judged. */
+  const [follows, setFollows] = useState<string>()
   useTitle(review ? `Review ${review.cue.name}` : 'Review')
 
   const open = (id: string) =>
@@ -84,6 +88,7 @@ export function ReviewPage(): ReactNode {
   }
   const toNext = () => {
     const next = nextAfter(items, cueId)
+    setFollows(next?.cue.id)
     if (next) open(next.cue.id)
     else void navigate({ to: '/projects/$projectId/review', params: { projectId }, search: filter })
   }
@@ -144,6 +149,8 @@ export function ReviewPage(): ReactNode {
           waiting={counted(queue.waits)}
           onQueue={() => setQueueOpen(true)}
           onJudged={toNext}
+          playsAtOnce={playsNext && follows === cueId}
+          playsNext={{ on: playsNext, toggle: () => setPlaysNext(!playsNext) }}
           startTakeId={search.take}
           startS={search.at}
         />

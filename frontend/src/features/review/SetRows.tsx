@@ -2,7 +2,8 @@ import { WaveThumb } from '@/audio'
 import type { ReviewCue, ReviewTake } from '@/judging/api'
 import { MASTER, oddOne, soundOf } from '@/judging/hearing'
 import { measuredPart } from '@/judging/words'
-import { figure, length } from '@/ui/format'
+import { ago, figure, length } from '@/ui/format'
+import { Choice } from '@/ui/Choice'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
 import { SEVERITY_LOOK } from '@/ui/severity'
@@ -29,46 +30,50 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
           {here} of {cue.variations} variations
         </span>
         <span className="dim wide-only">
-          hold <Key keys="h" /> to play randomised, as in game
+          hold <Key keys="h" /> to play randomised, as in game; <Key keys="x" /> selects
         </span>
       </p>
-      <ul className={classes.setRows} aria-label="Variations">
+      <div className={classes.setRows} role="radiogroup" aria-label="Variations">
         {takes.map((take, index) => (
-          <li key={take.id}>
-            <button
-              type="button"
-              className={classes.setRow}
-              aria-pressed={take.id === handId}
-              data-picked={picked.has(take.id) || undefined}
-              onClick={() => onChoose(take)}
-            >
-              <span className={`mono ${classes.setName}`}>
-                {nameOf(take)}
-                {index < 9 && <Key keys={String(index + 1)} />}
-              </span>
-              <span className={classes.setWave}>
-                <WaveThumb peaks={take.thumb} lit={take.id === handId} heightPx={24} />
-              </span>
-              <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
-              <span className={`small cut-text ${classes.setSays}`}>
-                {take.label !== null && `${take.label}, `}
-                <CueProgress take={take} odd={odd?.take.id === take.id} />
-              </span>
-              <span className={`small ${classes.setPick}`}>
-                {picked.has(take.id) ? (
-                  <>
-                    <Icon name="tick" size={14} /> selected
-                  </>
-                ) : (
-                  !take.is_heard && 'not heard'
-                )}
-              </span>
-            </button>
-          </li>
+          <Choice
+            key={take.id}
+            className={classes.setRow}
+            checked={take.id === handId}
+            data-picked={picked.has(take.id) || undefined}
+            onChoose={() => onChoose(take)}
+          >
+            <span className={`mono ${classes.setName}`}>
+              {nameOf(take)}
+              {index < 9 && <Key keys={String(index + 1)} />}
+            </span>
+            <span className={classes.setWave}>
+              <WaveThumb peaks={take.thumb} lit={take.id === handId} heightPx={24} />
+            </span>
+            <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
+            <span className={`small cut-text ${classes.setSays}`}>
+              {take.label !== null && `${take.label}, `}
+              <CueProgress take={take} odd={odd?.take.id === take.id} />
+            </span>
+            <span className={`small ${classes.setPick}`}>
+              {picked.has(take.id) ? (
+                <>
+                  <Icon name="tick" size={14} /> selected
+                </>
+              ) : (
+                heardWords(take)
+              )}
+            </span>
+          </Choice>
         ))}
-      </ul>
+      </div>
     </div>
   )
+}
+
+/** When a person heard a version: nobody approves a set of which one file was only seen. */
+function heardWords({ is_heard: isHeard, heard_at: heardAt }: ReviewTake): string {
+  if (!isHeard) return 'not heard'
+  return heardAt === null ? 'heard just now' : `heard ${ago(heardAt)}`
 }
 
 function CueProgress({ take, odd }: { take: ReviewTake; odd: boolean }) {

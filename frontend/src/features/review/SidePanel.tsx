@@ -41,7 +41,6 @@ interface SidePanelProps {
   onOpen: (said: Said) => void
   onSpot: (startS: number) => void
   writing: Writing | null
-  onWrite: () => void
   onWriting: Dispatch<SetStateAction<Writing | null>>
   comment: ReturnType<typeof useComment>
   blind: boolean
@@ -51,21 +50,16 @@ const loadCarriedNotes = () => import('./CarriedNotes').then(({ CarriedNotes }) 
 const loadWaiver = () => import('./Waiver').then(({ Waiver }) => Waiver)
 const loadGameFiles = () => import('./GameFiles').then(({ GameFiles }) => GameFiles)
 
-type Tab = 'comments' | 'findings' | 'files' | 'history'
+type Tab = 'comments' | 'details'
 
-/** What was said, what was found, what happened; and the figures. */
+/** What was said; and in a second tab everything that is known of the version. */
 export function SidePanel(props: SidePanelProps) {
   const { hand, said, blind, writing } = props
   const [chosen, setTab] = useState<Tab>('comments')
   const tab = writing ? 'comments' : chosen
-  const mayWaive = tab === 'findings' && hand?.state === 'returned' && props.review.may_approve
-  const Waiver = useLazy(loadWaiver, mayWaive)
-  const GameFiles = useLazy(loadGameFiles, tab === 'files', () => setTab('comments'))
   const tabs: { id: Tab; label: string }[] = [
     { id: 'comments', label: `Comments ${blind ? '' : said.length}`.trim() },
-    { id: 'findings', label: `Findings ${blind ? '' : (hand?.findings.length ?? 0)}`.trim() },
-    { id: 'files', label: 'Game files' },
-    { id: 'history', label: 'History' },
+    { id: 'details', label: 'Details' },
   ]
   const onKeyDown = (event: KeyboardEvent) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key]
@@ -99,22 +93,17 @@ export function SidePanel(props: SidePanelProps) {
       <div role="tabpanel" id={`panel-${tab}`} aria-labelledby={`tab-${tab}`} className={classes.panel}>
         {blind ? (
           <p className={`${classes.quiet} mid`}>
-            Comments, findings and figures are hidden until you pick, or press <Key keys="d" />
+            Comments and details are hidden until you pick, or press <Key keys="d" />
             <span className="visually-hidden">d</span> again.
           </p>
         ) : (
           <>
             {tab === 'comments' && <Comments {...props} />}
-            {tab === 'findings' && hand && <Findings take={hand} onSpot={props.onSpot} />}
-            {mayWaive && Waiver && (
-              <Waiver key={hand.id} take={hand} cueId={props.review.cue.id} projectId={props.projectId} />
-            )}
-            {tab === 'files' && hand && GameFiles && <GameFiles key={hand.id} take={hand} />}
-            {tab === 'history' && hand && <History take={hand} projectId={props.projectId} />}
+            {tab === 'details' && hand && <Details {...props} hand={hand} />}
           </>
         )}
       </div>
-      {hand && <Composer {...props} hand={hand} />}
+      {hand && writing && <Composer key={String(writing.isRestored)} {...props} hand={hand} writing={writing} />}
     </aside>
   )
 }
@@ -168,24 +157,35 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
           <p className="mid">{[hand.note, hand.delivery_note].filter(Boolean).join(' ')}</p>
         </section>
       )}
+    </>
+  )
+}
+
+/** What was found in the version, what it is made into, what it is compared with, and what happened. */
+function Details({ review, projectId, hand, heard, nameOf, onSpot }: SidePanelProps & { hand: ReviewTake }) {
+  const mayWaive = hand.state === 'returned' && review.may_approve
+  const Waiver = useLazy(loadWaiver, mayWaive)
+  const GameFiles = useLazy(loadGameFiles, true)
+  return (
+    <>
+      <Findings take={hand} onSpot={onSpot} />
+      {mayWaive && Waiver && <Waiver key={hand.id} take={hand} cueId={review.cue.id} projectId={projectId} />}
+      <Figures take={hand} />
+      {GameFiles && <GameFiles key={hand.id} take={hand} />}
       <div className={classes.block}>
         <ReferencesWhereAny projectId={projectId} cueId={review.cue.id} />
       </div>
-      {hand && (
-        <section className={classes.block} aria-label="Sources">
-          <p className="small strong">Sources</p>
-          <TakeSourcesPart key={hand.id} takeId={hand.id} mayState={false} />
-        </section>
-      )}
-      {hand && <Figures take={hand} />}
-      {hand && (
-        <PalettePlot
-          projectId={projectId}
-          takes={review.cue.variations > 1 || !heard.includes(hand) ? [hand] : heard}
-          hand={hand}
-          nameOf={nameOf}
-        />
-      )}
+      <section className={classes.block} aria-label="Sources">
+        <p className="small strong">Sources</p>
+        <TakeSourcesPart key={hand.id} takeId={hand.id} mayState={false} />
+      </section>
+      <PalettePlot
+        projectId={projectId}
+        takes={review.cue.variations > 1 || !heard.includes(hand) ? [hand] : heard}
+        hand={hand}
+        nameOf={nameOf}
+      />
+      <History take={hand} projectId={projectId} />
     </>
   )
 }
@@ -222,13 +222,19 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
   const role = roleOfSaid(said)
   return (
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
-      <p className="row">
+      <button
+        type="button"
+        className={classes.saidHead}
+        aria-expanded={open}
+        aria-label={['Comment', said.number, 'by', said.who, where].filter((word) => word != null).join(' ')}
+        onClick={onOpen}
+      >
         {said.number !== null && <span className={classes.saidNumber}>{said.number}</span>}
         <Face name={said.who} picture={said.picture} />
         <span className="strong cut-text">{said.who}</span>
         <span className={said.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
         <span className="small mono dim end nowrap">{where}</span>
-      </p>
+      </button>
       <p className={classes.saidText}>
         {on && <span className="dim">On {on}: </span>}
         <MentionedText text={said.text} mentions={said.mentions} />
@@ -258,14 +264,8 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
           onClose={() => setReplying(false)}
         />
       )}
-      {(where !== undefined || on !== null || comment || onReply) && (
+      {open && (comment || onReply) && (
         <p className={classes.saidActs}>
-          {(where !== undefined || on !== null) && (
-            <Button variant="quiet" className="small" onClick={onOpen}>
-              {where === undefined ? `Select ${on}` : 'Go to position'}
-              <span className="visually-hidden">{said.number === null ? '' : ` of ${said.number}`}</span>
-            </Button>
-          )}
           {onReply && !replying && (
             <Button variant="quiet" className="small" onClick={() => setReplying(true)}>
               Reply<span className="visually-hidden"> to {said.who}</span>

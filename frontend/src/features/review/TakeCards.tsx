@@ -2,16 +2,16 @@ import type { ReactNode } from 'react'
 
 import { TakeCard } from '@/audio'
 import type { ReviewTake } from '@/judging/api'
-import { type Gains, MASTER, soundOf } from '@/judging/hearing'
-import { gain, length } from '@/ui/format'
+import { MASTER, soundOf } from '@/judging/hearing'
+import { length } from '@/ui/format'
 
 import classes from './Review.module.css'
 
 interface TakeCardsProps {
   takes: readonly ReviewTake[]
-  /** What brings each to the same level. */
-  gains: Gains
   handId: string | undefined
+  /** The one that sounds now. */
+  playingId: string | null
   nameOf: (take: ReviewTake) => string
   /** Letters are shuffled; shape, length and gain stay hidden until the pick. */
   blind: boolean
@@ -19,9 +19,9 @@ interface TakeCardsProps {
 }
 
 /** Alternates side by side: one is picked, the others are kept. */
-export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: TakeCardsProps) {
+export function TakeCards({ takes, handId, playingId, nameOf, blind, onChoose }: TakeCardsProps) {
   return (
-    <div className={classes.cards} role="group" aria-label="Alternates">
+    <div className={classes.cards} role="radiogroup" aria-label="Alternates">
       {takes.map((take, index) => (
         <TakeCard
           key={take.id}
@@ -33,9 +33,8 @@ export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: Tak
           facts={[
             ...(take.label === null ? [] : [take.label]),
             length(soundOf(take, MASTER).durationS),
-            gain(gains.get(take.id) ?? 0),
             ...lastFact(take),
-            ...(take.is_heard ? [] : ['not heard']),
+            take.id === playingId ? 'playing' : take.is_heard ? 'heard' : 'not heard',
           ]}
           onPick={() => onChoose(take)}
         />
@@ -44,14 +43,12 @@ export function TakeCards({ takes, gains, handId, nameOf, blind, onChoose }: Tak
   )
 }
 
-/** A draft change; else the version, unless a label names it among the others. */
+/** A change that was requested. */
 function lastFact(take: ReviewTake): ReactNode[] {
-  if (take.draft_change) {
-    return [
-      <span key="change" className="tone-change toned">
-        draft change
-      </span>,
-    ]
-  }
-  return take.label === null ? [`version ${take.number}`] : []
+  if (take.draft_change === null) return []
+  return [
+    <span key="change" className="tone-change toned">
+      {take.draft_change.sends_at === null ? 'draft change' : 'change requested'}
+    </span>,
+  ]
 }

@@ -1,7 +1,7 @@
 import type { ReactNode } from 'react'
 
-import { HotkeyButton, useHotkeys } from '@/app/keys'
-import type { TimeRange } from '@/audio'
+import { HotkeyButton } from '@/app/keys'
+import type { Player, TimeRange } from '@/audio'
 import type { CueReview, ReviewCue, ReviewTake } from '@/judging/api'
 import { ChangeForm } from '@/judging/ChangeForm'
 import type { ReasonKind } from '@/judging/reasons'
@@ -16,10 +16,22 @@ import { plural } from '@/ui/format'
 import { ProblemNote } from '@/ui/ProblemNote'
 import { VerdictBar } from '@/ui/VerdictBar'
 
-import classes from './Review.module.css'
+import { ListenProgress } from './ListenProgress'
 
 /** What the digits are: reasons of an approval or of a change, labels, or none of them. */
 export type Asking = 'pick' | 'change' | 'label' | null
+
+/** What can be decided now, and of what. */
+export interface Rights {
+  /** The approver may pick what is in hand, or the set. */
+  mayPick: boolean
+  /** Something open stops it. */
+  isBlocked: boolean
+  /** The approver may request a change of it. */
+  mayAsk: boolean
+  /** An adviser says which one they prefer. */
+  mayPrefer: boolean
+}
 
 interface VerdictProps {
   review: CueReview
@@ -28,12 +40,15 @@ interface VerdictProps {
   /** What a verdict is for: the current take, or the selected ones. */
   meant: readonly ReviewTake[]
   name: string
-  /** What is open of those a verdict is for, and which of them can be approved. */
-  blocked: { says: string; free: number; isSet: boolean }
-  /** The checklist of the version, above the buttons. */
+  rights: Rights
+  /** What is open of those a verdict is for. */
+  blockedSays: string
+  /** The checklist of the version, once it is opened. */
   checklist: ReactNode
   /** What an approval waits for, as long as a version was not heard. */
   notHeard: ReactNode
+  /** The version that plays for the first time, because its approval was asked for, and how to stop it. */
+  listening: { take: ReviewTake; name: string; player: Player; stop: () => void } | null
   /** What an approval takes: one version a variation. */
   toPick: readonly ReviewTake[]
   /** A whole set waits and can be accepted at once. */
@@ -47,20 +62,15 @@ interface VerdictProps {
   /** Which reasons are open. */
   asking: Asking
   onAsking: (asking: Asking) => void
-  /** Note a change for one reason, at once. */
+  /** Request a change for one reason, at once. */
   onChangeBecause: (reason: string) => void
-  /** Say what the current version is among alternates; null where versions are compared blind. */
-  onLabel: ((label: string | null) => void) | null
-  isPlaying: boolean
-  /** Play or pause; null where there is nothing to hear. */
-  onPlay: (() => void) | null
+  onLabel: (label: string | null) => void
   onApprove: (because?: readonly string[]) => void
-  onAcceptSet: (because?: readonly string[]) => void
   onChange: () => void
   onCloseChange: () => void
   onChanged: (takes: readonly ReviewTake[]) => void
   onComment: () => void
-  onWouldTake: () => void
+  onPrefer: () => void
 }
 
 const STATE_WORDS: Partial<Record<ReviewTake['state'], string>> = {
@@ -74,72 +84,53 @@ const STATE_WORDS: Partial<Record<ReviewTake['state'], string>> = {
 
 /** Who decides, what follows, and the buttons that do it. */
 export function Verdict(props: VerdictProps) {
-  const { review, hand, meant, name, whole, judge, changing, blocked, waiting } = props
-  const { cue, may_approve } = review
-  const state = hand?.state
-  const canApprove = state === 'conforming' || state === 'set_aside'
-  const canChange = state === 'conforming' || state === 'approved'
-  const isSet = cue.variations > 1
-  const isCut = cue.state === 'cut'
-  const refusal = judge.refusal
+  const { review, hand, meant, name, whole, judge, changing, waiting, rights, listening } = props
+  const { cue } = review
+  const { refusal } = judge
+  const asking = changing ? null : props.asking
+  const what = `${cue.name} ${name}`
+  const isOpen = changing !== null || asking !== null
 
-  const mayPick = may_approve && !isCut && (whole || canApprove)
-  const isBlocked = whole ? blocked.isSet : blocked.free === 0
-  const mayAsk = may_approve && !isCut && canChange
-  const isPicking = props.asking === 'pick' && mayPick && !isBlocked && !changing
-  const { onLabel } = props
-  const isLabelling = props.asking === 'label' && hand !== undefined && onLabel !== null && !changing
-  const isAsking = props.asking === 'change' && mayAsk && !changing
-  useHotkeys([
-    {
-      keys: 'shift+r',
-      label: 'Request a change for one reason, then 1–9',
-      group: 'Review',
-      run: () => props.onAsking(props.asking === 'change' ? null : 'change'),
-      disabled: !mayAsk,
-    },
-  ])
-
-  const reversal = meant.some((take) => take.state === 'approved') && (
-    <ReversalNote cueId={cue.id} what={`${cue.name} ${name}`} />
-  )
-  const above = (changing || refusal || isPicking || isAsking || isLabelling || props.checklist) && (
+  const reversal = meant.some((take) => take.state === 'approved') && <ReversalNote cueId={cue.id} what={what} />
+  const above = (isOpen || refusal || props.checklist) && (
     <>
-      {!changing && !isPicking && !isAsking && !isLabelling && props.checklist}
+      {!isOpen && props.checklist}
       {refusal && <ProblemNote detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
-      {isPicking && (
+      {asking === 'pick' && (
         <ReasonRow
           reasons={props.reasons.pick}
-          title={`Approve ${whole ? `the set of ${cue.variations}` : `${cue.name} ${name}`} because`}
-          onReason={(reason) => (whole ? props.onAcceptSet([reason]) : props.onApprove([reason]))}
+          title={`Approve ${whole ? `the set of ${cue.variations}` : what} because`}
+          onReason={(reason) => props.onApprove([reason])}
           onClose={() => props.onAsking(null)}
         />
       )}
-      {isAsking && (
-        <ReasonRow
-          reasons={props.reasons.change}
-          title={`Request a change of ${cue.name} ${name} because`}
-          onReason={props.onChangeBecause}
-          onClose={() => props.onAsking(null)}
-        />
+      {asking === 'change' && (
+        <>
+          <ReasonRow
+            reasons={props.reasons.change}
+            title={`Request a change of ${what} because`}
+            onReason={props.onChangeBecause}
+            onClose={() => props.onAsking(null)}
+          />
+          {reversal}
+          {judge.changeProblem && <ProblemNote detail={judge.changeProblem.detail} fix={judge.changeProblem.fix} />}
+        </>
       )}
-      {isAsking && reversal}
-      {isLabelling && (
+      {asking === 'label' && hand && (
         <ReasonRow
           reasons={props.reasons.label}
           title={`Label ${takeName(hand, cue, waiting)}${hand.label === null ? '' : `, now “${hand.label}”,`} as`}
-          onReason={onLabel}
-          none={{ title: 'No label', run: () => onLabel(null) }}
+          onReason={props.onLabel}
+          none={{ title: 'No label', run: () => props.onLabel(null) }}
           onClose={() => props.onAsking(null)}
         />
-      )}
-      {isAsking && judge.changeProblem && (
-        <ProblemNote detail={judge.changeProblem.detail} fix={judge.changeProblem.fix} />
       )}
       {changing && (
         <ChangeForm
           takeId={meant[0]?.id ?? cue.id}
-          what={`${cue.name} ${name}`}
+          what={what}
+          to={hand?.designer.name}
+          counts={roundWords(review, props.money, meant)}
           listed={props.reasons.change}
           positionS={changing.positionS}
           range={props.range}
@@ -149,7 +140,7 @@ export function Verdict(props: VerdictProps) {
           reversal={reversal}
           onSave={(said, done) =>
             judge.change.mutate(
-              { takes: meant, said },
+              { cue, takes: meant, name, said },
               {
                 onSuccess: () => {
                   done()
@@ -162,47 +153,33 @@ export function Verdict(props: VerdictProps) {
       )}
     </>
   )
+  if (changing) return <VerdictBar above={above} />
 
   return (
     <VerdictBar
-      who={whoDecides(review, props.money)}
+      who={
+        listening
+          ? `${listening.name} is playing for the first time. It is not approved yet.`
+          : whoDecides(review, props.money)
+      }
       follows={
         <>
-          {mayPick && !isBlocked && props.notHeard}{' '}
-          {[blocked.says, follows(props), due(props)].filter(Boolean).join(' ')}
+          {rights.mayPick && !rights.isBlocked && props.notHeard}{' '}
+          {!listening && [props.blockedSays, follows(props), due(props)].filter(Boolean).join(' ')}
         </>
       }
       above={above}
-      narrow={
-        <Button
-          icon={props.isPlaying ? 'pause' : 'play'}
-          tall
-          disabled={props.onPlay === null}
-          onClick={() => props.onPlay?.()}
-        >
-          {props.isPlaying ? 'Pause' : 'Play'}
-        </Button>
-      }
     >
-      {!whole && (
-        <Button keys="c" icon="comment" tall className={classes.optional} onClick={props.onComment}>
+      {listening ? (
+        <Button keys="Escape" icon="cross" tall onClick={listening.stop}>
+          Stop
+        </Button>
+      ) : (
+        <Button keys="c" icon="comment" tall onClick={props.onComment}>
           Comment
         </Button>
       )}
-      {hand && onLabel && (
-        <HotkeyButton
-          keys="shift+l"
-          keyLabel="Label the version, then 1–9"
-          keyGroup="Review"
-          tall
-          pressed={isLabelling}
-          disabled={changing !== null}
-          onPress={() => props.onAsking(isLabelling ? null : 'label')}
-        >
-          Label
-        </HotkeyButton>
-      )}
-      {mayAsk && (
+      {rights.mayAsk && (
         <HotkeyButton
           keys="r"
           keyLabel="Request a change"
@@ -212,79 +189,45 @@ export function Verdict(props: VerdictProps) {
           tall
           onPress={props.onChange}
         >
-          Request a change
+          Request change
         </HotkeyButton>
       )}
-      {mayPick && (
-        <HotkeyButton
-          keys="p"
-          keyLabel="Approve with a reason, then 1–9"
-          keyGroup="Review"
-          tall
-          pressed={isPicking}
-          disabled={isBlocked}
-          onPress={() => props.onAsking(isPicking ? null : 'pick')}
-        >
-          Reason
-        </HotkeyButton>
-      )}
-      {may_approve && !isCut && canApprove && isSet && (
-        <HotkeyButton
-          keys={whole ? 'shift+a' : 'a'}
-          keyLabel={whole ? 'Approve only this variation' : 'Approve this variation'}
-          keyGroup="Review"
-          variant={whole ? 'plain' : 'primary'}
-          icon={whole ? undefined : 'tick'}
-          tall
-          className={whole ? classes.optional : undefined}
-          disabled={blocked.free === 0}
-          onPress={() => props.onApprove()}
-        >
-          Approve {name}
-        </HotkeyButton>
-      )}
-      {may_approve && !isCut && whole && (
+      {rights.mayPick && (
         <HotkeyButton
           keys="a"
-          keyLabel="Accept the set"
+          keyLabel={whole ? 'Accept the set' : 'Approve'}
           keyGroup="Review"
-          variant="primary"
+          variant={listening ? 'plain' : 'primary'}
           icon="tick"
           tall
-          disabled={blocked.isSet}
-          onPress={() => props.onAcceptSet()}
-        >
-          Accept the set
-        </HotkeyButton>
-      )}
-      {may_approve && !isCut && canApprove && !isSet && (
-        <HotkeyButton
-          keys="a"
-          keyLabel="Approve"
-          keyGroup="Review"
-          variant="primary"
-          icon="tick"
-          tall
-          disabled={blocked.free === 0}
+          disabled={rights.isBlocked}
           onPress={() => props.onApprove()}
         >
-          Approve {name}
+          {whole ? 'Accept the set' : `Approve ${name}`}
+          {listening && <ListenProgress {...listening} />}
         </HotkeyButton>
       )}
-      {!may_approve && canApprove && (
+      {rights.mayPrefer && (
         <HotkeyButton
           keys="a"
-          keyLabel="Say which one you’d pick"
+          keyLabel="Say which one you prefer"
           keyGroup="Review"
           variant="primary"
           tall
-          onPress={props.onWouldTake}
+          onPress={props.onPrefer}
         >
-          I’d pick {name}
+          Prefer {name}
         </HotkeyButton>
       )}
     </VerdictBar>
   )
+}
+
+/** What a change request counts. */
+function roundWords({ rounds }: CueReview, money: CueMoney | null, meant: readonly ReviewTake[]): string {
+  if (meant.some(({ state }) => state === 'approved')) return 'It counts no round.'
+  const next = rounds.filter(({ number }) => number !== null).length + 1
+  return money ? `Round ${next} of ${money.rounds_included}.` : `Round ${next}.`
 }
 
 function whoDecides(review: CueReview, money: CueMoney | null): string {
@@ -323,7 +266,7 @@ function follows(props: VerdictProps): string {
   if (cue.state === 'cut') return 'This cue was cut.'
   if (hand === undefined) return 'No version yet.'
   const draft = hand.draft_change
-  if (draft) return `Draft, not sent: “${draft.text}”`
+  if (draft) return `${draft.sends_at === null ? 'Draft, not sent' : 'Change requested'}: “${draft.text}”`
   if (hand.state !== 'conforming') return STATE_WORDS[hand.state] ?? ''
   if (!review.may_approve) return ''
   if (whole) {

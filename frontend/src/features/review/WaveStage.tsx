@@ -29,6 +29,8 @@ interface WaveStageProps {
   openComment?: string
   /** Blind listening: nothing is drawn that identifies a version. */
   hidden: boolean
+  /** Spectrum and level below the wave. */
+  hasStrips: boolean
   /** Rows of a set stand above it. */
   small: boolean
   onMark: (fromS: number, id: string) => void
@@ -58,15 +60,19 @@ export function WaveStage(props: WaveStageProps) {
         onSelect={(picked) => player.setRange(picked)}
         onSeek={(s) => player.seek(s)}
         onMark={(fromS, mark) => onMark(fromS, mark.id)}
-        heightPx={narrow ? 170 : undefined}
+        heightPx={narrow ? (props.hasStrips ? 170 : 220) : undefined}
       />
-      <SpectrumStrip
-        spectrogram={spectrum}
-        durationS={sound.durationS}
-        clock={player}
-        heightPx={narrow ? 74 : small ? 92 : 132}
-      />
-      {!narrow && <LevelStrip peaks={peaks} durationS={sound.durationS} clock={player} heightPx={58} />}
+      {props.hasStrips && (
+        <SpectrumStrip
+          spectrogram={spectrum}
+          durationS={sound.durationS}
+          clock={player}
+          heightPx={narrow ? 74 : small ? 92 : 132}
+        />
+      )}
+      {props.hasStrips && !narrow && (
+        <LevelStrip peaks={peaks} durationS={sound.durationS} clock={player} heightPx={58} />
+      )}
     </div>
   )
 }

@@ -12,14 +12,3 @@ export function whySilent(take: ReviewTake, target: string): string {
   const { refusal } = soundOf(take, target)
   return refusal ? `This game file does not exist: ${refusal}` : 'The preview is not ready yet.'
 }
-
-/** What the next step of the switch does: "A ⇄ B". */
-export function nextWords(
-  heard: readonly ReviewTake[],
-  hand: ReviewTake,
-  nameOf: (take: ReviewTake) => string,
-): string {
-  const at = heard.findIndex(({ id }) => id === hand.id)
-  const next = heard[(at + 1) % heard.length]
-  return next ? `${nameOf(hand)} ⇄ ${nameOf(next)}` : ''
-}

@@ -119,7 +119,7 @@ export function VerdictOfTake({
           onClose={() => setChanging(null)}
           onSave={(said, close) =>
             judge.change.mutate(
-              { takes: [judged], said },
+              { cue: review.cue, takes: [judged], name, said },
               {
                 onSuccess: () => {
                   close()

@@ -147,7 +147,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         />
       </div>
       {takes.length > 1 && (
-        <div className={classes.alts} role="group" aria-label={isSet ? 'Variations' : 'Alternates'}>
+        <div className={classes.alts} role="radiogroup" aria-label={isSet ? 'Variations' : 'Alternates'}>
           {takes.map((take) => (
             <TakeCard
               key={take.id}
@@ -283,7 +283,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
             onClose={() => setChanging(false)}
             onSave={(said, done) =>
               judge.change.mutate(
-                { takes: [hand], said },
+                { cue, takes: [hand], name, said },
                 {
                   onSuccess: () => {
                     done()
