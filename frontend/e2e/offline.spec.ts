@@ -40,7 +40,7 @@ test('verdicts and comments given without a line are sent later, in order, once 
   await producer.goto(`${url}/projects/${project}/review/${order[0]?.id ?? ''}`)
   await expect(heading(0)).toBeVisible()
   await expect(
-    producer.getByRole('group', { name: 'Alternates' }).or(producer.getByText('Your call')).first(),
+    producer.getByRole('radiogroup', { name: 'Alternates' }).or(producer.getByText('Your call')).first(),
   ).toBeVisible()
   await producer.waitForTimeout(1_000) // what is next in the queue is read ahead
   await asProducer.setOffline(true)

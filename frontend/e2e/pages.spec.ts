@@ -59,7 +59,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
   ]
   const team: Place[] = [
     { name: 'today', path: `${project}/today`, shows: 'Waiting on others' },
-    { name: 'review', path: `${project}/review/${cue('shield_hit')}`, shows: 'Match level' },
+    { name: 'review', path: `${project}/review/${cue('shield_hit')}`, shows: 'Compare' },
     { name: 'review-set', path: `${project}/review/${cue('thruster_burst')}`, shows: 'Randomise' },
     { name: 'people', path: `${project}/people`, shows: 'Invite a designer' },
     { name: 'approvers', path: `${project}/approvers`, shows: 'approves or returns every sound' },

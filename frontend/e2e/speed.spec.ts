@@ -104,7 +104,7 @@ function report(name: string, loaded: Loaded): void {
 for (const { name, part, path, shows } of [
   { name: 'sign-in', part: 'producer', path: () => '/sign-in', shows: 'Forgot password?' },
   { name: 'Today', part: 'approver', path: (project: string) => `${project}/today`, shows: 'Waiting on others' },
-  { name: 'Review', part: 'approver', path: (project: string) => `${project}/review`, shows: 'Match level' },
+  { name: 'Review', part: 'approver', path: (project: string) => `${project}/review`, shows: 'Compare' },
   { name: 'desk', part: 'designer', path: (project: string) => `${project}/desk`, shows: 'Your desk' },
 ]) {
   test(`${name} over a slow connection @slow`, async ({ demo, context, page }) => {
@@ -129,7 +129,7 @@ test('Review asks for no sound before its peaks are here, and for one at a time 
 }) => {
   await context.addCookies([{ name: 'soundlist_demo_part', value: 'approver', url: demo.url }])
   const { requests } = await load(page, `${demo.url}/projects/${demo.projectId}/review`, () =>
-    expect(page.getByText('Match level').first()).toBeAttached(),
+    expect(page.getByText('Compare').first()).toBeAttached(),
   )
   const sounds = () => requests.filter(({ kind }) => kind === 'preview')
   await expect.poll(() => sounds().filter(({ endedAtS }) => endedAtS < Infinity).length).toBeGreaterThan(2)

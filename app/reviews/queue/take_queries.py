@@ -49,7 +49,9 @@ class TakeOnReview:
 def _takes() -> Select[*tuple[Any, ...]]:
     drafts = select(ChangeRequest.id).where(ChangeRequest.take_id == Take.id, ChangeRequest.feedback_id.is_(None))
     waivers = select(Waiver.id).where(Waiver.take_id == Take.id)
-    heard = select(HeardTake.heard_at).where(HeardTake.take_id == Take.id, HeardTake.person_id == bindparam("person_id"))
+    heard = select(HeardTake.heard_at).where(
+        HeardTake.take_id == Take.id, HeardTake.person_id == bindparam("person_id")
+    )
     comments = select(func.count()).where(Comment.take_id == Take.id, Comment.resolved_at.is_(None))
     return (
         select(

@@ -46,7 +46,7 @@ const say = (writes: LaterWrites, takeId: string, text: string, onKept: () => vo
   answered(
     api.POST('/v1/takes/{take_id}/comments', {
       params: { path: { take_id: takeId } },
-      body: { text, mentions: [], heard: true, send: false },
+      body: { text, mentions: [], heard: true },
       fetch: writes.fetch(`Comment on ${takeId}`, onKept),
     }),
   )
@@ -62,7 +62,15 @@ const approve = (writes: LaterWrites, key: string, onKept: () => void = () => un
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: 't1' } },
       headers: { 'Idempotency-Key': key },
-      body: { kind: 'approve', note: '', reasons: [], seen_state: 'conforming', mentions: [], heard: true },
+      body: {
+        kind: 'approve',
+        note: '',
+        reasons: [],
+        seen_state: 'conforming',
+        mentions: [],
+        heard: true,
+        send: false,
+      },
       fetch: writes.fetch('t1 approved', onKept),
     }),
   )

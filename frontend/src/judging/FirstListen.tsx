@@ -41,8 +41,13 @@ export function FirstListen({ listen, count, target, nameOf, silent, onApproveUn
       <span aria-live="polite">
         {listening ? (
           <>
-            <span className="strong">{nameOf(listening)} is playing for the first time.</span> Not approved yet: press
-            Approve <Key keys="a" /> again once {enoughWords(unheard, target)} played.
+            {onApproveUnheard && (
+              <>
+                <span className="strong">{nameOf(listening)} is playing for the first time.</span> Not approved
+                yet.{' '}
+              </>
+            )}
+            Press Approve <Key keys="a" /> again once {enoughWords(unheard, target)} played.
           </>
         ) : (
           <>

@@ -1,5 +1,5 @@
 import { useNavigate } from '@tanstack/react-router'
-import { useEffect, useMemo, useState } from 'react'
+import { useEffect, useEffectEvent, useMemo, useState } from 'react'
 import { flushSync } from 'react-dom'
 
 import { showToast } from '@/app/toast'
@@ -74,6 +74,7 @@ interface CueRoomProps {
   startS?: number
   /** Play it as it opens: it follows a verdict, and this person wants the next one played. */
   playsAtOnce: boolean
+  onPlayed: () => void
   playsNext: { on: boolean; toggle: () => void }
 }
 
@@ -116,11 +117,15 @@ export function CueRoom(props: CueRoomProps) {
   const firstS = placing?.startS ?? 0
   const targets = targetsOf(review.takes)
 
-  const { startS, playsAtOnce } = props
-  const canSound = source !== null
+  const { startS } = props
+  const playsNow = props.playsAtOnce && source !== null
+  const playFirst = useEffectEvent(() => {
+    props.onPlayed()
+    void player.play(0)
+  })
   useEffect(() => {
-    if (playsAtOnce && canSound) void player.play(0)
-  }, [player, playsAtOnce, canSound])
+    if (playsNow) playFirst()
+  }, [playsNow])
   useEffect(() => {
     if (startS !== undefined) player.seek(startS)
   }, [player, startS])

@@ -41,6 +41,7 @@ test('references of the cue stand beside its notes, where there are any', async 
   }
   server.on(`GET /v1/projects/${PROJECT}/references`, { items: [splash], next: null })
   await opened()
+  await userEvent.click(await screen.findByRole('tab', { name: 'Details' }))
   await userEvent.click(await screen.findByText('1 reference'))
   const strip = await screen.findByRole('region', { name: 'References' })
   expect(within(strip).getByText('The clank we mean')).toBeTruthy()
@@ -124,7 +125,7 @@ describe('cutting', () => {
   })
   const cut = async () => {
     await opened()
-    await userEvent.click(await screen.findByRole('button', { name: 'More for shield_hit' }))
+    await userEvent.keyboard('.')
     await userEvent.click(await screen.findByRole('menuitem', { name: 'Cut this cue' }))
     expect(await screen.findByRole('textbox', { name: 'Why cut shield_hit?' })).toHaveFocus()
     // As slowly as a closing menu takes to put the focus elsewhere: each letter of it would be a shortcut there.

@@ -150,6 +150,7 @@ export function ReviewPage(): ReactNode {
           onQueue={() => setQueueOpen(true)}
           onJudged={toNext}
           playsAtOnce={playsNext && follows === cueId}
+          onPlayed={() => setFollows(undefined)}
           playsNext={{ on: playsNext, toggle: () => setPlaysNext(!playsNext) }}
           startTakeId={search.take}
           startS={search.at}

@@ -1,4 +1,4 @@
-import { fireEvent, screen, within } from '@testing-library/react'
+import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeAll, describe, expect, test } from 'vitest'
 
@@ -11,14 +11,20 @@ beforeAll(() => Promise.all([import('./ReviewPage'), import('./ReviewStart')]))
 serveReviewPage()
 
 const alternate = (letter: string) =>
-  within(screen.getByRole('group', { name: 'Alternates' })).getByRole('button', { name: new RegExp(`^${letter}`) })
+  within(screen.getByRole('radiogroup', { name: 'Alternates' })).getByRole('radio', { name: new RegExp(`^${letter}`) })
+
+/** Open More and press one of its lines. */
+const fromMore = async (line: string | RegExp, role = 'menuitem') => {
+  await userEvent.click(screen.getByRole('button', { name: /^More/ }))
+  await userEvent.click(await screen.findByRole(role, { name: line }))
+}
 
 describe('alternates', () => {
   test('2 takes the second in the hand, a approves it, and the next cue stands there', async () => {
     server.on('POST /v1/takes/b/verdict', {})
     await opened()
     await userEvent.keyboard('2')
-    expect(alternate('B')).toHaveAttribute('aria-pressed', 'true')
+    expect(alternate('B')).toHaveAttribute('aria-checked', 'true')
     queueIs(walk)
     await userEvent.keyboard('a')
     expect(await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })).toBeVisible()
@@ -51,11 +57,14 @@ describe('alternates', () => {
     expect(screen.getByRole('button', { name: /True peak −0.60 dBTP/ })).toBeInTheDocument()
     await userEvent.keyboard('d')
     expect(screen.queryByRole('button', { name: /True peak/ })).toBeNull()
-    expect(screen.queryByRole('button', { name: /^Version/ })).toBeNull()
-    expect(alternate('A')).not.toHaveTextContent('version')
+    expect(alternate('A')).not.toHaveTextContent('heard')
+    await userEvent.keyboard('.')
+    expect(await screen.findByRole('menuitem', { name: 'Prefer A, as a comment' })).toBeVisible()
+    expect(screen.queryByRole('menuitem', { name: /^Version/ })).toBeNull()
+    await userEvent.keyboard('{Escape}')
     expect(comparedBlind()).toBe('shield')
     await userEvent.keyboard('d')
-    expect(alternate('A')).toHaveTextContent('version 1')
+    expect(alternate('A')).toHaveTextContent('heard')
     expect(comparedBlind()).toBeUndefined()
   })
 
@@ -67,26 +76,25 @@ describe('alternates', () => {
     serveReview(aReview(anItem({ id: 'shield', name: 'shield_hit' }, takes)))
     await opened()
     expect(screen.getByText('matched: A −3.0 dB, B +1.0 dB')).toBeVisible()
-    expect(alternate('B')).toHaveTextContent('+1.0 dB')
     await userEvent.keyboard('m')
     expect(screen.queryByText(/^matched:/)).toBeNull()
-    expect(screen.getByRole('button', { name: /^Match level/ })).toHaveAttribute('aria-pressed', 'false')
+    await userEvent.keyboard('.')
+    expect(await screen.findByRole('menuitemcheckbox', { name: 'Match levels' })).not.toBeChecked()
   })
 
   test('a key chooses how it is heard, which is said and stays over cues until full range is chosen', async () => {
     await opened()
-    expect(screen.getByRole('button', { name: 'Full range' })).toHaveAttribute('aria-pressed', 'false')
     fireEvent.keyDown(window, { key: '#', code: 'Digit3', shiftKey: true })
-    expect(await screen.findByRole('button', { name: 'Heard as: phone' })).toHaveAttribute('aria-pressed', 'true')
+    expect(await screen.findByText(/Heard as: phone/)).toBeVisible()
     await userEvent.keyboard('j')
     expect(await screen.findByRole('heading', { name: 'foot_deck_walk', level: 1 })).toBeVisible()
     expect(localStorage.getItem('soundlist-heard-as')).toBe('phone')
-    await userEvent.click(screen.getByRole('button', { name: 'Heard as: phone' }))
-    expect(await screen.findByRole('menuitem', { name: /^Phone, selected .*mono, 700 Hz to 12 kHz/ })).toBeVisible()
-    await userEvent.click(screen.getByRole('menuitem', { name: /^Train/ }))
-    expect(await screen.findByRole('button', { name: 'Heard as: train' })).toBeVisible()
+    await fromMore('Heard as: phone')
+    expect(await screen.findByRole('menuitemradio', { name: /^Phone.*mono, 700 Hz to 12 kHz/ })).toBeChecked()
+    await userEvent.click(screen.getByRole('menuitemradio', { name: /^Train/ }))
+    expect(await screen.findByText(/Heard as: train/, { selector: 'span' })).toBeVisible()
     fireEvent.keyDown(window, { key: '!', code: 'Digit1', shiftKey: true })
-    expect(await screen.findByRole('button', { name: 'Full range' })).toBeVisible()
+    await waitFor(() => expect(screen.queryByText(/Heard as: train/, { selector: 'span' })).toBeNull())
     expect(localStorage.getItem('soundlist-heard-as')).toBeNull()
   })
 
@@ -94,8 +102,9 @@ describe('alternates', () => {
     const old = aTake('old', { number: 3, state: 'change_requested' })
     serveReview(aReview(shield, { takes: [...shield.takes, old] }))
     await opened()
-    await userEvent.click(screen.getByRole('button', { name: /^Version 1 of 3/ }))
-    await userEvent.click(await screen.findByRole('menuitem', { name: /^Version 3/ }))
+    await fromMore('Version 1 of 3')
+    await userEvent.click(await screen.findByRole('menuitemradio', { name: /^Version 3/ }))
+    await userEvent.keyboard('{Escape}')
     expect(await screen.findByText('A change was requested for this version.')).toBeVisible()
     expect(screen.queryByRole('button', { name: /^Approve / })).toBeNull()
     expect(screen.getByRole('slider')).toHaveAccessibleName('Position in shield_hit, version 3')

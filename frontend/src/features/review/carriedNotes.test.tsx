@@ -30,12 +30,6 @@ describe('a version that answers a change', () => {
     await userEvent.keyboard('b')
     expect(await within(asked).findByRole('button', { name: /^Hear version 1/ })).toBeVisible()
   })
-
-  test('Play stands in the bar with the verdict, for narrow pages', async () => {
-    await opened()
-    const bar = screen.getByRole('region', { name: 'Verdict' })
-    expect(within(bar).getByText('Play')).toBeInTheDocument()
-  })
 })
 
 describe('notes on earlier versions', () => {

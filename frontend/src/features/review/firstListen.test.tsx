@@ -64,9 +64,8 @@ describe('an approval of what was not heard', () => {
       expect(verdict()).toHaveTextContent('You have not heard version 1 yet. Approve a plays it first.')
       await userEvent.keyboard('a')
       await sounds(1)
-      expect(verdict()).toHaveTextContent(
-        'version 1 is playing for the first time. Not approved yet: press Approve a again once it has played.',
-      )
+      expect(verdict()).toHaveTextContent('version 1 is playing for the first time. It is not approved yet.')
+      expect(verdict()).toHaveTextContent('Press Approve a again once it has played.')
       await userEvent.keyboard('a')
       expect(context.started).toHaveLength(1) // it goes on, and does not begin again
       expect(decisions()).toEqual([])
@@ -103,7 +102,8 @@ describe('an approval of what was not heard', () => {
 
   test('is given without listening by the button of that name, which the server is told', async () => {
     await openOne()
-    await userEvent.click(within(verdict()).getByRole('button', { name: 'Approve without listening' }))
+    await userEvent.keyboard('.')
+    await userEvent.click(await screen.findByRole('menuitem', { name: 'Approve without listening' }))
     await waitFor(() => expect(decisions()[0]?.body).toMatchObject({ kind: 'approve', heard: false }))
     expect(context?.started ?? []).toEqual([])
   })
@@ -112,7 +112,7 @@ describe('an approval of what was not heard', () => {
     server.on('GET /v1/sounds/a/preview', { durationS: 90 })
     await openOne(one({ duration_s: 90 }))
     await userEvent.keyboard('a')
-    expect(await within(verdict()).findByText(/again once 30 s of it have played/)).toBeVisible()
+    expect(await within(verdict()).findByText(/once 30 s of it have played/)).toBeVisible()
   })
 
   test('of a sound that has no preview yet is not given by a key', async () => {
@@ -164,7 +164,7 @@ describe('a set that is judged quickly', () => {
     await opened('/walk')
     await userEvent.keyboard('{Shift>}a{/Shift}')
     expect(await screen.findByText('_01 approved', { exact: false })).toBeVisible()
-    expect(within(screen.getByRole('list', { name: 'Variations' })).getAllByRole('button')).toHaveLength(1)
+    expect(within(screen.getByRole('radiogroup', { name: 'Variations' })).getAllByRole('radio')).toHaveLength(1)
     await userEvent.keyboard('a')
     await waitFor(() => expect(decisions()).toHaveLength(2))
     expect(decisions().map(({ path }) => path)).toEqual(['/v1/takes/w1/verdict', '/v1/cues/walk/accept-set'])

@@ -70,7 +70,7 @@ test('an @ offers people; arrows and Enter choose one, whose id is sent', { tags
   const field = screen.getByRole('textbox', { name: /^Comment/ })
   expect(field).toHaveValue('ask @Coder ')
   expect(posts()).toHaveLength(0)
-  await userEvent.keyboard('if it clips{Control>}{Enter}{/Control}')
+  await userEvent.keyboard('if it clips{Enter}')
   await waitFor(() => expect(posts()).toHaveLength(1))
   expect(posts()[0]?.body).toMatchObject({ text: 'ask @Coder if it clips', mentions: ['code'] })
 })
@@ -90,7 +90,7 @@ test('Escape closes the list and not the comment; what nobody is called offers n
 test('who is mentioned and no longer may be is said, and the text stays', async () => {
   server.on('POST /v1/takes/a/comments', () => refusal(422, 'not-mentionable', 'Composer may not see this version.'))
   await opened()
-  await userEvent.keyboard('c@Composer look{Control>}{Enter}{/Control}')
+  await userEvent.keyboard('c@Composer look{Enter}')
   expect(await screen.findByRole('alert')).toHaveTextContent('Composer may not see this version.')
   expect(screen.getByRole('textbox', { name: /^Comment/ })).toHaveValue('@Composer look')
 })
@@ -108,6 +108,7 @@ test('who is mentioned says that they have seen it, and a resolved comment is op
   await opened()
   expect(await screen.findByText(`@${me.name}`)).toHaveClass('strong')
   await userEvent.click(screen.getByRole('button', { name: `Seen: what ${APPROVER.name} said` }))
+  await userEvent.click(screen.getByRole('button', { name: /^Comment .*by Composer/ }))
   await userEvent.click(screen.getByRole('button', { name: /^Reopen\s*what Composer said$/ }))
   await waitFor(() =>
     expect(posts().map(({ path }) => path)).toEqual(['/v1/comments/c1/acknowledgement', '/v1/comments/c2/reopen']),

@@ -127,7 +127,7 @@ describe('a change of an approved version', () => {
       .on('GET /v1/cues/shield/money', TAKEN)
       .on(`GET /v1/projects/${PROJECT}/change-requests`, { items: [draft], next: null })
     await opened()
-    await userEvent.keyboard('s')
+    await userEvent.click(await screen.findByRole('button', { name: '1 change to send' }))
     expect(await screen.findAllByText(SAYS)).not.toHaveLength(0)
   })
 })

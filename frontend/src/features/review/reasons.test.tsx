@@ -13,9 +13,15 @@ beforeEach(() => forgetDrafts())
 
 const why = () => screen.findByRole('group', { name: /^Approve .* because$/ })
 const hand = (letter: string) =>
-  within(screen.getByRole('group', { name: 'Alternates' })).getByRole('button', { name: new RegExp(`^${letter}`) })
+  within(screen.getByRole('radiogroup', { name: 'Alternates' })).getByRole('radio', { name: new RegExp(`^${letter}`) })
 const own = (kind: 'change' | 'pick', ...reasons: string[]) =>
   server.on(`GET /v1/projects/${PROJECT}/review-reasons`, { ...OURS, [kind]: { is_own: true, reasons } })
+
+/** Open More and press one of its lines. */
+const fromMore = async (line: string) => {
+  await userEvent.click(screen.getByRole('button', { name: /^More/ }))
+  await userEvent.click(await screen.findByRole('menuitem', { name: line }))
+}
 
 describe('the reason of a pick', () => {
   test('p and a digit approve with it and move on', async () => {
@@ -36,7 +42,7 @@ describe('the reason of a pick', () => {
     own('pick', 'Feels right', 'Right size')
     server.on('POST /v1/takes/a/verdict', {})
     await opened()
-    await userEvent.click(screen.getByRole('button', { name: 'Reason' }))
+    await fromMore('Approve with a reason')
     const buttons = within(await why()).getAllByRole('button')
     expect(buttons.map(({ textContent }) => textContent)).toEqual(['Feels right1', 'Right size2', 'CloseEsc'])
     await userEvent.click(within(await why()).getByRole('button', { name: /Right size/ }))
@@ -48,11 +54,11 @@ describe('the reason of a pick', () => {
     await userEvent.keyboard('p')
     await why()
     await userEvent.keyboard(' {Enter}9')
-    expect(hand('A')).toHaveAttribute('aria-pressed', 'true')
+    expect(hand('A')).toBeChecked()
     await userEvent.keyboard('{Escape}')
     expect(screen.queryByRole('group', { name: /^Approve .* because$/ })).toBeNull()
     await userEvent.keyboard('2')
-    expect(hand('B')).toHaveAttribute('aria-pressed', 'true')
+    expect(hand('B')).toBeChecked()
     expect(posts()).toEqual([])
   })
 
@@ -81,7 +87,6 @@ describe('the reason of a pick', () => {
     const blocked = ['a', 'b'].map((take_id) => ({ take_id, why: '1 comment is not resolved' }))
     serveReview(aReview(shield, { checklist: { blockers: 'notes', items: [], checks: [], blocked } }))
     await opened()
-    expect(screen.getByRole('button', { name: 'Reason' })).toBeDisabled()
     await userEvent.keyboard('p1')
     expect(screen.queryByRole('group', { name: /^Approve .* because$/ })).toBeNull()
     expect(posts()).toEqual([])
@@ -151,16 +156,11 @@ describe('the label of an alternate', () => {
     await waitFor(() => expect(labelled()).toEqual([{ label: 'wild' }, { label: null }]))
   })
 
-  test('is set by mouse too, by a button that says whether its row is open', async () => {
+  test('is set by mouse too, from More', async () => {
     server.on('PUT /v1/takes/a/label', { label: 'layered', labelled_by: null, labelled_at: null })
     await opened()
-    const button = screen.getByRole('button', { name: 'Label' })
-    await userEvent.click(button)
-    const row = await screen.findByRole('group', { name: 'Label A as' })
-    expect(button).toHaveAttribute('aria-pressed', 'true')
-    await userEvent.click(button)
-    expect(row).not.toBeInTheDocument()
-    await userEvent.click(button)
+    await fromMore('Label')
+    await screen.findByRole('group', { name: 'Label A as' })
     await userEvent.click(screen.getByRole('button', { name: 'layered' }))
     await waitFor(() => expect(labelled()).toEqual([{ label: 'layered' }]))
     await waitFor(() => expect(screen.queryByRole('group', { name: /^Label/ })).toBeNull())
@@ -170,7 +170,8 @@ describe('the label of an alternate', () => {
     await opened()
     await userEvent.keyboard('r')
     await screen.findByRole('form', { name: 'What to change in shield_hit A' })
-    expect(screen.getByRole('button', { name: 'Label' })).toBeDisabled()
+    await userEvent.click(screen.getByRole('button', { name: /^More/ }))
+    expect(await screen.findByRole('menuitem', { name: 'Label' })).toBeDisabled()
   })
 
   test('is neither shown nor set while versions are compared blind', async () => {
@@ -181,7 +182,6 @@ describe('the label of an alternate', () => {
     await userEvent.keyboard('d{Shift>}L{/Shift}')
     expect(screen.queryByText('wild')).toBeNull()
     expect(screen.queryByRole('group', { name: /^Label/ })).toBeNull()
-    expect(screen.queryByRole('button', { name: 'Label' })).toBeNull()
   })
 })
 

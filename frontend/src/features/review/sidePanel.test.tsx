@@ -25,20 +25,20 @@ describe('what is said', () => {
       acknowledgements: [],
     })
     await opened()
-    await userEvent.keyboard('ca clear attack{Control>}{Enter}{/Control}')
+    await userEvent.keyboard('ca clear{Shift>}{Enter}{/Shift}attack{Enter}')
     await waitFor(() => expect(posts()).toHaveLength(1))
-    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'a clear attack' } })
+    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'a clear\nattack' } })
   })
 
   test('stays in its field when it is refused', async () => {
     server.on('POST /v1/takes/a/comments', () => refusal(422, 'range-invalid', 'It is beyond the end of the sound.'))
     await opened()
-    await userEvent.keyboard('cclear{Control>}{Enter}{/Control}')
+    await userEvent.keyboard('cclear{Enter}')
     expect(await screen.findByRole('alert')).toHaveTextContent('It is beyond the end of the sound.')
     expect(screen.getByRole('textbox', { name: /^Comment/ })).toHaveValue('clear')
   })
 
-  test('those who advise say which they would take, and are told who decides', async () => {
+  test('those who advise say which they prefer, and are told who decides', async () => {
     serveReview(aReview(shield, { may_approve: false }))
     server.on('POST /v1/takes/a/comments', { id: 'c1', take_id: 'a' })
     await opened()
@@ -46,7 +46,7 @@ describe('what is said', () => {
     expect(screen.queryByRole('button', { name: /^Approve |^Request/ })).toBeNull()
     await userEvent.keyboard('a')
     await waitFor(() => expect(posts()).toHaveLength(1))
-    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'I’d pick A.' } })
+    expect(posts()[0]).toMatchObject({ path: '/v1/takes/a/comments', body: { text: 'I prefer A.' } })
   })
 
   test('a deputy sees for whom they decide, and everybody else who may', async () => {
@@ -63,7 +63,7 @@ describe('what is said', () => {
 
   test('findings stand in their tab with the limit and what to do', async () => {
     await opened()
-    await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
+    await userEvent.click(screen.getByRole('tab', { name: 'Details' }))
     const finding = screen.getByRole('article', { name: 'True peak −0.60 dBTP, limit −1 dBTP' })
     expect(finding).toHaveTextContent('Lower the level by 0.40 dB or more.')
     expect(within(finding).getByRole('button', { name: 'Go to position' })).toBeVisible()
@@ -80,7 +80,7 @@ describe('a version that came back', () => {
     serveReview(aReview(shield, { takes: [came] }))
     server.on('POST /v1/takes/a/waiver', {})
     await opened()
-    await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
+    await userEvent.click(screen.getByRole('tab', { name: 'Details' }))
     const through = await screen.findByRole('button', { name: 'Waive version 1' })
     expect(through).toBeDisabled()
     await userEvent.type(screen.getByRole('textbox', { name: 'Waive the findings: reason' }), 'meant to clip')
@@ -92,7 +92,7 @@ describe('a version that came back', () => {
   test('is not offered to those who advise', async () => {
     serveReview(aReview(shield, { takes: [came], may_approve: false }))
     await opened()
-    await userEvent.click(screen.getByRole('tab', { name: 'Findings 1' }))
+    await userEvent.click(screen.getByRole('tab', { name: 'Details' }))
     await act(() => import('./Waiver'))
     expect(screen.queryByRole('button', { name: /^Waive/ })).toBeNull()
   })

@@ -21,7 +21,7 @@ test('a cue with a version that was not heard is marked, and a key opens it', as
   expect(line(/shield_hit/)).not.toHaveTextContent('not heard')
   await userEvent.keyboard('{Shift>}j{/Shift}')
   await waitFor(() => expect(app.at()).toBe(`/projects/${PROJECT}/review/walk`))
-  expect(await screen.findByRole('list', { name: 'Variations' })).toHaveTextContent('not heard')
+  expect(await screen.findByRole('radiogroup', { name: 'Variations' })).toHaveTextContent('not heard')
   await userEvent.keyboard('{Shift>}j{/Shift}')
   expect(await screen.findByText('You have heard every other version that waits.')).toBeVisible()
 })

@@ -37,8 +37,8 @@ describe('what waits', () => {
 
   test('an alternate 2.1 LU above the first says by how much it comes down', async () => {
     await opened()
-    const group = await screen.findByRole('group', { name: 'Alternates' })
-    expect(within(group).getByRole('button', { name: /^B/ })).toHaveTextContent('0.80 s, −2.1 dB')
+    const group = await screen.findByRole('radiogroup', { name: 'Alternates' })
+    expect(within(group).getByRole('radio', { name: /^B/ })).toHaveTextContent('0.80 s, −2.1 dB')
   })
 
   test('what blocks an approval is said before the key is pressed, of the first and of the rest', async () => {

@@ -128,7 +128,9 @@ test('o opens the scene with its lanes, their levels and what is heard, and o cl
   expect(await scene.findByRole('img', { name: aMasking.in_words })).toBeVisible()
   expect(scene.getByText('1 of 2 bands, 99 % of its energy')).toBeVisible()
   expect(scene.getByText(/Levels of neighbours are those of Build 481/)).toBeVisible()
-  expect(screen.getByRole('button', { name: /^In the scene/ })).toHaveAttribute('aria-pressed', 'true')
+  await userEvent.keyboard('.')
+  expect(await screen.findByRole('menuitemcheckbox', { name: 'Play in context' })).toBeChecked()
+  await userEvent.keyboard('{Escape}')
   await userEvent.keyboard('o')
   await waitFor(() => expect(screen.queryByRole('region', { name: 'Scene' })).toBeNull())
 })
@@ -278,7 +280,9 @@ test('a designer is offered no scene', async () => {
   server.on('GET /v1/me', aMe({ part: 'designer', is_liaison: false, is_approver: false }))
   openApp(`/projects/${PROJECT}/review/shield`)
   await screen.findByRole('region', { name: 'Verdict' })
-  expect(screen.queryByRole('button', { name: /^In the scene/ })).toBeNull()
+  await userEvent.keyboard('.')
+  await screen.findByRole('menuitemcheckbox', { name: 'Match levels' })
+  expect(screen.queryByRole('menuitemcheckbox', { name: 'Play in context' })).toBeNull()
 })
 
 describe('against another sound', () => {
@@ -295,7 +299,9 @@ describe('against another sound', () => {
   const opened = async () => {
     openApp(`/projects/${PROJECT}/review/shield`)
     await screen.findByRole('region', { name: 'Verdict' })
-    await userEvent.click(screen.getByRole('button', { name: 'Against' }))
+    await userEvent.keyboard('.')
+    await userEvent.click(await screen.findByRole('menuitemcheckbox', { name: 'Against another sound' }))
+    await userEvent.keyboard('{Escape}')
     return within(await screen.findByRole('region', { name: 'Against' }))
   }
 
