@@ -133,7 +133,7 @@ test('whatever is typed is there again, however a form is left @slow', async ({ 
     },
     {
       name: 'the spec',
-      path: `${at}/spec`,
+      path: `${at}/spec?view=all`,
       field: page.getByLabel('Pattern (regular expression) without the extension'),
       first: '[a-z]+',
       then: '[a-z_]+',

@@ -78,7 +78,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
         { name: 'packs', path: `${project}/packs`, shows: /pack/i },
         { name: 'placeholders', path: `${project}/placeholders`, shows: /placeholder/i },
         { name: 'import', path: `${project}/sound-list/import`, shows: 'Spreadsheet' },
-        { name: 'spec', path: `${project}/spec`, shows: /TOML/ },
+        { name: 'spec', path: `${project}/spec`, shows: 'Every sound' },
         { name: 'new-project', path: '/projects/new', shows: 'Create project' },
         { name: 'tokens', path: `${project}/tokens`, shows: 'Tokens' },
         { name: 'settings', path: `${project}/settings`, shows: 'Cue ID prefix' },

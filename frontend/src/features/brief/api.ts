@@ -103,28 +103,6 @@ export function usePublishBrief(projectId: string) {
   })
 }
 
-export const proposalQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.brief(projectId, 'spec'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/spec', inProject(projectId))),
-  })
-
-export function useApplyProposal(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
-    mutationFn: (body: { based_on_version: number; brief_revision: number }) =>
-      answered(api.POST('/v1/projects/{project_id}/brief/spec', { ...inProject(projectId), body })),
-    onSuccess: () =>
-      invalidate(
-        client,
-        queryKeys.brief(projectId, 'spec'),
-        queryKeys.spec(projectId),
-        queryKeys.specVersions(projectId),
-        queryKeys.project(projectId),
-      ),
-  })
-}
-
 export const useRecordRead = (projectId: string) =>
   useMutation({
     mutationFn: (version: number) =>

@@ -84,6 +84,8 @@ export const projectRoutes = [
   createRoute({
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/spec',
+    validateSearch: (search: Record<string, unknown>): { view?: 'all' } =>
+      search.view === 'all' ? { view: 'all' } : {},
     component: lazyRouteComponent(() => import('./spec/SpecPage'), 'SpecPage'),
   }),
   createRoute({

@@ -21,7 +21,7 @@ const KINDS = [
 ]
 
 /** What one category asks otherwise than the spec at large. */
-export function Categories({ cues }: { cues: readonly Cue[] }) {
+export function Categories({ cues, isAdding = false }: { cues: readonly Cue[]; isAdding?: boolean }) {
   const { tables, change } = useWriting()
   const [name, setName] = useState('')
   const named = Object.keys(tableIn(tables.categories))
@@ -33,54 +33,52 @@ export function Categories({ cues }: { cues: readonly Cue[] }) {
     change((whole) => ({ ...whole, categories: { ...tableIn(whole.categories), [category]: {} } }))
     setName('')
   }
+  const form = (
+    <form
+      className={`row wrap ${classes.inside}`}
+      onSubmit={(event) => {
+        event.preventDefault()
+        add(slug)
+      }}
+    >
+      <TextInput
+        aria-label="Category name"
+        placeholder="Category name"
+        value={name}
+        spellCheck={false}
+        onChange={({ currentTarget }) => setName(currentTarget.value)}
+      />
+      <Button type="submit" icon="plus">
+        Add category
+      </Button>
+      {unnamed.length > 0 && <span className="small mid">In the sound list without rules:</span>}
+      {unnamed.map((category) => (
+        <button type="button" key={category} className="link small" onClick={() => add(category)}>
+          {category}
+        </button>
+      ))}
+    </form>
+  )
+  if (isAdding) return form
   return (
     <Card aria-labelledby="form-categories">
       <CardHead id="form-categories" title="Categories" note="overrides of the general rules" />
       {named.map((category) => (
         <Category key={category} name={category} cues={cues.filter((cue) => cue.category === category).length} />
       ))}
-      <form
-        className={`row wrap ${classes.inside}`}
-        onSubmit={(event) => {
-          event.preventDefault()
-          add(slug)
-        }}
-      >
-        <TextInput
-          aria-label="Category name"
-          placeholder="Category name"
-          value={name}
-          spellCheck={false}
-          onChange={({ currentTarget }) => setName(currentTarget.value)}
-        />
-        <Button type="submit" icon="plus">
-          Add category
-        </Button>
-        {unnamed.length > 0 && <span className="small mid">In the sound list without rules:</span>}
-        {unnamed.map((category) => (
-          <button type="button" key={category} className="link small" onClick={() => add(category)}>
-            {category}
-          </button>
-        ))}
-      </form>
+      {form}
     </Card>
   )
 }
 
 function Category({ name, cues }: { name: string; cues: number }) {
-  const { tables, set, change, trouble } = useWriting()
+  const { tables, trouble } = useWriting()
   const base = ['categories', name]
   const wrong = isAt(trouble, base)
   const [opened, setOpened] = useState(false)
   const open = opened || wrong
   const checks = useChecks()
   const differs = differences(tables, name, checks)
-  const kind = at(tables, [...base, 'kind'])
-  const remove = () =>
-    change((whole: Tables) => {
-      const { [name]: gone, ...left } = tableIn(whole.categories)
-      return gone === undefined ? whole : { ...whole, categories: left }
-    })
   return (
     <details className={classes.category} open={open} onToggle={({ currentTarget }) => setOpened(currentTarget.open)}>
       <summary className={classes.summary}>
@@ -91,37 +89,46 @@ function Category({ name, cues }: { name: string; cues: number }) {
           {[kindOf(tables, name), ...differs].filter(Boolean).join('; ') || 'same as general rules'}
         </span>
       </summary>
-      {open && (
-        <div className={classes.inside}>
-          <div className={classes.two}>
-            <Choice
-              label="Sounds are"
-              value={typeof kind === 'string' ? kind : ''}
-              options={KINDS}
-              onChange={(value) => set([...base, 'kind'], value === '' ? undefined : value)}
-            />
-            <AcceptFields base={base} />
-          </div>
-          <LimitFields base={base} />
-          <ul className={classes.checks}>
-            {checksWithoutLimit(checks)
-              .filter((check) => check.is_in_categories)
-              .map(({ name: check, label, severity }) => (
-                <li key={check}>
-                  <span>{label}</span>
-                  <SeverityField
-                    base={[...base, 'checks']}
-                    check={check}
-                    label={`${label} of ${name}`}
-                    usual={severity}
-                  />
-                </li>
-              ))}
-          </ul>
-          <Against place={base} />
-          <Button variant="quiet" icon="cross" onClick={remove}>{`Remove ${name}`}</Button>
-        </div>
-      )}
+      {open && <CategoryFields name={name} />}
     </details>
+  )
+}
+
+/** The rules of one category that differ from the general ones. */
+export function CategoryFields({ name }: { name: string }) {
+  const { tables, set, change } = useWriting()
+  const base = ['categories', name]
+  const checks = useChecks()
+  const kind = at(tables, [...base, 'kind'])
+  const remove = () =>
+    change((whole: Tables) => {
+      const { [name]: gone, ...left } = tableIn(whole.categories)
+      return gone === undefined ? whole : { ...whole, categories: left }
+    })
+  return (
+    <div className={classes.inside}>
+      <div className={classes.two}>
+        <Choice
+          label="Sounds are"
+          value={typeof kind === 'string' ? kind : ''}
+          options={KINDS}
+          onChange={(value) => set([...base, 'kind'], value === '' ? undefined : value)}
+        />
+        <AcceptFields base={base} />
+      </div>
+      <LimitFields base={base} />
+      <ul className={classes.checks}>
+        {checksWithoutLimit(checks)
+          .filter((check) => check.is_in_categories)
+          .map(({ name: check, label, severity }) => (
+            <li key={check}>
+              <span>{label}</span>
+              <SeverityField base={[...base, 'checks']} check={check} label={`${label} of ${name}`} usual={severity} />
+            </li>
+          ))}
+      </ul>
+      <Against place={base} />
+      <Button variant="quiet" icon="cross" onClick={remove}>{`Remove ${name}`}</Button>
+    </div>
   )
 }

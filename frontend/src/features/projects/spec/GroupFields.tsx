@@ -1,7 +1,7 @@
 import { rate } from '@/ui/format'
 
-import { type HeldLimit, statedLimits, useChecks } from './checks'
-import { Choices, NumberField, SeverityField } from './fields'
+import { checksWithoutLimit, type HeldLimit, statedLimits, useChecks } from './checks'
+import { Against, Choices, NumberField, SeverityField } from './fields'
 import classes from './SpecForm.module.css'
 
 const RATES = [44100, 48000, 88200, 96000, 192000].map((value) => ({ value, label: rate(value) }))
@@ -39,15 +39,31 @@ export function AcceptFields({ base }: { base: readonly string[] }) {
   )
 }
 
-/** The levels and edges, each with what follows when it is broken. */
-export function LimitFields({ base }: { base: readonly string[] }) {
-  const limits = statedLimits(useChecks())
+/** The levels and edges of all checks, or of some, each with what follows when it is broken. */
+export function LimitFields({ base, of }: { base: readonly string[]; of?: readonly string[] }) {
+  const limits = statedLimits(useChecks()).filter(({ check }) => of === undefined || of.includes(check.name))
   return (
     <div className={classes.limits}>
       {limits.map((limit) => (
         <LimitLine key={limit.key} limit={limit} base={base} />
       ))}
     </div>
+  )
+}
+
+/** What follows from checks that no limit names: all of them, or some. */
+export function CheckFields({ of }: { of?: readonly string[] }) {
+  const checks = checksWithoutLimit(useChecks()).filter(({ name }) => of === undefined || of.includes(name))
+  return (
+    <ul className={classes.checks}>
+      {checks.map(({ name, label, why, severity, may_return: returns }) => (
+        <li key={name}>
+          <span title={why}>{label}</span>
+          <SeverityField base={['checks']} check={name} label={label} usual={severity} returns={returns} />
+          <Against place={['checks', name]} />
+        </li>
+      ))}
+    </ul>
   )
 }
 

@@ -16,7 +16,7 @@ import { troubleOf } from './trouble'
 import type { SpecWriting } from './useSpecDraft'
 
 /** Whether the spec is valid, what is wrong with it and where, and the button that saves it. */
-export function SaveCard({ spec, writing }: { spec: Spec; writing: SpecWriting }) {
+export function SaveCard({ spec, writing, stays = false }: { spec: Spec; writing: SpecWriting; stays?: boolean }) {
   const { draft, change, changed, movedOn, isCurrent, trouble, result, mine, theirs, save, drop, send } = writing
   const otherMode = draft.mode === 'form' ? 'TOML' : 'form'
   const isMovedOn = save.error instanceof ApiProblem && save.error.code === 'spec-changed'
@@ -85,7 +85,7 @@ export function SaveCard({ spec, writing }: { spec: Spec; writing: SpecWriting }
             keys="mod+s"
             disabled={!changed || movedOn || save.isPending}
             aria-busy={save.isPending}
-            onClick={send}
+            onClick={() => send(stays)}
           >
             {`Save version ${spec.version + 1}`}
           </Button>

@@ -6,9 +6,9 @@ import { Icon } from '@/ui/Icon'
 
 import type { Cue } from '../api'
 import { Categories } from './Categories'
-import { checksWithoutLimit, tuningLimits, useChecks } from './checks'
-import { Against, Choices, NumberField, SeverityField, useWriting } from './fields'
-import { AcceptFields, LimitFields } from './GroupFields'
+import { tuningLimits, useChecks } from './checks'
+import { Choices, NumberField, useWriting } from './fields'
+import { AcceptFields, CheckFields, LimitFields } from './GroupFields'
 import { fits } from './naming'
 import { namesInWords } from './say'
 import classes from './SpecForm.module.css'
@@ -45,21 +45,15 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
           title="Other checks"
           note="returns: the version is sent back; warns: it goes to review with a note"
         />
-        <ul className={`${classes.inside} ${classes.checks}`}>
-          {checksWithoutLimit(checks).map(({ name, label, why, severity, may_return: returns }) => (
-            <li key={name}>
-              <span title={why}>{label}</span>
-              <SeverityField base={['checks']} check={name} label={label} usual={severity} returns={returns} />
-              <Against place={['checks', name]} />
-            </li>
-          ))}
-        </ul>
+        <div className={classes.inside}>
+          <CheckFields />
+        </div>
       </Card>
       <Naming cues={cues} />
       <Card aria-labelledby="form-engine">
         <CardHead id="form-engine" title="Applied in engine" note="deliver dry, without these effects" />
         <div className={classes.inside}>
-          <Choices place={['engine', 'adds']} label="Effects the engine adds" options={ENGINE} mayBeAny={false} />
+          <EngineFields />
         </div>
       </Card>
       <Targets />
@@ -68,8 +62,23 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
   )
 }
 
-/** The pattern of names, tried on the list's own names and on any other. */
+export const EngineFields = () => (
+  <Choices place={['engine', 'adds']} label="Effects the engine adds" options={ENGINE} mayBeAny={false} />
+)
+
 function Naming({ cues }: { cues: readonly Cue[] }) {
+  return (
+    <Card aria-labelledby="form-naming">
+      <CardHead id="form-naming" title="File names" />
+      <div className={classes.inside}>
+        <NamingFields cues={cues} />
+      </div>
+    </Card>
+  )
+}
+
+/** The pattern of names, tried on the list's own names and on any other. */
+export function NamingFields({ cues }: { cues: readonly Cue[] }) {
   const { tables, set, trouble } = useWriting()
   const said = at(tables, ['naming', 'pattern'])
   const ending = at(tables, ['naming', 'extension'])
@@ -81,54 +90,51 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
   const fit = tried === '' ? null : fits(pattern, tried)
   const error = (place: string) => (trouble?.place === place ? trouble.message : undefined)
   return (
-    <Card aria-labelledby="form-naming">
-      <CardHead id="form-naming" title="File names" />
-      <div className={`${classes.inside} ${classes.two}`}>
-        <TextInput
-          id="spec-naming.pattern"
-          classNames={{ input: classes.code }}
-          label="Pattern (regular expression) without the extension"
-          value={pattern}
-          placeholder="any name"
-          spellCheck={false}
-          error={error('naming.pattern')}
-          onChange={({ currentTarget: { value } }) => set(['naming', 'pattern'], value === '' ? undefined : value)}
-        />
-        <TextInput
-          id="spec-naming.extension"
-          classNames={{ input: classes.code }}
-          label="Extension"
-          value={extension}
-          placeholder="any"
-          spellCheck={false}
-          error={error('naming.extension')}
-          onChange={({ currentTarget: { value } }) => set(['naming', 'extension'], value === '' ? undefined : value)}
-        />
-        <TextInput
-          classNames={{ input: classes.code }}
-          label="Test a name"
-          value={tried}
-          placeholder={stems[0] ?? 'laser_fire_01'}
-          spellCheck={false}
-          onChange={({ currentTarget }) => setTried(currentTarget.value)}
-        />
-        <div className={classes.tried} role="status">
-          {tried !== '' && (
-            <p className={`row ${fit === false ? 'tone-bad' : 'tone-ok'}`}>
-              {fit !== null && <Icon name={fit ? 'tick' : 'back'} />}
-              <span>
-                <span className="mono">{tried + extension}</span>{' '}
-                {fit === null
-                  ? 'cannot be tested here; the pattern is validated when saved.'
-                  : fit
-                    ? 'fits.'
-                    : 'does not match.'}
-              </span>
-            </p>
-          )}
-          {stems.length > 0 && <p className="small mid">{namesInWords(odd, stems.length)}</p>}
-        </div>
+    <div className={classes.two}>
+      <TextInput
+        id="spec-naming.pattern"
+        classNames={{ input: classes.code }}
+        label="Pattern (regular expression) without the extension"
+        value={pattern}
+        placeholder="any name"
+        spellCheck={false}
+        error={error('naming.pattern')}
+        onChange={({ currentTarget: { value } }) => set(['naming', 'pattern'], value === '' ? undefined : value)}
+      />
+      <TextInput
+        id="spec-naming.extension"
+        classNames={{ input: classes.code }}
+        label="Extension"
+        value={extension}
+        placeholder="any"
+        spellCheck={false}
+        error={error('naming.extension')}
+        onChange={({ currentTarget: { value } }) => set(['naming', 'extension'], value === '' ? undefined : value)}
+      />
+      <TextInput
+        classNames={{ input: classes.code }}
+        label="Test a name"
+        value={tried}
+        placeholder={stems[0] ?? 'laser_fire_01'}
+        spellCheck={false}
+        onChange={({ currentTarget }) => setTried(currentTarget.value)}
+      />
+      <div className={classes.tried} role="status">
+        {tried !== '' && (
+          <p className={`row ${fit === false ? 'tone-bad' : 'tone-ok'}`}>
+            {fit !== null && <Icon name={fit ? 'tick' : 'back'} />}
+            <span>
+              <span className="mono">{tried + extension}</span>{' '}
+              {fit === null
+                ? 'cannot be tested here; the pattern is validated when saved.'
+                : fit
+                  ? 'fits.'
+                  : 'does not match.'}
+            </span>
+          </p>
+        )}
+        {stems.length > 0 && <p className="small mid">{namesInWords(odd, stems.length)}</p>}
       </div>
-    </Card>
+    </div>
   )
 }

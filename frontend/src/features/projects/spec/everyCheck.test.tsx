@@ -9,7 +9,7 @@ import { serve } from '@/test/server'
 
 test('each check of the server is a line of the form, and axe finds nothing', { tags: ['slow'] }, async () => {
   serve(inProject())
-  openApp('/projects/p1/spec')
+  openApp('/projects/p1/spec?view=all')
   expect(await screen.findByLabelText('True peak, dBTP')).toHaveValue('−1')
   const withSeverity = checks.filter(({ limits }) => limits.every(({ usual }) => usual !== null))
   const labels = [

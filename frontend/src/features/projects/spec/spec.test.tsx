@@ -24,7 +24,7 @@ const someChecks = checks.filter(({ name }) => SHOWN.includes(name))
 
 async function openSpec(more: Answers = {}) {
   const server = serve(inProject('producer', { 'GET /v1/checks': someChecks, ...more }))
-  const app = openApp('/projects/p1/spec')
+  const app = openApp('/projects/p1/spec?view=all')
   await screen.findByRole('heading', { name: 'Delivery spec' })
   await screen.findByRole('button', { name: 'TOML' })
   return { ...server, ...app }
@@ -280,7 +280,7 @@ describe('as TOML', () => {
     await screen.findByText('The spec is valid.')
     document.body.innerHTML = ''
     serve(inProject('producer', { 'GET /v1/checks': someChecks }))
-    openApp('/projects/p1/spec')
+    openApp('/projects/p1/spec?view=all')
     expect(await screen.findByText('Your unsaved changes were restored.')).toBeVisible()
     expect(screen.getByLabelText('Spec as TOML')).toHaveValue(`${TOML}# later\n`)
     await userEvent.click(screen.getByRole('button', { name: 'Discard' }))
@@ -383,7 +383,7 @@ describe('versions', () => {
 
 test('a reviewer changes nothing, and sees who does', async () => {
   serve(inProject('reviewer'))
-  openApp('/projects/p1/spec')
+  openApp('/projects/p1/spec?view=all')
   expect(await screen.findByRole('heading', { name: 'Only producers and audio leads can edit the spec' })).toBeVisible()
   expect(screen.queryByRole('button', { name: /Save/ })).toBeNull()
 })

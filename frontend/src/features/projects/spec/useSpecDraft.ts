@@ -73,7 +73,8 @@ export function useSpecDraft(projectId: string, spec: Spec) {
     begin(draftOf(spec, draft.mode))
     showToast('Your changes were discarded.', () => begin(dropped))
   }
-  const send = () => {
+  /** Save it as the next version, and stay on the page or go to the project. */
+  const send = (stays = false) => {
     if (!changed || save.isPending) return
     const before = spec
     save.mutate(
@@ -88,7 +89,8 @@ export function useSpecDraft(projectId: string, spec: Spec) {
               based_on_version: saved.version,
             })
           })
-          void navigate({ to: '/projects/$projectId', params: { projectId } })
+          if (stays) setDraft(draftOf(saved))
+          else void navigate({ to: '/projects/$projectId', params: { projectId } })
         },
         onError: (error) => {
           if (error instanceof ApiProblem && error.code === 'spec-changed') {

@@ -1,0 +1,31 @@
+import { queryOptions, useQueryClient } from '@tanstack/react-query'
+
+import { answered, api } from './client'
+import { invalidate, queryKeys } from './queryKeys'
+import { useMutation } from './useMutation'
+
+const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
+
+/** What the answers of the brief ask of the delivery spec and it does not have. */
+export const proposalQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.brief(projectId, 'spec'),
+    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/spec', inProject(projectId))),
+  })
+
+/** Save what the answers ask for as a version of the spec. */
+export function useApplyProposal(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: { based_on_version: number; brief_revision: number }) =>
+      answered(api.POST('/v1/projects/{project_id}/brief/spec', { ...inProject(projectId), body })),
+    onSuccess: () =>
+      invalidate(
+        client,
+        queryKeys.brief(projectId, 'spec'),
+        queryKeys.spec(projectId),
+        queryKeys.specVersions(projectId),
+        queryKeys.project(projectId),
+      ),
+  })
+}
