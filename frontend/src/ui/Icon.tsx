@@ -35,7 +35,6 @@ const SHAPES = {
     </>
   ),
   triangle: <path d="M8 2.4l6 10.8H2zM8 6.6v3M8 11.4v.1" />,
-  more: <path d="M3.4 8h.1M8 8h.1M12.6 8h.1" strokeWidth="2.4" />,
   pencil: <path d="M3 13l.7-2.8 6.9-6.9a1.3 1.3 0 0 1 1.9 0l.3.3a1.3 1.3 0 0 1 0 1.9l-7 6.8zM9.6 4.3l2.2 2.2" />,
   tick: (
     <>
