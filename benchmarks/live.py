@@ -4,7 +4,7 @@
     python -m benchmarks.live --seconds 60 --people 20
 
 Every person has a page open: it follows the stream of changes, reports presence every three seconds, and reads the
-session again at each change. In each session one person holds the keys, and moves the playhead every five seconds.
+session again at each change. In each session one person has control, and moves the playhead every five seconds.
 Delay is from the moment of that act until another person's page has the new place. All sessions are in one project, so
 each change reaches every page.
 """

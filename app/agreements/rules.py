@@ -117,7 +117,7 @@ def ensure_ends_without_settlement(kind: ContractKind, state: ContractState) -> 
     if kind in ORDERS and state is ContractState.AGREED:
         raise NoticeNeeded(
             "this contract orders work, so it ends with a settlement of what each cue is owed",
-            fix="give notice on its page Ending early; where both agree to the statement, it ends at once",
+            fix="give notice on its page Terminate contract; where both agree to the statement, it ends at once",
         )
 
 

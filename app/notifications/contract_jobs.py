@@ -49,7 +49,7 @@ def notify_contract(runtime: Runtime, payload: Payload) -> None:
             "contract.notice_given": (
                 producers | {designer},
                 "notice was given on a contract",
-                f"{title}: notice was given. Its page Ending early says what each cue is owed.",
+                f"{title}: notice was given. Its page Terminate contract says what each cue is owed.",
             ),
             "change_order.proposed": (
                 {designer} if payload.get("party") == "studio" else producers,

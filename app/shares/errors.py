@@ -52,7 +52,7 @@ class PlaylistInvalid(Invalid):
 
 
 class ControlTaken(Conflict):
-    """Another person holds the keys of the session."""
+    """Another person has control of the session."""
 
 
 class PlayheadMoved(Conflict):

@@ -54,13 +54,13 @@ def report(session: Session, actor: Actor, playlist_id: UUID, body: LiveReport) 
 
 
 def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> LiveRead:
-    """Play, pause, seek or go to another take, for everyone; only who holds the keys does."""
+    """Play, pause, seek or go to another take, for everyone; only who has control does."""
     playlist_of_team(session, actor, playlist_id)
     now = clock.now()
     live = _locked(session, playlist_id)
     if _holder(session, live, now) != actor.person:
         raise ControlTaken(
-            "you do not hold the keys of this session", fix="take them while they are free, or ask for them"
+            "you do not have control of this session", fix="take control while it is free, or ask for it"
         )
     _ensure_on_this_page(session, actor, playlist_id, body.page_id, now)
     if body.sequence != live.sequence:
@@ -75,14 +75,14 @@ def move(session: Session, actor: Actor, playlist_id: UUID, body: LiveMove) -> L
 
 
 def pass_keys(session: Session, actor: Actor, playlist_id: UUID, body: LiveKeys) -> LiveRead:
-    """Take the keys while they are free or on another page of one's own, hand them to another, or put them down."""
+    """Take control while it is free or on another page of one's own, hand it to another, or release it."""
     playlist_of_team(session, actor, playlist_id)
     now = clock.now()
     live = _locked(session, playlist_id)
     holder_id = _holder(session, live, now)
     if holder_id not in (None, actor.person) or (holder_id is None and body.act != "take"):
         raise ControlTaken(
-            "another person holds the keys" if holder_id else "you do not hold the keys", fix="ask who holds them"
+            "another person has control" if holder_id else "you do not have control", fix="ask who has it"
         )
     if body.act != "take":
         _ensure_on_this_page(session, actor, playlist_id, body.page_id, now)
@@ -128,7 +128,7 @@ def _join(session: Session, actor: Actor, playlist: Playlist, page_id: UUID | No
 
 
 def _start(session: Session, actor: Actor, playlist_id: UUID, now: datetime) -> None:
-    """Give the keys to who joins an empty session; what an earlier one played there is over."""
+    """Give control to who joins an empty session; what an earlier one played there is over."""
     live = _locked(session, playlist_id)
     if _holder(session, live, now) is None:  # of two who start at the same moment the first one
         live.holder_id = actor.person
@@ -154,7 +154,7 @@ def _ensure_on_this_page(
 ) -> None:
     listener = live_queries.listener(session, playlist_id, actor.person)
     if listener is not None and is_elsewhere(now, page_id, listener.page_id, listener.seen_at):
-        raise ControlTaken("you hold the keys on another page of yours", fix="take the keys here first")
+        raise ControlTaken("you have control on another page of yours", fix="take control here first")
 
 
 def _locked(session: Session, playlist_id: UUID) -> LiveSession:

@@ -169,7 +169,7 @@ class LiveListener(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     seen_at: Mapped[datetime]
-    page_id: Mapped[UUID | None]  # the one of the person's pages that plays and may hold the keys
+    page_id: Mapped[UUID | None]  # the one of the person's pages that plays and may have control
     person: Mapped[Person] = relationship(lazy="raise")
 
 

@@ -85,7 +85,7 @@ def save_playlist_position(playlist_id: UUID, body: PositionSet, session: DbSess
 def get_live_session(
     playlist_id: UUID, session: DbSession, page_id: UUID | None = None, actor: Actor = TEAM
 ) -> LiveRead:
-    """Return what everyone in the session of a playlist hears now, who is in it, and who holds the keys."""
+    """Return what everyone in the session of a playlist hears now, who is in it, and who has control."""
     return live_sessions.live_read(session, actor, playlist_id, page_id)
 
 
@@ -109,5 +109,5 @@ def move_playhead(playlist_id: UUID, body: LiveMove, session: DbSession, actor: 
     responses=problems(PlaylistNotFound, TeamNeeded, ControlTaken, ListenerNotFound),
 )
 def pass_keys(playlist_id: UUID, body: LiveKeys, session: DbSession, actor: Actor = TEAM) -> LiveRead:
-    """Take the keys while they are free or on another page of one's own, hand them to another, or put them down."""
+    """Take control while it is free or on another page of one's own, hand it to another, or release it."""
     return live_sessions.pass_keys(session, actor, playlist_id, body)

@@ -96,7 +96,7 @@ class LiveRead(Schema):
     """What everyone in a session hears."""
 
     sequence: int
-    holder: PersonBrief | None = Field(description="Who holds the keys; null while they are free.")
+    holder: PersonBrief | None = Field(description="Who has control; null while it is free.")
     is_holder: bool = Field(description="Whether the caller holds them, on this page.")
     is_elsewhere: bool = Field(description="Whether another page of the caller's plays the session; this one does not.")
     take_id: UUID | None

@@ -93,7 +93,7 @@ def heard_takes(candidates: Iterable[Candidate]) -> list[UUID]:
 
 
 def holder_now(now: datetime, holder_id: UUID | None, seen: Sequence[tuple[UUID, datetime]]) -> UUID | None:
-    """Return who holds the keys: nobody once the holder's page has not reported for ten seconds."""
+    """Return who has control: nobody once the holder's page has not reported for ten seconds."""
     return holder_id if holder_id in present_now(now, seen) else None
 
 

@@ -192,9 +192,10 @@ def in_words(rendered: Rendered) -> str:
     """Return what was made, and what it cost, in one line."""
     channels = {1: "mono", 2: "stereo"}.get(rendered.channels, f"{rendered.channels} channels")
     coding = CODINGS.get(rendered.encoding)
-    kept = coding.label if coding and coding.is_lossy else f"{rendered.bit_depth} bit"
-    if coding and not coding.is_lossy:
-        kept = f"{coding.label} of {kept}"
+    if coding:
+        kept = coding.label if coding.is_lossy else f"{rendered.bit_depth}-bit {coding.label}"
+    else:
+        kept = f"{rendered.bit_depth} bit"
     parts = [f"{rendered.sample_rate_hz} Hz, {kept}, {channels}, {rendered.duration_s:.3f} s"]
     if rendered.attenuation_db:
         parts.append(f"lowered by {rendered.attenuation_db:.2f} dB to keep its peak limit")

@@ -105,7 +105,7 @@ async function placesOf(part: Part, context: BrowserContext, demo: Demo, size: s
         { name: 'drift', path: `${project}/drift`, shows: 'Volume' },
         { name: 'listening', path: `${project}/listening`, shows: 'Notes of this pass' },
         { name: 'recording', path: `${project}/recording`, shows: 'Recording of the game' },
-        { name: 'game-tasks', path: `${project}/game-tasks`, shows: 'Sounds to correct in the game' },
+        { name: 'game-tasks', path: `${project}/game-tasks`, shows: 'Implementation tasks' },
         { name: 'credits', path: `${project}/credits`, shows: 'Add a name' },
         { name: 'verify', path: '/verify', shows: 'Verify a contract' },
       ]

@@ -102,10 +102,10 @@ test('two people of a session hear the same place, at once, after 10 s, after a 
   for (const page of [leader, listener]) await recordOutput(page)
   await leader.goto(near.url + playlist)
   await leader.getByRole('button', { name: 'Start session' }).click()
-  await expect(leader.getByText('You hold the keys')).toBeVisible()
+  await expect(leader.getByText('You have control')).toBeVisible()
   await listener.goto(far.url + playlist)
   await listener.getByRole('button', { name: 'Join session' }).click()
-  await expect(listener.getByText('Producer holds the keys.')).toBeVisible()
+  await expect(listener.getByText('Producer has control.')).toBeVisible()
 
   const apart = new Map<string, number[]>()
   const measure = async (when: string, forS: number) =>

@@ -69,7 +69,7 @@ async function asks(browser: Browser, url: string): Promise<void> {
     await producer.goto(`${url}/roster`)
     await producer.getByRole('textbox', { name: 'Name' }).fill('Ada Tones')
     await producer.getByRole('textbox', { name: 'Email' }).fill(addressOf('ada'))
-    await producer.getByRole('button', { name: 'Put on file' }).click()
+    await producer.getByRole('button', { name: 'Add designer' }).click()
     await expect(producer).toHaveURL(/\/roster\/[0-9a-f-]{36}$/)
   })
 

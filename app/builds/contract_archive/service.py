@@ -48,7 +48,7 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
     if contract.state is not ContractState.ENDED:
         raise ContractNotEnded(
             "this contract has not ended, so its designer still works on it",
-            fix="end it on the page Ending early; the pack is made of what is approved then",
+            fix="end it on the page Terminate contract; the pack is made of what is approved then",
         )
     project = session.get_one(Project, contract.project_id)
     covered = cues_of(session, contract.id)

@@ -94,7 +94,7 @@ test.each([
 test('how samples are kept: by their depth, or by codec and quality', () => {
   expect(format.sampleFormat(16, 'pcm')).toBe('16 bit')
   expect(format.sampleFormat(32, 'float')).toBe('32 bit float')
-  expect(format.sampleFormat(24, 'flac')).toBe('FLAC of 24 bit')
+  expect(format.sampleFormat(24, 'flac')).toBe('24-bit FLAC')
   expect(format.sampleFormat(32, 'vorbis', 0.4)).toBe('Ogg Vorbis, quality 0.4')
   expect(format.sampleFormat(32, 'opus')).toBe('Opus')
   expect(format.sampleFormat(undefined, undefined)).toBe('')

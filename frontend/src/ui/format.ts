@@ -97,14 +97,14 @@ export function channels(count: number): string {
 /** What codecs are called. */
 const CODECS: Record<string, string> = { vorbis: 'Ogg Vorbis', opus: 'Opus', flac: 'FLAC', mp3: 'MP3' }
 
-/** How samples are kept: "16 bit", "32 bit float", "FLAC of 16 bit", "Ogg Vorbis, quality 0.5". */
+/** How samples are kept: "16 bit", "32 bit float", "16-bit FLAC", "Ogg Vorbis, quality 0.5". */
 export function sampleFormat(bits: number | undefined, encoding: unknown, quality?: number | null): string {
   const codec = typeof encoding === 'string' ? CODECS[encoding] : undefined
   if (codec && encoding !== 'flac') {
     return typeof quality === 'number' ? `${codec}, quality ${quality}` : codec
   }
   const depth = bits ? `${bits} bit` : ''
-  if (codec) return depth ? `${codec} of ${depth}` : codec
+  if (codec) return bits ? `${bits}-bit ${codec}` : codec
   return depth && encoding === 'float' ? `${depth} float` : depth
 }
 

@@ -63,7 +63,7 @@ def test_what_is_rendered_passes_its_check_and_is_made_once(folder, run):
     assert made == ["archive/click.flac", "archive/music/tune.flac", "game/click.opus", "game/music/tune.ogg"]
     assert "48000 Hz, Opus, mono, 0.300 s" in out
     assert "48000 Hz, Ogg Vorbis, stereo" in out
-    assert "44100 Hz, FLAC of 24 bit, mono" in out
+    assert "44100 Hz, 24-bit FLAC, mono" in out
     for target in ("game", "archive"):
         assert run("check", "--no-cache", "--spec", "spec.toml", "--target", target, f"game/{target}")[0] == 0
     code, out, _ = run("render", "--spec", "spec.toml", "--out", "game", "masters")

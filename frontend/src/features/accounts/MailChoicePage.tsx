@@ -22,7 +22,7 @@ export function MailChoicePage() {
   if (error instanceof ApiProblem && error.status === 404) {
     return (
       <Sheet>
-        <h1>This link is not whole</h1>
+        <h1>This link is incomplete</h1>
         <p className="mid">Open it from the email again. Or sign in, and choose your emails on your account’s page.</p>
         <p className={classes.next}>
           <Link className="link" to="/account">

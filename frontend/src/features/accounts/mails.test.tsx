@@ -114,7 +114,7 @@ describe('the link at the end of an email', () => {
   test('that was cut short says so and leads to the account', async () => {
     serve(guest({ 'GET /v1/mail-choices/a-sec': refusal(404, 'mail-link-not-found', 'this link is not whole') }))
     openApp('/mails/a-sec')
-    await waitFor(() => expect(screen.getByRole('heading', { name: 'This link is not whole' })).toBeInTheDocument())
+    await waitFor(() => expect(screen.getByRole('heading', { name: 'This link is incomplete' })).toBeInTheDocument())
     expect(screen.getByRole('link', { name: 'Go to your account' })).toHaveAttribute('href', '/account')
   })
 })

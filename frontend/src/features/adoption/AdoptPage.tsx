@@ -27,7 +27,7 @@ export function AdoptPage(): ReactNode {
     <div className={`page ${classes.page}`}>
       <header className={classes.top}>
         <div>
-          <h1>Adopt a folder that ships already</h1>
+          <h1>Import existing game audio</h1>
           <p className="mid">
             Each sound becomes an approved take of a cue, without review, contract or money. The names stay.
           </p>

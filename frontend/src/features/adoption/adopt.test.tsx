@@ -222,7 +222,7 @@ test('the sound list leads to it', async () => {
     }),
   )
   openApp('/projects/p1/sound-list')
-  const link = await screen.findByRole('link', { name: 'Adopt a folder that ships already' })
+  const link = await screen.findByRole('link', { name: 'Import existing game audio' })
   await waitFor(() => expect(link).toHaveAttribute('href', '/projects/p1/sound-list/adopt'))
 })
 

@@ -65,7 +65,7 @@ export function QuestionCard({
           {isAnswered ? (
             <State kind="conforming">Answered</State>
           ) : isUnknown ? (
-            <State kind="question">Open for both sides</State>
+            <State kind="question">Undecided</State>
           ) : (
             <State kind="to_make">{question.required ? 'Open, needed' : 'Open'}</State>
           )}

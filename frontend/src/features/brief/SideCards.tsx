@@ -185,8 +185,8 @@ function OpenCard({ projectId, brief }: { projectId: string; brief: Brief }) {
   const open = questionsOf(brief).filter(({ key }) => brief.open.includes(key))
   const topicOf = (key: string) => brief.topics.find(({ questions }) => questions.some((one) => one.key === key))?.key
   return (
-    <section aria-label="Open for both sides">
-      <CardHead title="Open for both sides" count={open.length} />
+    <section aria-label="Undecided">
+      <CardHead title="Undecided" count={open.length} />
       {open.length === 0 ? (
         <p className={classes.sideBody}>Every question is answered.</p>
       ) : (

@@ -198,7 +198,7 @@ describe('answering', () => {
     expect(screen.getByRole('button', { name: 'Headphones' })).toHaveAttribute('aria-pressed', 'true')
     await userEvent.keyboard('j0')
     const card = screen.getByRole('region', { name: NAMING.text })
-    expect(within(card).getByText('Open for both sides')).toBeVisible()
+    expect(within(card).getByText('Undecided')).toBeVisible()
     await waitFor(() => expect(server.kept.naming?.is_unknown).toBe(true), { timeout: 3000 })
     expect(server.kept.playback?.value).toBe('headphones')
     await userEvent.keyboard('p')

@@ -171,7 +171,7 @@ export function EffectsField({ question, value, onChange, categories }: FieldPro
       </table>
       <div className="row wrap">
         {table[EVERYTHING] === undefined && (
-          <Button onClick={() => onChange({ ...table, [EVERYTHING]: [] })}>The game adds nothing</Button>
+          <Button onClick={() => onChange({ ...table, [EVERYTHING]: [] })}>No engine effects</Button>
         )}
         {others.map((category) => (
           <Button

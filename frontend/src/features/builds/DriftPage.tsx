@@ -32,7 +32,7 @@ export function DriftPage(): ReactNode {
   const audits = data?.items
   const audit = audits?.find(({ id }) => id === wanted) ?? audits?.[0]
   const navigate = useNavigate()
-  useTitle(audit ? `Build ${audit.label}` : 'Levels in the game')
+  useTitle(audit ? `Build ${audit.label}` : 'In-game levels')
   useHotkeys([
     {
       keys: 'g h',
@@ -44,7 +44,7 @@ export function DriftPage(): ReactNode {
   return (
     <div className="page stack" aria-busy={isPending}>
       <Refusal error={error} />
-      {audit === undefined ? <h1>Levels in the game</h1> : <Head audit={audit} projectId={projectId} />}
+      {audit === undefined ? <h1>In-game levels</h1> : <Head audit={audit} projectId={projectId} />}
       {audits?.length === 0 && <NoAudit projectId={projectId} />}
       {audit && audits && (
         <div className={`columns ${classes.columns}`}>

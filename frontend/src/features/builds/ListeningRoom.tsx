@@ -77,7 +77,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
       group: GROUP,
       run: () => group(ORDERS[(ORDERS.indexOf(order) + 1) % ORDERS.length] ?? 'list'),
     },
-    { keys: 'u', label: 'Take the last note back', group: GROUP, run: undo, disabled: !last },
+    { keys: 'u', label: 'Undo last note', group: GROUP, run: undo, disabled: !last },
   ])
   if (!cue) return <NoCues projectId={projectId} label={audit.label} />
   return (
@@ -134,7 +134,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
             detail={`${cueName}, ${SAID_WORDS[body.said].toLowerCase()}${body.text ? `: ${body.text}` : ''} was not taken: ${why}.`}
           />
         ))}
-        {notes.refused.length > 0 && <Button onClick={notes.forgetRefused}>Read, remove</Button>}
+        {notes.refused.length > 0 && <Button onClick={notes.forgetRefused}>Dismiss</Button>}
         <SoundToJudge
           key={cue.cue.id}
           cue={cue}

@@ -193,7 +193,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
             detail={`${cueName}, ${SAID_WORDS[body.said].toLowerCase()} was not taken: ${why}.`}
           />
         ))}
-        {kept.refused.length > 0 && <Button onClick={() => queue.forgetRefused()}>Read, remove</Button>}
+        {kept.refused.length > 0 && <Button onClick={() => queue.forgetRefused()}>Dismiss</Button>}
       </Card>
       <Card aria-labelledby="recorded-notes">
         <CardHead id="recorded-notes" title="Notes of this recording" count={notes.length + waiting} />

@@ -274,7 +274,7 @@ function Accepted({ first, ids, projectId, maySpeak }: AcceptedProps) {
       </p>
       {maySpeak && (
         <Button aria-busy={withdraw.isPending} onClick={() => withdraw.mutate(ids)}>
-          Accept no longer
+          Withdraw acceptance
         </Button>
       )}
       <Refusal error={withdraw.error} />

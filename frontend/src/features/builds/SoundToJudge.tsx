@@ -67,7 +67,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
     { keys: '0', label: 'Not reached, next', group: GROUP, run: () => say('not-reached') },
     {
       keys: 'Enter',
-      label: 'Keep the note, next',
+      label: 'Save and next',
       group: GROUP,
       run: () => say(choice.said),
       disabled: choice.said === null,

@@ -8,11 +8,11 @@ import { TasksCard } from './TasksCard'
 /** The tasks of a project's sounds in the game: all of them for the team, their own for designers. */
 export function TasksPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
-  useTitle('Sounds to correct in the game')
+  useTitle('Implementation tasks')
   return (
     <div className="page stack">
       <div>
-        <h1>Sounds to correct in the game</h1>
+        <h1>Implementation tasks</h1>
         <p className="mid">
           From notes of the{' '}
           <Link className="link" to="/projects/$projectId/listening" params={{ projectId }}>

@@ -89,7 +89,7 @@ export function ContractPage() {
                 Change orders
               </ButtonLink>
               <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contract.id}/ending`}>
-                {contract.state === 'ended' ? 'Settlement' : 'Ending early'}
+                {contract.state === 'ended' ? 'Settlement' : 'Terminate contract'}
               </ButtonLink>
             </div>
           )}

@@ -24,11 +24,11 @@ import { Warning } from './Warning'
 export function EndingPage() {
   const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/ending' })
   const { data: ending, error } = useQuery(endingQuery(contractId))
-  useTitle('Ending early')
+  useTitle('Terminate contract')
   if (!ending) {
     return (
       <div className="page stack" aria-busy={error === null}>
-        <h1>Ending early</h1>
+        <h1>Terminate contract</h1>
         <Refusal error={error} />
       </div>
     )
@@ -37,7 +37,7 @@ export function EndingPage() {
     <div className="page stack">
       <div className={classes.head}>
         <div>
-          <h1>{ending.state === 'settled' ? 'Settlement' : 'Ending early'}</h1>
+          <h1>{ending.state === 'settled' ? 'Settlement' : 'Terminate contract'}</h1>
           <p className="mid">{standing(ending)}</p>
         </div>
         <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
@@ -359,7 +359,7 @@ function Agree({ ending }: { ending: Ending }) {
         if (state === 'settled') showToast('Settled. The contract has ended.')
       }}
     >
-      <p>With the second yes the contract ends at once.</p>
+      <p>The contract ends when both parties have agreed.</p>
     </SignForm>
   )
 }
@@ -390,7 +390,7 @@ function Before({ ending }: { ending: Ending }) {
       {ending.open_points.length > 0 && (
         <div className={`${classes.form} ${classes.buttons}`}>
           <ButtonLink component={Link} to={`/projects/${projectId}/money`}>
-            Agree to rounds and days
+            Review open charges
           </ButtonLink>
         </div>
       )}

@@ -113,7 +113,7 @@ export function SignForm({
           />
           <div>
             <Button variant="quiet" aria-busy={mailed.isPending} onClick={askForCode}>
-              Mail another code
+              Resend code
             </Button>
           </div>
         </>

@@ -93,7 +93,7 @@ describe('a designer', () => {
     answers['POST /v1/contracts/c1/accept'] = refusal(403, 'wrong-signing-code', 'it can be tried 4 more times')
     await userEvent.type(code, '111111{Enter}')
     expect(await screen.findByText('It can be tried 4 more times.')).toBeVisible()
-    await userEvent.click(screen.getByRole('button', { name: 'Mail another code' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Resend code' }))
     await waitFor(() => expect(code).toHaveValue(''))
     const signed = { ...accepted('designer', 'N. Designer'), code_entered_at: '2026-11-20T10:05:00Z' }
     answers['POST /v1/contracts/c1/accept'] = { ...CONTRACT, waits_for: ['studio'], may: MAY, acceptances: [signed] }

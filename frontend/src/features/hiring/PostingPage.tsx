@@ -74,7 +74,7 @@ function Head({ posting, projectId, move, open, children }: HeadProps) {
         <p className="mid">
           {`${STATE_WORDS[state]}. ${plural(bids ?? 0, 'bid')}. `}
           {state === 'draft' && 'Next: say what you ask for, then open it. '}
-          {state === 'open' && !posting.takes_bids && 'Its last day is over. Set a later one to take more bids. '}
+          {state === 'open' && !posting.takes_bids && 'Bidding is closed. Set a later last day to take more bids. '}
           <Link className="link" to="/projects/$projectId/postings" params={{ projectId }}>
             All postings
           </Link>

@@ -73,7 +73,7 @@ export function PostingsPage() {
 
 function standOf({ state, takes_bids: takesBids, bids_until_on: until }: PostingSummary): string {
   if (state !== 'open') return STATE_WORDS[state]
-  if (!takesBids) return 'Its last day is over'
+  if (!takesBids) return 'Bidding closed'
   return until ? `Open until ${day(until)}` : 'Open'
 }
 
@@ -121,7 +121,7 @@ function NewPosting({ projectId }: { projectId: string }) {
             disabled={title.trim() === ''}
             aria-busy={create.isPending}
           >
-            Write the posting
+            Create posting
           </Button>
         </div>
       </form>

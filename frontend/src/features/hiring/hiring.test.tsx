@@ -212,7 +212,7 @@ test('a producer writes a posting, saves it and opens it', async () => {
   const app = openApp(`${path}/postings`)
   expect(await screen.findByRole('heading', { name: 'No posting yet' })).toBeVisible()
   fireEvent.change(screen.getByRole('textbox', { name: 'Title' }), { target: { value: 'Effects for Alpha' } })
-  await userEvent.click(screen.getByRole('button', { name: 'Write the posting' }))
+  await userEvent.click(screen.getByRole('button', { name: 'Create posting' }))
   await waitFor(() => expect(app.at()).toBe(`${path}/postings/p1`))
   await userEvent.type(await screen.findByRole('textbox', { name: 'Budget' }), '8,000')
   await userEvent.click(screen.getByRole('button', { name: 'Save' }))

@@ -70,7 +70,7 @@ function SayShipped({ contractId, title, amount }: { contractId: string; title: 
     say.mutate(on, { onSuccess: () => showToast(`The bonus of ${amount} is due.`) })
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={`The game has shipped, ${title}`}>
+    <form className={classes.form} onSubmit={send} noValidate aria-label={`Record release date, ${title}`}>
       <TextInput
         label="Shipped on"
         description={`Makes ${amount} due. This cannot be undone.`}
@@ -83,7 +83,7 @@ function SayShipped({ contractId, title, amount }: { contractId: string; title: 
       <Refusal error={say.error} className={classes.wide} />
       <div className={classes.foot}>
         <Button type="submit" aria-busy={say.isPending}>
-          The game has shipped
+          Record release date
         </Button>
       </div>
     </form>

@@ -35,7 +35,7 @@ export function BuildsPage() {
         </p>
         <p>
           <Link className="link" to="/projects/$projectId/drift" params={{ projectId }}>
-            Levels in the game
+            In-game levels
           </Link>
           <span className="mid">: how each build plays the approved sounds, drift, and the listening pass.</span>
         </p>

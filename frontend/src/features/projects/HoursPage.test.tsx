@@ -65,7 +65,7 @@ test('without hours a week nothing is held against what is due', async () => {
 
 test('without agreed work the page names where estimates come from', async () => {
   opened({ total: { cues: 0, unknown: 0, left_h: 0, done_h: 0 }, uncontracted: 4, categories: [], designers: [] })
-  expect(await screen.findByText('No agreed work is open')).toBeVisible()
+  expect(await screen.findByText('No open contracted work')).toBeVisible()
 })
 
 test('a refusal is shown', async () => {

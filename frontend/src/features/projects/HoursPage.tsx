@@ -62,7 +62,7 @@ export function HoursPage() {
 function Shown({ data, projectId }: { data: Hours; projectId: string }) {
   if (data.designers.length === 0) {
     return (
-      <EmptyState head="No agreed work is open">
+      <EmptyState head="No open contracted work">
         {data.uncontracted > 0
           ? `${plural(data.uncontracted, 'cue of the list is', 'cues of the list are')} under no agreed contract, so ${data.uncontracted === 1 ? 'its' : 'their'} hours are not known. `
           : ''}

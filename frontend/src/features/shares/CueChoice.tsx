@@ -35,7 +35,7 @@ export function CueChoice({ projectId, filter, onFilter, problem }: CueChoicePro
       ) : (
         <div className={classes.fields}>
           <TextInput
-            label="Name has"
+            label="Name contains"
             value={filter.text}
             maxLength={200}
             onChange={(event) => onFilter({ ...filter, text: event.currentTarget.value })}

@@ -141,7 +141,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
             error={against('title')}
           />
           <PasswordInput
-            label="Password, if wanted"
+            label="Password (optional)"
             autoComplete="new-password"
             maxLength={200}
             value={password}
@@ -157,7 +157,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
             error={against('expires_at')}
           />
           <TextInput
-            label="Most openings, if limited"
+            label="Max. opens (optional)"
             inputMode="numeric"
             value={typed.most}
             onChange={(event) => setTyped({ ...typed, most: event.currentTarget.value.replace(/\D/g, '').slice(0, 6) })}

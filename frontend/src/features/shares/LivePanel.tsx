@@ -16,7 +16,7 @@ interface LivePanelProps {
   onJoin: () => void
 }
 
-/** Who hears the same, who holds the keys, and how they change hands. */
+/** Who hears the same, who has control, and how they change hands. */
 export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
   const { live, isIn, problem } = hand
   const present = live?.present ?? []
@@ -47,7 +47,7 @@ export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
       <div className={classes.body}>
         {!isIn && (
           <p className="mid">
-            Everyone of the team who joins hears the same playhead. One person holds the keys; nobody needs to share a
+            Everyone of the team who joins hears the same playhead. One person has control; nobody needs to share a
             screen.
           </p>
         )}
@@ -58,17 +58,17 @@ export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
             {live?.holder ? (
               <>
                 <Icon name="headphones" />
-                {live.is_holder ? 'You hold the keys: all hear what you play.' : `${live.holder.name} holds the keys.`}
+                {live.is_holder ? 'You have control: all hear what you play.' : `${live.holder.name} has control.`}
               </>
             ) : (
               'The keys are free.'
             )}
             {live && !live.holder && (
               <Button variant="primary" onClick={hand.take}>
-                Take the keys
+                Take control
               </Button>
             )}
-            {live?.is_holder && <Button onClick={hand.drop}>Put the keys down</Button>}
+            {live?.is_holder && <Button onClick={hand.drop}>Release control</Button>}
           </p>
         )}
       </div>
@@ -79,12 +79,12 @@ export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
               <Person
                 name={id === meId ? `${name} (you)` : name}
                 picture={picture}
-                role={live?.holder?.id === id ? 'holds the keys' : undefined}
+                role={live?.holder?.id === id ? 'has control' : undefined}
               />
               {live?.is_holder && id !== meId && (
                 <span className="end">
                   <Button onClick={() => hand.give(id)}>
-                    Hand over <span className="visually-hidden">the keys to {name}</span>
+                    Hand over <span className="visually-hidden">control to {name}</span>
                   </Button>
                 </span>
               )}
@@ -103,11 +103,11 @@ function Elsewhere({ live, hand, meId }: { live: Live; hand: LiveHand; meId: str
     <p role="status" className={classes.keys}>
       <Icon name="headphones" />
       {live.holder?.id === meId
-        ? 'You hold the keys in another tab, which plays the session. This tab is silent.'
+        ? 'You have control in another tab, which plays the session. This tab is silent.'
         : 'You hear the session in another tab. This tab is silent.'}
       {mayTake ? (
         <Button variant="primary" onClick={hand.take}>
-          Take the keys here
+          Take control here
         </Button>
       ) : (
         <Button variant="primary" onClick={hand.takeOver}>

@@ -76,10 +76,10 @@ test('a link is made of what a filter gives now, and its address is shown', { ta
   })
   const card = await screen.findByRole('region', { name: 'New guest link' })
   expect(await within(card).findByText(/^3 cues: shield_hit, shield_down, door\./)).toBeVisible()
-  await userEvent.type(within(card).getByLabelText('Name has'), 'shield')
+  await userEvent.type(within(card).getByLabelText('Name contains'), 'shield')
   expect(within(card).getByText(/^2 cues: shield_hit, shield_down\. .*come later are not added/)).toBeVisible()
   fireEvent.change(within(card).getByLabelText('Title for guests'), { target: { value: 'For the publisher' } })
-  fireEvent.change(within(card).getByLabelText('Password, if wanted'), { target: { value: 'four unrelated words' } })
+  fireEvent.change(within(card).getByLabelText('Password (optional)'), { target: { value: 'four unrelated words' } })
   await userEvent.click(within(card).getByLabelText(/quiet beep/))
   await userEvent.click(within(card).getByRole('button', { name: 'Make link' }))
   expect(await screen.findByDisplayValue('https://x.test/listen/secret')).toBeVisible()
@@ -224,7 +224,7 @@ test('a designer hears a playlist with a sound of theirs, and changes, decides a
   await noViolations()
 })
 
-test('in a session the keys are taken and handed over', async () => {
+test('in a session control is taken and handed over', async () => {
   const both = [people.producer, people.composer]
   const asked = open('/projects/p1/playlists/l1', {
     'PUT /v1/playlists/l1/live/presence': { ...LIVE, present: both },
@@ -234,10 +234,10 @@ test('in a session the keys are taken and handed over', async () => {
         : answer({ ...LIVE, sequence: 3, holder: people.composer, present: both }),
   })
   await userEvent.click(await screen.findByRole('button', { name: 'Start session' }))
-  await userEvent.click(await screen.findByRole('button', { name: 'Take the keys' }))
-  expect(await screen.findByText(/You hold the keys/)).toBeVisible()
-  await userEvent.click(screen.getByRole('button', { name: /Hand over the keys to Composer/ }))
-  expect(await screen.findByText('Composer holds the keys.')).toBeVisible()
+  await userEvent.click(await screen.findByRole('button', { name: 'Take control' }))
+  expect(await screen.findByText(/You have control/)).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: /Hand over control to Composer/ }))
+  expect(await screen.findByText('Composer has control.')).toBeVisible()
   expect(wrote(asked, 'PUT /v1/playlists/l1/live/keys').map(({ body }) => body)).toEqual([
     { act: 'take', page_id: expect.any(String) as string },
     { act: 'give', person_id: 'x4', page_id: expect.any(String) as string },
@@ -263,7 +263,7 @@ test('who starts a session holds its keys, and the next key plays', async () => 
   })
   vi.stubGlobal('AudioContext', HandContext)
   await userEvent.click(await screen.findByRole('button', { name: 'Start session' }))
-  expect(await screen.findByText(/You hold the keys/)).toBeVisible()
+  expect(await screen.findByText(/You have control/)).toBeVisible()
   expect(screen.getByRole('button', { name: 'Play' })).toHaveFocus()
   await userEvent.keyboard(' ')
   expect(await screen.findByRole('button', { name: 'Pause' })).toBeVisible()
@@ -273,7 +273,7 @@ test('who starts a session holds its keys, and the next key plays', async () => 
   )
 })
 
-test('a second tab of who holds the keys is silent, says so, and takes them over', { tags: ['slow'] }, async () => {
+test('a second tab of who has control is silent, says so, and takes them over', { tags: ['slow'] }, async () => {
   const held = { ...LIVE, holder: people.producer, present: [people.producer] }
   const playing = { take_id: 't3', position_s: 0.2 }
   const asked = open('/projects/p1/playlists/l1', {
@@ -282,14 +282,14 @@ test('a second tab of who holds the keys is silent, says so, and takes them over
     'PUT /v1/playlists/l1/live/keys': { ...held, ...playing, sequence: 2, is_holder: true },
   })
   await userEvent.click(await screen.findByRole('button', { name: 'Join session' }))
-  expect(await screen.findByText(/You hold the keys in another tab/)).toBeVisible()
+  expect(await screen.findByText(/You have control in another tab/)).toBeVisible()
   await noViolations()
   await new Promise((done) => setTimeout(done, 1_000)) // four looks at what all hear
   expect(screen.getByRole('region', { name: 'Now' })).toHaveTextContent('door')
   expect(screen.getByRole('button', { name: 'Play' })).toBeDisabled()
   expect(screen.getByText('Your other tab plays.')).toBeVisible()
-  await userEvent.click(screen.getByRole('button', { name: 'Take the keys here' }))
-  expect(await screen.findByText(/You hold the keys: all hear what you play/)).toBeVisible()
+  await userEvent.click(screen.getByRole('button', { name: 'Take control here' }))
+  expect(await screen.findByText(/You have control: all hear what you play/)).toBeVisible()
   const [taken] = wrote(asked, 'PUT /v1/playlists/l1/live/keys')
   const [reported] = wrote(asked, 'PUT /v1/playlists/l1/live/presence')
   expect(taken?.body).toEqual({ act: 'take', page_id: (reported?.body as { page_id: string }).page_id })
@@ -305,7 +305,7 @@ test('a second tab of a listener goes on here', async () => {
   })
   await userEvent.click(await screen.findByRole('button', { name: 'Start session' }))
   await userEvent.click(await screen.findByRole('button', { name: 'Listen here' }))
-  expect(await screen.findByText('Composer holds the keys.')).toBeVisible()
+  expect(await screen.findByText('Composer has control.')).toBeVisible()
   expect(wrote(asked, 'PUT /v1/playlists/l1/live/presence').at(-1)?.body).toMatchObject({ takes_over: true })
 })
 

@@ -36,7 +36,7 @@ export interface LiveHand {
   lead: (takeId: string, isPlaying: boolean, positionS: number) => void
 }
 
-/** The session of a playlist: who is in it, who holds the keys, and a page that follows the playhead of all. */
+/** The session of a playlist: who is in it, who has control, and a page that follows the playhead of all. */
 export function useLive(playlistId: string, mayJoin: boolean, player: Player, playthrough: Playthrough): LiveHand {
   const client = useQueryClient()
   const queryKey = queryKeys.playlist(playlistId, 'live')
@@ -85,7 +85,7 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
     if (isSending.current) return
     isSending.current = true
     while (waiting.current !== null) {
-      // Nobody can be where a sound has not begun: all begin with the one who holds the keys.
+      // Nobody can be where a sound has not begun: all begin with the one who has control.
       const earlyMs = -whereMs(waiting.current)
       if (earlyMs > 0) await new Promise((resolve) => setTimeout(resolve, earlyMs))
       const sent: Move = waiting.current

@@ -36,7 +36,7 @@ export function MasterCard({ take, closed }: MasterCardProps) {
         ) : (
           <>
             <p>
-              <State kind="waiting">Opens by payment</State>
+              <State kind="waiting">Available after payment</State>
             </p>
             <p className="small mid">{ended(closed)} You can listen to the preview until then.</p>
           </>

@@ -131,7 +131,7 @@ describe('figures and files', () => {
     server.on('GET /v1/takes/t1/sounds', someSounds({ closed, renders: [aGameFile({ file_url: null })] }))
     await opened()
     const master = await card('Master')
-    await waitFor(() => expect(master).toHaveTextContent('Opens by payment'))
+    await waitFor(() => expect(master).toHaveTextContent('Available after payment'))
     expect(master).toHaveTextContent('Its files open when invoice INV-2026-014 is paid')
     expect(within(master).queryByRole('link')).toBeNull()
     expect(within(master).queryByRole('button')).toBeNull()

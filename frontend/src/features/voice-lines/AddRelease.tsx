@@ -76,7 +76,7 @@ export function AddRelease({ projectId, performers, uploads }: AddReleaseProps) 
         onChange={(performer) => setTyped({ ...typed, performer })}
       />
       <TextInput label="Valid from" type="date" error={wrong.validFrom} {...text('validFrom')} />
-      <TextInput label="Valid until, if it ends" type="date" error={wrong.validUntil} {...text('validUntil')} />
+      <TextInput label="Expires (optional)" type="date" error={wrong.validUntil} {...text('validUntil')} />
       <Select
         label="Synthetic use"
         value={typed.syntheticUse}

@@ -73,7 +73,7 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
       </div>
       <Refusal error={found.error} />
       {found.isSuccess && lines.length === 0 && (
-        <EmptyState head="No line fits">Choose another state or character, or clear the search.</EmptyState>
+        <EmptyState head="No matching lines">Choose another state or character, or clear the search.</EmptyState>
       )}
       {scenesOf(lines).map(({ scene, first, lines: own }) => (
         <section key={first} aria-label={scene || 'Without a scene'} className={classes.scene}>

@@ -160,7 +160,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
           ))}
         </Select>
         <TextInput
-          label="Hours a week, as they say"
+          label="Stated hours per week"
           inputMode="numeric"
           value={now.hours}
           onChange={({ currentTarget: { value } }) => put({ hours: value })}

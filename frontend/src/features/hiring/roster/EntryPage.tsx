@@ -193,7 +193,7 @@ function WorkCard({ entry }: { entry: Entry }) {
   if (entry.designer === null) {
     return (
       <Card aria-labelledby="work">
-        <CardHead id="work" title="From work here" />
+        <CardHead id="work" title="Track record with us" />
         <p className={`mid ${forms.body}`}>
           No account with this address has worked for the studio yet. Figures appear here once one does.
         </p>
@@ -206,7 +206,7 @@ function WorkCard({ entry }: { entry: Entry }) {
       {figures && (
         <FiguresCard
           figures={figures}
-          title="From work here"
+          title="Track record with us"
           note="computed; the designer sees the same"
           linksProjects
         />

@@ -387,7 +387,7 @@ function AddCard({ studioId }: { studioId: string }) {
             disabled={now.name.trim() === '' || now.email.trim() === ''}
             aria-busy={add.isPending}
           >
-            Put on file
+            Add designer
           </Button>
         </div>
       </form>

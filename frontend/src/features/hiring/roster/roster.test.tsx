@@ -172,7 +172,7 @@ test('an empty roster says what it is for, and a first person is put on file', a
   expect(await screen.findByRole('heading', { name: 'Nobody on file yet' })).toBeVisible()
   await userEvent.type(screen.getByRole('textbox', { name: 'Name' }), 'Designer A')
   fireEvent.change(screen.getByRole('textbox', { name: 'Email' }), { target: { value: 'a@studio.example' } })
-  await userEvent.click(screen.getByRole('button', { name: 'Put on file' }))
+  await userEvent.click(screen.getByRole('button', { name: 'Add designer' }))
   await waitFor(() => expect(app.at()).toBe('/roster/e1'))
   expect(wrote(asked, 'POST /v1/studios/s1/roster')[0]?.body).toMatchObject({ name: 'Designer A' })
 })
@@ -281,7 +281,7 @@ test('a posting is asked about once, with what is taken of its days', async () =
   openApp('/roster/e1')
   const ask = await screen.findByRole('button', { name: 'Ask Designer A for a bid on Effects for Alpha' })
   expect(screen.getByText(/Busy.*half days/)).toBeVisible()
-  const work = await screen.findByRole('region', { name: 'From work here' })
+  const work = await screen.findByRole('region', { name: 'Track record with us' })
   expect(work).toHaveTextContent('Accepted on time75 %')
   expect(work).toHaveTextContent('Work against estimates+12 % over 5 cues, steady')
   answers['GET /v1/roster/e1/postings'] = [{ ...posting, is_asked: true }]

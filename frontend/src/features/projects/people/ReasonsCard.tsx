@@ -98,7 +98,7 @@ function ReasonsForm({ project, kind, list }: ReasonsFormProps) {
         </Button>
         {list.is_own && (
           <Button onClick={() => save([], `${WHAT[kind]}: ours again.`)} aria-busy={write.isPending}>
-            Ours again
+            Reset to defaults
           </Button>
         )}
       </div>

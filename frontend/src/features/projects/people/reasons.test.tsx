@@ -39,7 +39,7 @@ test('a producer writes a list of the studio, one a line, and takes ours again',
   await userEvent.type(field, ' Feels right \n\nRight size')
   await userEvent.click((await card()).getByRole('button', { name: 'Save list' }))
   expect(await screen.findByText('Why a version is approved: the list is saved.')).toBeVisible()
-  await userEvent.click(await (await card()).findByRole('button', { name: 'Ours again' }))
+  await userEvent.click(await (await card()).findByRole('button', { name: 'Reset to defaults' }))
   await waitFor(async () =>
     expect((await card()).getByLabelText('Why a version is approved')).toHaveValue(OURS.pick.reasons.join('\n')),
   )

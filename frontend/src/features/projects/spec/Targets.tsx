@@ -27,8 +27,8 @@ const FORMATS: Record<string, Format> = {
   pcm16: { label: '16 bit', bit_depth: 16, encoding: 'pcm' },
   pcm24: { label: '24 bit', bit_depth: 24, encoding: 'pcm' },
   float32: { label: '32 bit float', bit_depth: 32, encoding: 'float' },
-  flac16: { label: 'FLAC of 16 bit', bit_depth: 16, encoding: 'flac' },
-  flac24: { label: 'FLAC of 24 bit', bit_depth: 24, encoding: 'flac' },
+  flac16: { label: '16-bit FLAC', bit_depth: 16, encoding: 'flac' },
+  flac24: { label: '24-bit FLAC', bit_depth: 24, encoding: 'flac' },
   vorbis: { label: 'Ogg Vorbis', encoding: 'vorbis' },
   opus: { label: 'Opus', encoding: 'opus', sample_rate_hz: 48000 },
 }

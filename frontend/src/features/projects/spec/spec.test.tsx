@@ -180,7 +180,7 @@ describe('by form', () => {
     expect(tried().targets.game).not.toHaveProperty('bit_depth')
     expect(screen.getByRole('group', { name: 'Target game: 48 kHz, Opus, quality 0.3, same as master' })).toBeVisible()
     await userEvent.click(target.getByRole('combobox', { name: 'Format' }))
-    await userEvent.click(await screen.findByRole('option', { name: 'FLAC of 16 bit' }))
+    await userEvent.click(await screen.findByRole('option', { name: '16-bit FLAC' }))
     await waitFor(() => expect(tried().targets.game).toMatchObject({ encoding: 'flac', bit_depth: 16 }))
     expect(tried().targets.game).not.toHaveProperty('quality')
     expect(target.getByRole('combobox', { name: 'Dither' })).toBeVisible()

@@ -31,7 +31,7 @@ export function EmptyList({
               Start from a kit
             </ButtonLink>
             <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/adopt`}>
-              Adopt a folder that ships already
+              Import existing game audio
             </ButtonLink>
           </>
         )
