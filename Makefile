@@ -16,7 +16,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs migration openapi lock audit-dependencies pins clean
+.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs migration openapi completions lock audit-dependencies pins clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -155,6 +155,9 @@ openapi: .make/kernel .make/node  ## Write the OpenAPI document and the frontend
 	$(BIN)/python -m tests.support.described_checks frontend/src/test/checks.json
 	$(BIN)/python -m tests.support.browser_vectors frontend/src/features/desk/precheck/vectors.json
 	cd frontend && npm run --silent gen
+
+completions: .make/kernel  ## Write the completion scripts of audio-checks
+	$(BIN)/python -m audio_checks.cli.completion
 
 audit-dependencies: .make/python  ## Look for known vulnerabilities in what is locked, where advisories can be reached
 	@REQUIRED=$(REQUIRED) .ci/audit-dependencies

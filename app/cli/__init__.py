@@ -11,8 +11,7 @@ from app.cli import (  # noqa: F401  each adds its commands
     running,
     transferring,
 )
-from app.cli.command_tree import PROGRAM
-from app.cli.groups import cli
+from app.cli.groups import PROGRAM, cli
 from app.core.permissions import keep_new_files_private
 
 

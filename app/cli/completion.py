@@ -1,17 +1,18 @@
-"""Completion of `soundlist` in a shell: a script of commands and options, which starts no Python at a key.
+"""Completion of `soundlist` in a shell: a script by shtab of commands and options, which starts no Python at a key."""
 
-Where a path or any other text is wanted, the shell's own completion of paths goes on working.
-"""
-
-import shlex
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from enum import StrEnum
-from typing import Annotated
+import argparse
+from collections.abc import Mapping
+from enum import Enum, StrEnum
+from pathlib import Path
+from typing import Annotated, Any, get_args
 
 import typer
+from typer.core import TyperGroup, TyperOption
 
-from app.cli.command_tree import PROGRAM, Command, command_tree
-from app.cli.groups import cli
+from app.cli.groups import PROGRAM, cli
+from app.client.commands import parser as client_parser
+
+AnyCommand = Any  # a command of Typer, whose type is private
 
 
 class Shell(StrEnum):
@@ -25,7 +26,9 @@ class Shell(StrEnum):
 def print_completion(context: typer.Context, shell: Shell | None) -> None:
     """Print the script for a shell, and end."""
     if shell is not None and not context.resilient_parsing:
-        typer.echo(SCRIPTS[shell](command_tree(cli)), nl=False)
+        import shtab
+
+        typer.echo(shtab.complete(parser(), shell))
         raise typer.Exit
 
 
@@ -44,141 +47,52 @@ def take_arguments(
     """Take the options of the program itself; the callback of each does what it asks for."""
 
 
-def bash(program: Command) -> str:
-    """Return a script for bash 3.2 and newer."""
-    commands = list(program.all())
-    words = "\n".join(
-        f"    {_quoted(command.line)}) words={_quoted(_names(command))}; flags={_quoted(_flags(command))};;"
-        for command in commands
-    )
-    return f"""# Completion of {PROGRAM} for bash.
-_soundlist_completion() {{
-  local current="${{COMP_WORDS[COMP_CWORD]}}" before="${{COMP_WORDS[COMP_CWORD-1]}}" command={PROGRAM} place
-  local words="" flags=""
-  for ((place = 1; place < COMP_CWORD; place++)); do
-    case "$command ${{COMP_WORDS[place]}}" in
-      {_patterns(commands[1:])}) command="$command ${{COMP_WORDS[place]}}";;
-    esac
-  done
-  case "$command" in
-{words}
-  esac
-  case "$current" in -*) words="$flags";; esac
-  case "$command $before" in
-{_values(commands, _in_bash)}
-  esac
-  COMPREPLY=($(compgen -W "$words" -- "$current"))
-}}
-complete -o bashdefault -o default -F _soundlist_completion {PROGRAM}
-"""
+def parser() -> argparse.ArgumentParser:
+    """Return the commands of the program as shtab reads them: those of Typer, and the client's own."""
+    (group,) = [action for action in client_parser()._actions if isinstance(action, argparse._SubParsersAction)]
+    program = argparse.ArgumentParser(PROGRAM)
+    _add_command(program, typer.main.get_command(cli), group.choices)
+    _complete_paths(program)
+    return program
 
 
-def zsh(program: Command) -> str:
-    """Return a script for zsh; to be loaded, or stored as `_soundlist` in a folder of `fpath`."""
-    commands = list(program.all())
-    words = "\n".join(
-        f"    {_quoted(command.line)})\n"
-        f"      offered=({_described((below.path[-1], below.help) for below in command.below)})\n"
-        f"      flags=({_described((flag, given.help) for given in command.arguments for flag in given.flags)});;"
-        for command in commands
-    )
-    return f"""#compdef {PROGRAM}
-# Completion of {PROGRAM} for zsh.
-_soundlist() {{
-  local command={PROGRAM} word
-  local -a offered flags
-  for word in "${{(@)words[2,CURRENT-1]}}"; do
-    case "$command $word" in
-      {_patterns(commands[1:])}) command="$command $word";;
-    esac
-  done
-  case "$command $words[CURRENT-1]" in
-{_values(commands, _in_zsh)}
-  esac
-  case "$command" in
-{words}
-  esac
-  if [[ "$words[CURRENT]" == -* ]]; then
-    _describe -o option flags
-  elif (( $#offered )); then
-    _describe command offered
-  else
-    _files
-  fi
-}}
-if [[ $funcstack[1] == _soundlist ]]; then
-  _soundlist "$@"
-else
-  compdef _soundlist {PROGRAM}
-fi
-"""
+def _add_command(
+    parser: argparse.ArgumentParser, command: AnyCommand, clients: Mapping[str, argparse.ArgumentParser]
+) -> None:
+    for param in command.params:
+        is_option = isinstance(param, TyperOption)
+        annotation = param.type_descriptor.annotation
+        kind = next(iter(get_args(annotation)), annotation)  # of each value, where there are several
+        options: dict[str, Any] = {"help": _text(param.help or "")}
+        if is_option and param.is_flag:
+            options["action"] = "store_true"
+        elif isinstance(kind, type) and issubclass(kind, Enum):
+            options["choices"] = [member.value for member in kind]
+        elif kind is Path:
+            options["type"] = Path
+        if param.nargs < 0:
+            options["nargs"] = "*"
+        parser.add_argument(*(param.opts if is_option else [param.name]), **options)
+    if isinstance(command, TyperGroup):
+        group = parser.add_subparsers()
+        for name, child in command.commands.items():
+            help_ = _text(child.get_short_help_str(200))
+            if name in clients:
+                group.add_parser(name, help=help_, parents=[clients[name]], add_help=False)
+            else:
+                _add_command(group.add_parser(name, help=help_), child, {})
 
 
-def fish(program: Command) -> str:
-    """Return a script for fish."""
-    commands = list(program.all())
-    known = " ".join(_fish(one.line) for one in commands[1:])
-    lines = [
-        f"# Completion of {PROGRAM} for fish.",
-        "function __soundlist_at",
-        f"  set -l command {PROGRAM}",
-        "  for word in (commandline -opc)[2..]",
-        f'    contains -- "$command $word" {known}; and set command "$command $word"',
-        "  end",
-        '  test "$command" = "$argv[1]"',
-        "end",
-    ]
-    for command in commands:
-        condition = _fish(f'__soundlist_at "{command.line}"')
-        begin = f"complete -c {PROGRAM} -n {condition}"
-        lines += [f"{begin} -f -a {_fish(below.path[-1])} -d {_fish(below.help)}" for below in command.below]
-        for argument in command.arguments:
-            flags = " ".join(f"-l {flag[2:]}" if flag.startswith("--") else f"-s {flag[1:]}" for flag in argument.flags)
-            values = f" -x -a {_fish(' '.join(argument.values))}" if argument.values else " -r" * argument.takes_value
-            lines.append(f"{begin} {flags}{values} -d {_fish(argument.help)}")
-    return "\n".join(lines) + "\n"
+def _text(help_: str) -> str:
+    return help_.replace("%", "%%")
 
 
-def _names(command: Command) -> str:
-    return " ".join(below.path[-1] for below in command.below)
+def _complete_paths(parser: argparse.ArgumentParser) -> None:
+    import shtab
 
-
-def _flags(command: Command) -> str:
-    return " ".join(flag for argument in command.arguments for flag in argument.flags)
-
-
-def _patterns(commands: list[Command]) -> str:
-    return "|".join(_quoted(command.line) for command in commands)
-
-
-def _values(commands: list[Command], offer: Callable[[Sequence[str]], str]) -> str:
-    """Return the cases of options that a value follows: what is offered for it, nothing of ours for a free text."""
-    return "\n".join(
-        f"    {'|'.join(_quoted(f'{command.line} {flag}') for flag in argument.flags)}) {offer(argument.values)};;"
-        for command in commands
-        for argument in command.arguments
-        if argument.takes_value
-    )
-
-
-def _in_bash(values: Sequence[str]) -> str:
-    return f"words={_quoted(' '.join(values))}"
-
-
-def _in_zsh(values: Sequence[str]) -> str:
-    return f"compadd -- {' '.join(map(_quoted, values))}; return" if values else "_files; return"
-
-
-def _described(words: Iterable[tuple[str, str]]) -> str:
-    return " ".join(_quoted(f"{word}:{what}") for word, what in words)
-
-
-def _quoted(text: str) -> str:
-    return shlex.quote(text)
-
-
-def _fish(text: str) -> str:
-    return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'"
-
-
-SCRIPTS: Mapping[Shell, Callable[[Command], str]] = {Shell.BASH: bash, Shell.ZSH: zsh, Shell.FISH: fish}
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for child in action.choices.values():
+                _complete_paths(child)
+        elif action.type is Path or not (action.option_strings or action.choices):  # as shells do for any word
+            action.complete = shtab.FILE  # type: ignore[attr-defined]

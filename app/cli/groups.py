@@ -3,6 +3,8 @@
 import typer
 from rich.console import Console
 
+PROGRAM = "soundlist"
+
 cli = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
 jobs_cli = typer.Typer(no_args_is_help=True, help="Durable jobs: what waits, runs and keeps failing.")
 operators_cli = typer.Typer(no_args_is_help=True, help="Operators: the people who see the whole server.")

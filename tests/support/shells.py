@@ -64,7 +64,7 @@ def zsh(script: Path, path: str) -> Iterator[int]:
     os.close(follower)
     try:
         os.write(leader, b"unsetopt zle_bracketed_paste; autoload -Uz compinit; compinit -D; PS1='ready> '\n")
-        os.write(leader, f"source {script}; echo lo''aded\n".encode())
+        os.write(leader, f"eval \"$(<{script})\"; echo lo''aded\n".encode())
         until(leader, "loaded")
         yield leader
     finally:

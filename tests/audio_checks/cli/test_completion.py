@@ -7,10 +7,8 @@ from pathlib import Path
 import pytest
 
 from audio_checks.checks import all_checks
-from audio_checks.cli import COMMANDS, main, reporters
+from audio_checks.cli import COMMANDS, completion, main, reporters
 from tests.support import shells
-
-pytestmark = pytest.mark.slow
 
 BIN = str(Path(sys.executable).parent)
 
@@ -24,6 +22,11 @@ def installed(shell):
     return pytest.mark.skipif(not shells.installed(shell), reason=f"{shell} is not installed")
 
 
+def test_the_scripts_are_those_of_the_commands_as_they_are(capsys):
+    assert {shell: script(shell, capsys) for shell in completion.SHELLS} == completion.scripts(), "run make completions"
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("line", "wanted"),
     [
@@ -37,14 +40,16 @@ def installed(shell):
         ("audio-checks explain ", set(all_checks())),
         ("audio-checks schema ", {"spec", "report", "manifest", "audit"}),
         ("audio-checks completion z", {"zsh"}),
-        ("audio-checks check --spec ", set()),  # nothing of ours: bash goes on with paths
+        ("audio-checks check --spec scr", {"script"}),
+        ("audio-checks check scr", {"script"}),
     ],
 )
 def test_bash(line, wanted, tmp_path, capsys):
     (tmp_path / "script").write_text(script("bash", capsys))
-    assert shells.offered_by_bash(tmp_path / "script", line, "_audio_checks") == wanted
+    assert shells.offered_by_bash(tmp_path / "script", line, "_shtab_audio_checks") == wanted
 
 
+@pytest.mark.slow
 @installed("fish")
 @pytest.mark.parametrize(
     ("line", "wanted", "unwanted"),
@@ -64,6 +69,7 @@ def test_fish(line, wanted, unwanted, tmp_path, capsys):
     assert not unwanted & offered
 
 
+@pytest.mark.slow
 @installed("zsh")
 def test_zsh(tmp_path, capsys):
     """Typed on a terminal: the tab key is all that zsh completes for."""
