@@ -3,14 +3,16 @@
 import json
 import shutil
 import subprocess
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 
-from app.builds.engine_export.cues import ExportedCue
-from app.builds.engine_export.fmod import fmod_files
+from app.builds.engine_export import engines
+from app.builds.engine_export.cues import ExportedCue, Handoff
+from app.builds.engine_export.engines.fmod import import_files
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
 
 STUDIO = Path(__file__).resolve().parents[2] / "support" / "editors" / "fmod_studio.js"
@@ -18,7 +20,7 @@ NODE = shutil.which("node") or "node"
 
 
 def unpack(folder: Path, cues: list[ExportedCue]) -> Path:
-    for path, content in fmod_files(cues).items():
+    for path, content in import_files(cues).items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_bytes(content)
     for path in (file.path for one in cues for file in one.files):
@@ -110,3 +112,10 @@ def test_hostile_names_are_only_names(tmp_path_factory, cues: list[ExportedCue])
     assert len(found["events"]) == len(cues)
     assert found["runs"][1]["changes"] == 0
     assert sum(len(event["assets"]) for event in found["events"]) == sum(len(one.files) for one in cues)
+
+
+def test_each_engine_that_can_be_chosen_has_its_module():
+    modules = {path.stem for path in Path(engines.__file__).parent.glob("*.py")} - {"__init__"}
+    assert modules == set(Handoff) - {Handoff.NONE}
+    for name in modules:
+        assert callable(import_module(f"{engines.__name__}.{name}").import_files)

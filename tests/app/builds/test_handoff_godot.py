@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 
 from app.builds.engine_export.cues import ExportedCue
-from app.builds.engine_export.godot import godot_files, quoted, uid_of
+from app.builds.engine_export.engines.godot import import_files, quoted, uid_of
 from audio_checks.middleware.godot import read_godot
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
 
@@ -28,7 +28,7 @@ stream = ExtResource("2")
 
 
 def unpack(folder: Path, cues: list[ExportedCue]) -> None:
-    files = {file.path: b"RIFF" for one in cues for file in one.files} | godot_files(cues)
+    files = {file.path: b"RIFF" for one in cues for file in one.files} | import_files(cues)
     for path, content in files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_bytes(content)
@@ -54,7 +54,7 @@ def test_the_audit_finds_sets_loops_and_levels(tmp_path: Path) -> None:
 
 
 def test_a_loop_is_that_of_the_file() -> None:
-    settings_of = godot_files([HUM])["Assets/ambience/hum.wav.import"].decode()
+    settings_of = import_files([HUM])["Assets/ambience/hum.wav.import"].decode()
     assert "edit/loop_mode=2\nedit/loop_begin=4800\nedit/loop_end=576000\n" in settings_of
     assert "edit/normalize=false\n" in settings_of
     assert settings_of.endswith("compress/mode=0\n")
@@ -62,7 +62,7 @@ def test_a_loop_is_that_of_the_file() -> None:
 
 def test_the_cached_path_is_the_one_that_godot_chooses() -> None:
     # As in gui/translation of godot-demo-projects, whose import file Godot wrote.
-    made = godot_files([cue(1, "audio/hello_es.wav")])["audio/hello_es.wav.import"].decode()
+    made = import_files([cue(1, "audio/hello_es.wav")])["audio/hello_es.wav.import"].decode()
     assert 'path="res://.godot/imported/hello_es.wav-0b3ee7fc19ef7ac4822f3f3dc177c570.sample"' in made
 
 
@@ -78,7 +78,7 @@ def test_a_uid_is_of_the_digits_that_godot_reads() -> None:
 
 
 def test_other_formats_have_the_importers_of_theirs() -> None:
-    made = godot_files([cue(1, "music.ogg", loop=True), cue(2, "jingle.mp3"), cue(3, "odd.flac")])
+    made = import_files([cue(1, "music.ogg", loop=True), cue(2, "jingle.mp3"), cue(3, "odd.flac")])
     assert sorted(made) == ["jingle.mp3.import", "music.ogg.import"]
     assert 'importer="oggvorbisstr"\ntype="AudioStreamOggVorbis"\n' in made["music.ogg.import"].decode()
     assert "\nloop=true\n" in made["music.ogg.import"].decode()
@@ -86,7 +86,7 @@ def test_other_formats_have_the_importers_of_theirs() -> None:
 
 
 def test_a_randomizer_keeps_what_the_list_says() -> None:
-    made = godot_files([LASER])["Assets/weapon/laser_fire.tres"].decode()
+    made = import_files([LASER])["Assets/weapon/laser_fire.tres"].decode()
     assert 'metadata/cue = "SW-001"\nmetadata/title = "Laser fire"\nmetadata/notes = "SW-001 Laser fire.' in made
     assert "random_pitch" not in made
     assert "random_volume_offset_db" not in made
@@ -96,8 +96,8 @@ def test_a_randomizer_keeps_what_the_list_says() -> None:
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_stay_in_their_strings(cues: list[ExportedCue]) -> None:
-    made = godot_files(cues)
-    assert made == godot_files(cues)
+    made = import_files(cues)
+    assert made == import_files(cues)
     assert len(made) == sum(len(one.files) + one.is_set for one in cues)
     for path, content in made.items():
         text = content.decode()

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 
 from app.builds.engine_export.cues import ExportedCue, file_safe
 from app.builds.engine_export.document import script
-from app.builds.engine_export.unity import unity_files
+from app.builds.engine_export.engines.unity import import_files
 from tests.app.builds.handed import CUES, HUM, LASER, cue, file, hostile_cues
 
 SCRIPTS = ("SoundlistImporter.cs", "SoundlistSet.cs")
@@ -57,7 +57,7 @@ def test_the_scripts_are_balanced_and_name_documented_calls_only(name: str) -> N
 
 
 def sounds(cues: list[ExportedCue]) -> list[dict[str, Any]]:
-    (content,) = (content for path, content in unity_files(cues).items() if path.endswith(".json"))
+    (content,) = (content for path, content in import_files(cues).items() if path.endswith(".json"))
     document = json.loads(content)
     assert document["format"] == 1
     found: list[dict[str, Any]] = document["sounds"]
@@ -74,8 +74,8 @@ def test_the_document_has_every_field_that_the_importer_reads() -> None:
 
 def test_scripts_stand_below_assets_where_the_sounds_are() -> None:
     inside = ["SoundlistSet.cs", "Editor/SoundlistImporter.cs", "Editor/soundlist-handoff.json"]
-    assert list(unity_files(CUES)) == [f"Assets/Soundlist/{name}" for name in inside]
-    assert list(unity_files([cue(1, "Audio/a.wav")])) == [f"Soundlist/{name}" for name in inside]
+    assert list(import_files(CUES)) == [f"Assets/Soundlist/{name}" for name in inside]
+    assert list(import_files([cue(1, "Audio/a.wav")])) == [f"Soundlist/{name}" for name in inside]
 
 
 @pytest.mark.parametrize(
@@ -112,8 +112,8 @@ def test_a_prefab_stands_in_the_folder_of_its_event() -> None:
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_make_no_paths(cues: list[ExportedCue]) -> None:
-    files = unity_files(cues)
-    assert files == unity_files(cues)
+    files = import_files(cues)
+    assert files == import_files(cues)
     assert files["Assets/Soundlist/Editor/SoundlistImporter.cs"] == script("SoundlistImporter.cs")
     found = sounds(cues)
     paths = [sound["event_path"] for sound in found]

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 
 from app.builds.engine_export.cues import ExportedCue
-from app.builds.engine_export.unreal import unreal_files
+from app.builds.engine_export.engines.unreal import import_files
 from audio_checks.middleware.unreal import read_unreal
 from tests.app.builds.handed import CUES, HUM, LASER, cue, hostile_cues
 from tests.audio_checks.middleware.test_unreal import SCRIPT as EXPORT
@@ -121,7 +121,7 @@ class Editor:
 
 
 def unpack(folder: Path, cues: list[ExportedCue]) -> Path:
-    files = {file.path: file.sha256.encode() for one in cues for file in one.files} | unreal_files(cues)
+    files = {file.path: file.sha256.encode() for one in cues for file in one.files} | import_files(cues)
     for path, content in files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_bytes(content)

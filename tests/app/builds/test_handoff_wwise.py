@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 
 from app.builds.engine_export.cues import ExportedCue
-from app.builds.engine_export.wwise import wwise_files
+from app.builds.engine_export.engines.wwise import import_files
 from audio_checks.middleware.wwise import read_wwise
 from tests.app.builds.handed import CONFIRM, CUES, LASER, cue, hostile_cues
 
@@ -101,7 +101,7 @@ class Project:
 
 def imported(cues: list[ExportedCue]) -> Project:
     project = Project()
-    for name, table in wwise_files(cues, set()).items():
+    for name, table in import_files(cues, set()).items():
         assert name.startswith("wwise/")
         project.import_table(table)
     return project
@@ -142,23 +142,23 @@ def test_the_audit_finds_events_loops_and_levels_of_what_was_imported(tmp_path: 
 def test_importing_the_sounds_again_changes_nothing() -> None:
     project = imported(CUES)
     before = {path: dict(facts) for path, facts in project.objects.items()}
-    project.import_table(wwise_files(CUES, set())["wwise/sounds.tsv"])
+    project.import_table(import_files(CUES, set())["wwise/sounds.tsv"])
     assert project.objects == before
 
 
 def test_an_event_is_handed_over_once() -> None:
     known = {file.path for file in LASER.files}
-    (_, *events) = wwise_files(CUES, known)["wwise/events.tsv"].decode().splitlines()
+    (_, *events) = import_files(CUES, known)["wwise/events.tsv"].decode().splitlines()
     assert [line.rpartition("\t")[2] for line in events] == [
         "\\Events\\Default Work Unit\\Hum@Play",
         "\\Events\\Default Work Unit\\Play_Confirm@Play",
     ]
-    assert list(wwise_files([LASER], known)) == ["wwise/sounds.tsv"]
+    assert list(import_files([LASER], known)) == ["wwise/sounds.tsv"]
 
 
 def test_lines_of_speech_have_a_table_for_each_language() -> None:
     line = cue(4, "vo/hello.wav", language="French (France)")
-    files = wwise_files([*CUES, line], set())
+    files = import_files([*CUES, line], set())
     assert sorted(files) == ["wwise/events.tsv", "wwise/sounds.tsv", "wwise/voices-French_France.tsv"]
     (row,) = read(files["wwise/voices-French_France.tsv"])
     assert (row["Object Path"], row["Object Type"]) == ("<Sound Voice>hello", "Sound Voice")
@@ -174,7 +174,7 @@ def test_lines_of_speech_have_a_table_for_each_language() -> None:
     ],
 )
 def test_an_event_keeps_the_name_that_the_list_states(stated: str, named: str) -> None:
-    table = wwise_files([cue(3, "ui_confirm.wav", event=stated)], set())["wwise/events.tsv"]
+    table = import_files([cue(3, "ui_confirm.wav", event=stated)], set())["wwise/events.tsv"]
     found = EVENT.fullmatch(read(table)[0]["Event"])
     assert found
     assert found[1] == named
@@ -207,8 +207,8 @@ def test_two_cues_with_one_event_have_two() -> None:
 @settings(max_examples=40, deadline=None)
 @given(cues=hostile_cues())
 def test_hostile_names_stay_in_their_cells(cues: list[ExportedCue]) -> None:
-    files = wwise_files(cues, set())
-    assert files == wwise_files(cues, set())
+    files = import_files(cues, set())
+    assert files == import_files(cues, set())
     objects = imported(cues).objects
     assert len([one for one in objects.values() if "Audio File" in one]) == sum(len(one.files) for one in cues)
     rows = [row for name, table in files.items() if name != "wwise/events.tsv" for row in read(table)]

@@ -28,7 +28,7 @@ SOUND, VOICE, CONTAINER = "Sound SFX", "Sound Voice", "Random Container"
 _NOT_IN_NAMES = re.compile(r'[\\/:*?"<>|@]')
 
 
-def wwise_files(cues: Sequence[ExportedCue], known_paths: Collection[str]) -> dict[str, bytes]:
+def import_files(cues: Sequence[ExportedCue], known_paths: Collection[str]) -> dict[str, bytes]:
     """Return the tables by their paths: sounds, one for each language that is spoken, and new events.
 
     `known_paths` are files of earlier packs for Wwise, and those that the adopted game plays: a cue of which one is

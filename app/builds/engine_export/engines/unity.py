@@ -5,7 +5,7 @@ Source: Unity, Scripting API of AssetPostprocessor, AudioImporter, PrefabUtility
 Settings are applied when a sound is first imported. What a team changes later is kept.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from app.builds.engine_export.cues import ExportedCue
 from app.builds.engine_export.document import DOCUMENT, document, script
@@ -13,7 +13,7 @@ from app.builds.engine_export.document import DOCUMENT, document, script
 FOLDER = "Soundlist"
 
 
-def unity_files(cues: Sequence[ExportedCue]) -> dict[str, bytes]:
+def import_files(cues: Sequence[ExportedCue], _known_paths: Collection[str] = ()) -> dict[str, bytes]:
     """Return the scripts and the document that they read, below Assets where the game files are."""
     in_project = all(file.path.startswith("Assets/") for cue in cues for file in cue.files)
     root = f"Assets/{FOLDER}" if in_project else FOLDER

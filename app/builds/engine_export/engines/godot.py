@@ -8,7 +8,7 @@ nothing. Godot's default codec for WAV is lossy in 4.5; these files ask for PCM,
 """
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import PurePosixPath
 
 from app.builds.engine_export.cues import ExportedCue, HandedFile, distinct, file_safe
@@ -23,7 +23,7 @@ IMPORTERS = {
 }
 
 
-def godot_files(cues: Sequence[ExportedCue]) -> dict[str, bytes]:
+def import_files(cues: Sequence[ExportedCue], _known_paths: Collection[str] = ()) -> dict[str, bytes]:
     """Return an import file for each sound that Godot reads, and a randomizer for each set."""
     made: dict[str, bytes] = {}
     names = distinct((cue.label, file_safe(cue.name)) for cue in cues)
