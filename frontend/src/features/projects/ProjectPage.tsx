@@ -129,7 +129,9 @@ function SoundsCard({ projectId }: { projectId: string }) {
       {overview && (
         <>
           <p>
-            <span className={classes.figure}>{`${counts.accepted ?? 0} of ${figure(overview.cues - (counts.cut ?? 0))}`}</span>{' '}
+            <span
+              className={classes.figure}
+            >{`${counts.accepted ?? 0} of ${figure(overview.cues - (counts.cut ?? 0))}`}</span>{' '}
             <span className="mid">{`accepted${counts.cut ? `; ${counts.cut} cut` : ''}`}</span>
           </p>
           <Meter

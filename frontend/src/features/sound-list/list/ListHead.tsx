@@ -3,7 +3,6 @@ import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
 import { RefusedNamesNote } from '@/app/RefusedNames'
-import { Button, ButtonLink } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { type NeedSum, NeedSums } from '@/ui/NeedSums'
 
@@ -11,27 +10,15 @@ import { compareQuery, type Cue } from '../api'
 import { CoverageNote } from './CoverageNote'
 import classes from './SoundList.module.css'
 
-interface Acts {
+interface ListHeadProps {
   projectId: string
+  list: { revision: number; cues: Cue[] } | undefined
   mayEdit: boolean
-  onAdd: () => void
-  onImport: () => void
+  needs: readonly NeedSum[]
 }
 
-/** What list this is, and what can be done to all of it. */
-export function ListHead({
-  projectId,
-  list,
-  mayEdit,
-  isEmpty,
-  onAdd,
-  onImport,
-  needs,
-}: Acts & {
-  list: { revision: number; cues: Cue[] } | undefined
-  isEmpty: boolean
-  needs: readonly NeedSum[]
-}): ReactNode {
+/** The size of the list, its last change, and what all of it amounts to. */
+export function ListHead({ projectId, list, mayEdit, needs }: ListHeadProps): ReactNode {
   const revision = list?.revision ?? 0
   return (
     <header className={classes.top}>
@@ -44,33 +31,6 @@ export function ListHead({
         )}
         {revision > 1 && <LastChange projectId={projectId} revision={revision} />}
       </div>
-      {!isEmpty && (
-        <div className={`${classes.acts} wide-only`}>
-          <ButtonLink variant="quiet" icon="download" href={csvOf(projectId)}>
-            CSV
-          </ButtonLink>
-          <ButtonLink variant="quiet" icon="download" href={workbookOf(projectId)}>
-            XLSX
-          </ButtonLink>
-          {mayEdit && (
-            <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/columns`}>
-              Columns
-            </ButtonLink>
-          )}
-          {mayEdit && (
-            <Button keys="i" onClick={onImport}>
-              Paste or import
-            </Button>
-          )}
-          {mayEdit && <AdoptLink projectId={projectId} />}
-          <CompareLink projectId={projectId} />
-          {mayEdit && (
-            <Button variant="primary" icon="plus" keys="n" onClick={onAdd}>
-              Add a cue
-            </Button>
-          )}
-        </div>
-      )}
       <div className={classes.needs}>
         <NeedSums sums={needs} />
       </div>
@@ -79,56 +39,6 @@ export function ListHead({
         <RefusedNamesNote projectId={projectId} edits={mayEdit} />
       )}
     </header>
-  )
-}
-
-/** The same acts at the end of the page, where it is too narrow for them beside its title. */
-export function ListActsBelow({ projectId, mayEdit, onAdd, onImport }: Acts): ReactNode {
-  return (
-    <div className="narrow-only">
-      <div className={classes.narrowActs}>
-        {mayEdit && (
-          <>
-            <Button variant="primary" icon="plus" onClick={onAdd}>
-              Add a cue
-            </Button>
-            <Button onClick={onImport}>Paste or import</Button>
-            <AdoptLink projectId={projectId} />
-          </>
-        )}
-        <CompareLink projectId={projectId} />
-        <ButtonLink icon="download" href={csvOf(projectId)}>
-          CSV
-        </ButtonLink>
-        <ButtonLink icon="download" href={workbookOf(projectId)}>
-          XLSX
-        </ButtonLink>
-        {mayEdit && (
-          <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/columns`}>
-            Columns
-          </ButtonLink>
-        )}
-      </div>
-    </div>
-  )
-}
-
-const workbookOf = (projectId: string) => `/v1/projects/${projectId}/sound-list.xlsx`
-const csvOf = (projectId: string) => `/v1/projects/${projectId}/sound-list.csv`
-
-function AdoptLink({ projectId }: { projectId: string }) {
-  return (
-    <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/adopt`}>
-      Adopt a folder
-    </ButtonLink>
-  )
-}
-
-function CompareLink({ projectId }: { projectId: string }) {
-  return (
-    <ButtonLink component={Link} to={`/projects/${projectId}/sound-list/compare`}>
-      Compare revisions
-    </ButtonLink>
   )
 }
 

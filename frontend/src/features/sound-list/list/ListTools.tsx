@@ -1,6 +1,9 @@
+import { Link } from '@tanstack/react-router'
 import { type RefObject } from 'react'
 
 import { Views } from '@/shares'
+import { Button, ButtonLink } from '@/ui/Button'
+import { Count } from '@/ui/Count'
 import { FilterChip } from '@/ui/FilterChip'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
@@ -11,6 +14,8 @@ import { type CuePerson, readPersonFilter, TASKS } from '../people'
 import { type CueRow, type Grouping, kindOf, type ListSearch } from '../rows'
 import classes from './SoundList.module.css'
 import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
+
+export type ToolsPanel = 'filter' | 'display' | 'more'
 
 interface ListToolsProps {
   projectId: string
@@ -23,11 +28,17 @@ interface ListToolsProps {
   filter: RefObject<HTMLInputElement | null>
   onSearch: (change: ListSearch) => void
   onWords: (words: string) => void
+  mayEdit: boolean
+  /** The line that is open below the first one. */
+  shown: ToolsPanel | null
+  onShown: (panel: ToolsPanel | null) => void
+  onAdd: () => void
+  onImport: () => void
   /** Show the list by a filter that was kept, and by nothing else. */
   onView: (search: ListSearch) => void
 }
 
-/** What the list shows: by state, by category, by words, and under which headings. */
+/** One line: search, Filter, Display, More, Add; what a button holds opens below it. */
 export function ListTools({
   projectId,
   rows,
@@ -39,151 +50,218 @@ export function ListTools({
   filter,
   onSearch,
   onWords,
+  mayEdit,
+  shown,
+  onShown,
+  onAdd,
+  onImport,
   onView,
 }: ListToolsProps) {
   const counts = new Map<CueStatus, number>()
   for (const { status } of rows) counts.set(status, (counts.get(status) ?? 0) + 1)
   const unclear = rows.filter((row) => row.unclear.length > 0).length
   const unheard = rows.filter(({ isUnheard }) => isUnheard).length
+  const filters = [search.state, search.category, search.need, search.person, search.unclear, search.heard].filter(
+    Boolean,
+  ).length
+  const toggle = (panel: ToolsPanel) => onShown(shown === panel ? null : panel)
+  const list = `/projects/${projectId}/sound-list`
   return (
-    <div className={classes.tools}>
-      <span className="wide-only">
-        <Segmented
-          label="Columns shown"
-          value={search.view ?? 'state'}
-          onChange={(view) => onSearch({ view: view === 'content' ? view : undefined })}
-          options={[
-            { value: 'state', label: 'State' },
-            { value: 'content', label: 'Content' },
-          ]}
-        />
-      </span>
-      <div className={classes.chips} role="group" aria-label="Filter by state" ref={chips}>
-        <FilterChip
-          count={rows.length}
-          pressed={search.state === undefined}
-          onPress={() => onSearch({ state: undefined })}
-        >
-          All
-        </FilterChip>
-        {(unheard > 0 || search.heard) && (
-          <FilterChip
-            count={unheard}
-            pressed={search.heard === 'no'}
-            onPress={() => onSearch({ heard: search.heard ? undefined : 'no' })}
-          >
-            Not heard yet
-          </FilterChip>
-        )}
-        {STATUS_ORDER.filter((status) => counts.has(status) || search.state === status).map((status) => (
-          <FilterChip
-            key={status}
-            kind={kindOf(status)}
-            count={counts.get(status) ?? 0}
-            pressed={search.state === status}
-            onPress={() => onSearch({ state: search.state === status ? undefined : status })}
-          >
-            {STATUS_WORDS[status]}
-          </FilterChip>
-        ))}
-        {(unclear > 0 || search.unclear) && (
-          <FilterChip
-            kind="question"
-            count={unclear}
-            pressed={search.unclear === true}
-            onPress={() => onSearch({ unclear: search.unclear ? undefined : true })}
-          >
-            Unclear
-          </FilterChip>
-        )}
-      </div>
-      <div className={classes.ends}>
-        <Views projectId={projectId} search={search} onOpen={(view) => onView(view)} />
-        <span className={classes.select}>
-          <select
-            aria-label="Group by"
-            value={search.by ?? 'list'}
-            onChange={(event) => {
-              const by = event.currentTarget.value as Grouping
-              onSearch({ by: by === 'list' ? undefined : by })
-            }}
-          >
-            <option value="list">List order</option>
-            <option value="category">By category</option>
-            <option value="state">By state</option>
-            <option value="priority">By playback priority</option>
-          </select>
-          <Icon name="chevron" />
-        </span>
-        <span className={classes.select}>
-          <select
-            aria-label="Category"
-            value={search.category ?? ''}
-            onChange={(event) => onSearch({ category: event.currentTarget.value || undefined })}
-          >
-            <option value="">All categories</option>
-            {categories.map((category) => (
-              <option key={category} value={category}>
-                {category}
-              </option>
-            ))}
-          </select>
-          <Icon name="chevron" />
-        </span>
-        <span className={classes.select}>
-          <select
-            aria-label="Need"
-            value={search.need ?? ''}
-            onChange={(event) =>
-              onSearch({ need: NEEDS.find(({ value }) => value === event.currentTarget.value)?.value })
-            }
-          >
-            <option value="">Any need</option>
-            {NEEDS.map(({ value, label }) => (
-              <option key={value} value={value}>
-                {label}
-              </option>
-            ))}
-          </select>
-          <Icon name="chevron" />
-        </span>
-        {(search.person !== undefined ||
-          rows.some(({ cue }) => cue.implementer_id !== null || cue.recorder_id !== null)) && (
-          <span className={classes.select}>
-            <select
-              aria-label="Person"
-              value={search.person ?? ''}
-              onChange={(event) => onSearch({ person: readPersonFilter(event.currentTarget.value) })}
-            >
-              <option value="">Any person</option>
-              {TASKS.map(({ task, label }) => (
-                <optgroup key={task} label={label}>
-                  {people.map(({ id, name }) => (
-                    <option key={id} value={`${task}:${id}`}>
-                      {name}
-                    </option>
-                  ))}
-                  <option value={`${task}:none`}>No one</option>
-                </optgroup>
-              ))}
-            </select>
-            <Icon name="chevron" />
-          </span>
-        )}
+    <>
+      <div className={classes.tools}>
         <label className={classes.find}>
           <Icon name="search" />
-          <span className="visually-hidden">Filter the list</span>
+          <span className="visually-hidden">Search the list</span>
           <input
             ref={filter}
             type="search"
-            placeholder="Filter"
+            placeholder="Search"
             aria-keyshortcuts="/"
             value={words}
             onChange={(event) => onWords(event.currentTarget.value)}
           />
           {words === '' && <Key keys="/" />}
         </label>
+        <Button
+          aria-expanded={shown === 'filter'}
+          aria-label={filters > 0 ? `Filter, ${filters} on` : undefined}
+          onClick={() => toggle('filter')}
+        >
+          Filter {filters > 0 && <Count of={filters} />}
+        </Button>
+        <Button aria-expanded={shown === 'display'} onClick={() => toggle('display')}>
+          Display
+        </Button>
+        <Button className="end" icon="more" aria-expanded={shown === 'more'} onClick={() => toggle('more')}>
+          More
+        </Button>
+        {mayEdit && (
+          <Button variant="primary" icon="plus" keys="n" onClick={onAdd}>
+            Add a cue
+          </Button>
+        )}
       </div>
-    </div>
+      {shown === 'filter' && (
+        <div className={classes.tools} role="group" aria-label="Filter">
+          <div className={classes.chips} role="group" aria-label="Filter by state" ref={chips}>
+            <FilterChip
+              count={rows.length}
+              pressed={search.state === undefined}
+              onPress={() => onSearch({ state: undefined })}
+            >
+              All
+            </FilterChip>
+            {(unheard > 0 || search.heard) && (
+              <FilterChip
+                count={unheard}
+                pressed={search.heard === 'no'}
+                onPress={() => onSearch({ heard: search.heard ? undefined : 'no' })}
+              >
+                Not heard yet
+              </FilterChip>
+            )}
+            {STATUS_ORDER.filter((status) => counts.has(status) || search.state === status).map((status) => (
+              <FilterChip
+                key={status}
+                kind={kindOf(status)}
+                count={counts.get(status) ?? 0}
+                pressed={search.state === status}
+                onPress={() => onSearch({ state: search.state === status ? undefined : status })}
+              >
+                {STATUS_WORDS[status]}
+              </FilterChip>
+            ))}
+            {(unclear > 0 || search.unclear) && (
+              <FilterChip
+                kind="question"
+                count={unclear}
+                pressed={search.unclear === true}
+                onPress={() => onSearch({ unclear: search.unclear ? undefined : true })}
+              >
+                Unclear
+              </FilterChip>
+            )}
+          </div>
+          <div className={classes.ends}>
+            <span className={classes.select}>
+              <select
+                aria-label="Category"
+                value={search.category ?? ''}
+                onChange={(event) => onSearch({ category: event.currentTarget.value || undefined })}
+              >
+                <option value="">All categories</option>
+                {categories.map((category) => (
+                  <option key={category} value={category}>
+                    {category}
+                  </option>
+                ))}
+              </select>
+              <Icon name="chevron" />
+            </span>
+            <span className={classes.select}>
+              <select
+                aria-label="Need"
+                value={search.need ?? ''}
+                onChange={(event) =>
+                  onSearch({ need: NEEDS.find(({ value }) => value === event.currentTarget.value)?.value })
+                }
+              >
+                <option value="">Any need</option>
+                {NEEDS.map(({ value, label }) => (
+                  <option key={value} value={value}>
+                    {label}
+                  </option>
+                ))}
+              </select>
+              <Icon name="chevron" />
+            </span>
+            {(search.person !== undefined ||
+              rows.some(({ cue }) => cue.implementer_id !== null || cue.recorder_id !== null)) && (
+              <span className={classes.select}>
+                <select
+                  aria-label="Person"
+                  value={search.person ?? ''}
+                  onChange={(event) => onSearch({ person: readPersonFilter(event.currentTarget.value) })}
+                >
+                  <option value="">Any person</option>
+                  {TASKS.map(({ task, label }) => (
+                    <optgroup key={task} label={label}>
+                      {people.map(({ id, name }) => (
+                        <option key={id} value={`${task}:${id}`}>
+                          {name}
+                        </option>
+                      ))}
+                      <option value={`${task}:none`}>No one</option>
+                    </optgroup>
+                  ))}
+                </select>
+                <Icon name="chevron" />
+              </span>
+            )}
+          </div>
+        </div>
+      )}
+      {shown === 'display' && (
+        <div className={classes.tools} role="group" aria-label="Display">
+          <Segmented
+            label="Columns shown"
+            value={search.view ?? 'state'}
+            onChange={(view) => onSearch({ view: view === 'content' ? view : undefined })}
+            options={[
+              { value: 'state', label: 'State' },
+              { value: 'content', label: 'Content' },
+            ]}
+          />
+          <span className={classes.select}>
+            <select
+              aria-label="Group by"
+              value={search.by ?? 'list'}
+              onChange={(event) => {
+                const by = event.currentTarget.value as Grouping
+                onSearch({ by: by === 'list' ? undefined : by })
+              }}
+            >
+              <option value="list">List order</option>
+              <option value="category">By category</option>
+              <option value="state">By state</option>
+              <option value="priority">By playback priority</option>
+            </select>
+            <Icon name="chevron" />
+          </span>
+          <Views projectId={projectId} search={search} onOpen={(view) => onView(view)} />
+          {mayEdit && (
+            <ButtonLink component={Link} to={`${list}/columns`}>
+              Columns
+            </ButtonLink>
+          )}
+        </div>
+      )}
+      {shown === 'more' && (
+        <div className={`${classes.tools} wrap`} role="group" aria-label="More">
+          {mayEdit && (
+            <>
+              <Button keys="i" onClick={onImport}>
+                Paste or import
+              </Button>
+              <ButtonLink component={Link} to={`${list}/kits`}>
+                Start from a kit
+              </ButtonLink>
+              <ButtonLink component={Link} to={`${list}/adopt`}>
+                Import existing game audio
+              </ButtonLink>
+            </>
+          )}
+          <ButtonLink component={Link} to={`${list}/compare`}>
+            Compare revisions
+          </ButtonLink>
+          <ButtonLink icon="download" href={`/v1${list}.csv`}>
+            CSV
+          </ButtonLink>
+          <ButtonLink icon="download" href={`/v1${list}.xlsx`}>
+            XLSX
+          </ButtonLink>
+        </div>
+      )}
+    </>
   )
 }

@@ -1,10 +1,12 @@
 import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test, vi } from 'vitest'
+import { beforeAll, describe, expect, test, vi } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { answer, type Asked, refusal } from '@/test/server'
 import { aCue, ListServer } from '@/test/soundList'
+
+beforeAll(() => import('./SoundListPage'), 60_000)
 
 const three = (part: 'team' | 'designer' = 'team') =>
   new ListServer(
@@ -65,8 +67,10 @@ describe('reading', () => {
       const server = three()
       const app = await opened(server)
       await userEvent.keyboard('f')
-      expect(screen.getByRole('button', { name: 'All 3' })).toHaveFocus()
-      await userEvent.keyboard('f{Enter}')
+      await waitFor(() => expect(screen.getByRole('button', { name: 'All 3' })).toHaveFocus())
+      await userEvent.keyboard('f')
+      await waitFor(() => expect(screen.getByRole('button', { name: /^To review/ })).toHaveFocus())
+      await userEvent.keyboard('{Enter}')
       await waitFor(() => expect(app.search()).toEqual({ state: 'to_review' }))
       expect(screen.queryByRole('link', { name: 'void_whale' })).not.toBeInTheDocument()
       await userEvent.keyboard('{Escape}')
@@ -75,7 +79,7 @@ describe('reading', () => {
       await waitFor(() => expect(screen.queryByRole('link', { name: 'shield_hit' })).not.toBeInTheDocument())
       await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Category' }), '')
       await userEvent.keyboard('{Escape}')
-      await userEvent.click(screen.getByRole('searchbox', { name: 'Filter the list' }))
+      await userEvent.click(screen.getByRole('searchbox', { name: 'Search the list' }))
       await userEvent.keyboard('ufo')
       expect(await screen.findByRole('heading', { name: 'No cue matches “ufo”.' })).toBeInTheDocument()
       expect(app.search()).toEqual({ q: 'ufo' })
@@ -289,6 +293,41 @@ describe('editing', () => {
   })
 })
 
+describe('the line above the list', () => {
+  const names = () =>
+    [...document.querySelectorAll('main button, main a, main input, main select')]
+      .filter((control) => control.closest('table') === null)
+      .map((control) => control.getAttribute('aria-label') ?? control.textContent)
+
+  test('has seven controls at most; the rest is one press away, by the keyboard too', async () => {
+    const app = await opened(three())
+    expect(names().slice(7)).toEqual([])
+    for (const [button, holds] of [
+      ['Filter', ['Category', 'Need']],
+      ['Display', ['Group by']],
+    ] as const) {
+      screen.getByRole('button', { name: button }).focus()
+      await userEvent.keyboard('{Enter}')
+      for (const name of holds) expect(screen.getByRole('combobox', { name })).toBeVisible()
+    }
+    expect(screen.queryByRole('combobox', { name: 'Need' })).toBeNull()
+    await userEvent.click(within(screen.getByRole('main')).getByRole('button', { name: 'More' }))
+    expect(screen.getByRole('link', { name: 'XLSX' })).toHaveAttribute(
+      'href',
+      expect.stringMatching(/sound-list.xlsx$/),
+    )
+    await userEvent.click(screen.getByRole('link', { name: 'Compare revisions' }))
+    await waitFor(() => expect(app.at()).toMatch(/sound-list\/compare$/))
+  })
+
+  test('a filter in the address is in sight, and counted on its button', async () => {
+    const server = three()
+    openApp(`${server.path}?state=to_review`)
+    expect(await screen.findByRole('button', { name: 'Filter, 1 on' })).toHaveAttribute('aria-expanded', 'true')
+    expect(screen.getByRole('group', { name: 'Filter by state' })).toBeVisible()
+  })
+})
+
 describe('several at once', () => {
   test('one thing is said of all selected cues in one revision, and undone in one', async () => {
     const server = three()
@@ -306,7 +345,7 @@ describe('several at once', () => {
       'number,category\n2,"weapon"\n3,"creature"',
     ])
     await userEvent.click(screen.getByRole('button', { name: 'Clear' }))
-    expect(screen.getByRole('group', { name: 'Filter by state' })).toBeInTheDocument()
+    expect(screen.getByRole('button', { name: 'Filter' })).toBeInTheDocument()
   })
 
   test('a refusal names the cue, and Shift takes the rows between', async () => {

@@ -30,8 +30,8 @@ import { CuePanel, type PanelKind } from './CuePanel'
 import { CueTable } from './CueTable'
 import { EmptyList } from './EmptyList'
 import { ListFoot } from './ListFoot'
-import { ListActsBelow, ListHead } from './ListHead'
-import { ListTools } from './ListTools'
+import { ListHead } from './ListHead'
+import { ListTools, type ToolsPanel } from './ListTools'
 import { PickedBar } from './PickedBar'
 import classes from './SoundList.module.css'
 import { useCueSelection } from './useCueSelection'
@@ -62,6 +62,10 @@ export function SoundListPage(): ReactNode {
 
   const [adding, setAdding] = useState<{ name?: string } | null>(null)
   const [panel, setPanel] = useState<{ id: string; kind: PanelKind } | null>(null)
+  const isFiltered = [search.state, search.category, search.need, search.person, search.unclear, search.heard].some(
+    Boolean,
+  )
+  const [tools, setTools] = useState<ToolsPanel | null>(isFiltered ? 'filter' : null) // a filter that is on is in sight
   const chips = useRef<HTMLDivElement>(null)
   const filter = useRef<HTMLInputElement>(null)
 
@@ -179,7 +183,10 @@ export function SoundListPage(): ReactNode {
     play,
     step,
     toFilter: () => filter.current?.focus(),
-    toStates: () => toNextChip(chips.current),
+    toStates: () => {
+      setTools('filter')
+      requestAnimationFrame(() => toNextChip(chips.current))
+    },
     escape,
   })
   usePastedRows(projectId, rights.edits, toImport)
@@ -195,15 +202,7 @@ export function SoundListPage(): ReactNode {
 
   return (
     <div className={`page ${classes.page}`}>
-      <ListHead
-        projectId={projectId}
-        list={list.data}
-        mayEdit={rights.edits}
-        isEmpty={isEmpty}
-        needs={needs}
-        onAdd={() => add()}
-        onImport={toImport}
-      />
+      <ListHead projectId={projectId} list={list.data} mayEdit={rights.edits} needs={needs} />
       {refused && (
         <ProblemNote
           detail={refused.detail}
@@ -235,6 +234,11 @@ export function SoundListPage(): ReactNode {
             words={words}
             chips={chips}
             filter={filter}
+            mayEdit={rights.edits}
+            shown={tools}
+            onShown={setTools}
+            onAdd={() => add()}
+            onImport={toImport}
             onSearch={onSearch}
             onWords={(typed) => onSearch({ q: typed || undefined })}
             onView={(view) =>
@@ -307,9 +311,6 @@ export function SoundListPage(): ReactNode {
       )}
       {cues.length > 0 && (
         <ListFoot mayEdit={rights.edits} error={playing.error} sums={sumsOf(rows, counts?.files_to_review ?? 0)} />
-      )}
-      {!isEmpty && (
-        <ListActsBelow projectId={projectId} mayEdit={rights.edits} onAdd={() => add()} onImport={toImport} />
       )}
     </div>
   )

@@ -29,6 +29,7 @@ async function opened(part: 'team' | 'designer' = 'team') {
 
 test('an unclear cue says what is open, and the filter keeps those alone', async () => {
   const { app } = await opened()
+  await userEvent.click(screen.getByRole('button', { name: 'Filter' }))
   await userEvent.click(screen.getByRole('button', { name: 'Unclear 1' }))
   await waitFor(() => expect(app.search()).toEqual({ unclear: true }))
   expect(screen.queryByRole('link', { name: 'airlock_cycle' })).not.toBeInTheDocument()

@@ -1,11 +1,13 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { describe, expect, test } from 'vitest'
+import { beforeAll, describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { answer, type Asked, refusal } from '@/test/server'
 import { aCue, ListServer } from '@/test/soundList'
+
+beforeAll(() => import('./SoundListPage'), 60_000)
 
 const COLUMNS = [
   { id: 'c-mood', name: 'Mood', kind: 'choice', choices: ['calm', 'tense'] },
@@ -57,6 +59,7 @@ describe('need', () => {
     const sums = await screen.findByRole('list', { name: 'Accepted by need' })
     await waitFor(() => expect(within(sums).getByText('1 of 1')).toBeInTheDocument())
     expect(within(sums).getAllByRole('listitem')).toHaveLength(3)
+    await userEvent.click(await screen.findByRole('button', { name: 'Filter' }))
     await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Need' }), 'Wish')
     await waitFor(() => expect(app.search()).toEqual({ need: 'wish' }))
     await waitFor(() => expect(screen.queryByRole('link', { name: 'shield_hit' })).not.toBeInTheDocument())
@@ -83,6 +86,7 @@ describe('columns of the project’s own', () => {
     const server = served()
     openApp(server.path)
     await row('shield_hit')
+    await userEvent.click(screen.getByRole('button', { name: 'Display' }))
     await userEvent.click(screen.getByRole('button', { name: 'Content' }))
     await screen.findByRole('columnheader', { name: 'Weight' })
     await userEvent.click(screen.getByRole('button', { name: 'Weight of shield_hit: empty' }))

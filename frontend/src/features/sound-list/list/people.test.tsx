@@ -41,6 +41,7 @@ test('the content of the list shows who puts a cue in the game and who records i
 
 test('the list is filtered by person, and by who is missing', async () => {
   openApp(served().path)
+  await userEvent.click(await screen.findByRole('button', { name: 'Filter' }))
   const filter = await screen.findByRole('combobox', { name: 'Person' })
   await waitFor(() => expect(within(filter).getAllByRole('option', { name: 'Kim Integrator' })).toHaveLength(2))
   await userEvent.selectOptions(filter, `implementer:${KIM.id}`)

@@ -1,12 +1,14 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { beforeAll, beforeEach, expect, test, vi } from 'vitest'
 
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aPreview } from '@/test/review'
 import { answer } from '@/test/server'
 import { aCue, aNewestTake, ListServer } from '@/test/soundList'
+
+beforeAll(() => import('./SoundListPage'), 60_000)
 
 function three(part: 'team' | 'designer' = 'team') {
   const server = new ListServer(
@@ -27,7 +29,11 @@ function three(part: 'team' | 'designer' = 'team') {
   return server
 }
 const row = (name: string) => screen.findByRole('row', { name: new RegExp(name) })
-const chip = () => screen.findByRole('button', { name: /^Not heard yet/ })
+async function chip() {
+  const filter = await screen.findByRole('button', { name: /^Filter/ })
+  if (filter.getAttribute('aria-expanded') !== 'true') await userEvent.click(filter)
+  return screen.findByRole('button', { name: /^Not heard yet/ })
+}
 
 beforeEach(() => {
   localStorage.clear()
