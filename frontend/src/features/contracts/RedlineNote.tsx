@@ -1,5 +1,6 @@
 import { Textarea } from '@mantine/core'
-import type { FormEvent } from 'react'
+import { useQuery } from '@tanstack/react-query'
+import { Fragment, type FormEvent } from 'react'
 
 import { DraftNote, useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
@@ -8,10 +9,11 @@ import { day } from '@/ui/format'
 import { State, type StateKind } from '@/ui/State'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
-import type { Contract } from './api'
+import { type Contract, libraryQuery } from './api'
 import classes from './Contracts.module.css'
 import type { Answer, Redline } from './redlines'
 import styles from './Redlines.module.css'
+import { figureInWords, inWords } from './words'
 import { WordingFields } from './WordingFields'
 
 /** The form that is open under a change. */
@@ -48,13 +50,14 @@ const ANSWERS: Record<NonNullable<Redline['answer']>['kind'], { kind: StateKind;
 
 /** Whose change it is, what they say of it, what the studio answered, and the answers to choose from. */
 export function RedlineNote(props: RedlineNoteProps) {
-  const { by, redline, mayAnswer, opened, onOpen, isPending, error, onAnswer } = props
+  const { contract, by, redline, mayAnswer, opened, onOpen, isPending, error, onAnswer } = props
   const { number, answer } = redline
   return (
     <div className={styles.note}>
       <p>
         <strong>{`Change ${number}`}</strong> <span className="mid">{`${by} ${DOES[redline.kind]}.`}</span>
       </p>
+      <ChangedFigures contract={contract} redline={redline} />
       {redline.comment !== '' && <p className={styles.said}>{redline.comment}</p>}
       {answer ? (
         <>
@@ -71,7 +74,7 @@ export function RedlineNote(props: RedlineNoteProps) {
         <div className={classes.buttons}>
           <Button
             icon="tick"
-            keys="a"
+            keys="y"
             aria-label={`Accept change ${number}`}
             aria-busy={isPending}
             onClick={() => onAnswer({ answer: 'accepted' })}
@@ -80,21 +83,21 @@ export function RedlineNote(props: RedlineNoteProps) {
           </Button>
           <Button
             icon="cross"
-            keys="r"
-            aria-label={`Refuse change ${number}`}
+            keys="s"
+            aria-label={`Keep as it was, change ${number}`}
             aria-expanded={opened?.does === 'refused'}
             onClick={() => onOpen({ number, does: 'refused' })}
           >
-            Refuse
+            Keep as it was
           </Button>
           <Button
             icon="pencil"
-            keys="c"
-            aria-label={`Counter change ${number}`}
+            keys="e"
+            aria-label={`Counter-propose to change ${number}`}
             aria-expanded={opened?.does === 'countered'}
             onClick={() => onOpen({ number, does: 'countered' })}
           >
-            Counter
+            Counter-propose
           </Button>
         </div>
       )}
@@ -102,6 +105,30 @@ export function RedlineNote(props: RedlineNoteProps) {
       {mayAnswer && opened?.does === 'countered' && <Counter {...props} />}
       <Refusal error={error} />
     </div>
+  )
+}
+
+/** The figures that a change sets, as they are and as they would be. */
+function ChangedFigures({ contract, redline }: { contract: Contract; redline: Redline }) {
+  const { data: library } = useQuery(libraryQuery(contract.kind))
+  const terms = library?.clauses.flatMap((clause) => clause.terms) ?? []
+  const figures = Object.entries(redline.wording.terms).filter(
+    ([name, value]) => contract.version.terms[name] !== undefined && contract.version.terms[name] !== value,
+  )
+  if (figures.length === 0) return null
+  const shown = (name: string, value: number | string) =>
+    figureInWords(name, value, contract.currency, terms.find((term) => term.name === name)?.choices)
+  return (
+    <dl className={classes.ba}>
+      {figures.map(([name, value]) => (
+        <Fragment key={name}>
+          <dt>{terms.find((term) => term.name === name)?.label ?? inWords(name)}</dt>
+          <dd>
+            <s>{shown(name, contract.version.terms[name] ?? '')}</s> → <strong>{shown(name, value)}</strong>
+          </dd>
+        </Fragment>
+      ))}
+    </dl>
   )
 }
 

@@ -26,9 +26,9 @@ interface RedlineRoundProps {
 
 const KEYS = [
   { keys: ['n', 'p'], label: 'next, previous change' },
-  { keys: ['a'], label: 'accept' },
-  { keys: ['r'], label: 'refuse' },
-  { keys: ['c'], label: 'counter' },
+  { keys: ['y'], label: 'accept' },
+  { keys: ['s'], label: 'keep as it was' },
+  { keys: ['e'], label: 'counter-propose' },
 ]
 
 /** One round of redlines in the text that it is about: marks, comments and answers. */
@@ -62,28 +62,28 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
     )
   }
   const act = (run: (redline: Redline) => void) => () => {
-    const redline = focused()
+    const redline = focused() ?? redlines.find((each) => each.answer === null)
     if (redline && mayAnswer) run(redline)
   }
   useHotkeys([
     { keys: 'n', label: 'Next change', group: 'Redlines', run: () => step(1) },
     { keys: 'p', label: 'Previous change', group: 'Redlines', run: () => step(-1) },
     {
-      keys: 'a',
+      keys: 'y',
       label: 'Accept the change',
       group: 'Redlines',
       disabled: !mayAnswer,
       run: act((redline) => give(redline, { answer: 'accepted' })),
     },
     {
-      keys: 'r',
+      keys: 's',
       label: 'Refuse the change',
       group: 'Redlines',
       disabled: !mayAnswer,
       run: act(({ number }) => setOpened({ number, does: 'refused' })),
     },
     {
-      keys: 'c',
+      keys: 'e',
       label: 'Counter the change',
       group: 'Redlines',
       disabled: !mayAnswer,

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 
 import type { ContractBrief } from './api'
-import { progress } from './words'
+import { figureInWords, progress } from './words'
 
 const SIGNED = {
   state: 'agreed',
@@ -20,4 +20,13 @@ test('a contract under notice says when it ends', () => {
   expect(progress(notice('2026-12-14')).text).toMatch(/^Signed, ends Monday 14 December/)
   expect(progress(notice('2026-12-14')).kind).toBe('warning')
   expect(progress(notice(null)).text).toBe('Signed, notice given')
+})
+
+test.each([
+  ['extra_round_bp', 2500, '25 %'],
+  ['hour_rate_minor', 8000, '€80.00'],
+  ['rounds_included', 4, '4'],
+  ['court', 'Bern', 'Bern'],
+])('the figure %s of %s reads %s', (name, value, words) => {
+  expect(figureInWords(name, value, 'EUR')).toBe(words)
 })

@@ -199,6 +199,23 @@ describe('a producer', () => {
     expect(screen.queryByText('Between us.')).not.toBeInTheDocument()
   })
 
+  test('a figure that a change sets is said before and after, and y answers the first open change', async () => {
+    const { asked, answers, answerWith } = opened()
+    const proposed = round()
+    const clauses = proposed.clauses.map((clause) =>
+      clause?.key === 'rounds'
+        ? { ...clause, redline: { ...clause.redline, wording: { title: '', text: '', terms: { rounds_included: 4 } } } }
+        : clause,
+    )
+    answers['GET /v1/contracts/c1/redlines'] = page({ ...proposed, clauses }, true)
+    answerWith(1, round([given('accepted'), null]))
+    openApp(PAGE)
+    const first = within(await screen.findByRole('article', { name: 'Change 1' }))
+    expect((await first.findByText('Rounds of changes')).nextSibling).toHaveTextContent('2 → 4')
+    await userEvent.keyboard('y')
+    await waitFor(() => expect(bodies(asked, 1)).toHaveLength(1))
+  })
+
   test('answers by keys alone: next, accept, counter', async () => {
     const { asked, answerWith } = opened()
     const half = round([given('accepted'), null])
@@ -210,10 +227,10 @@ describe('a producer', () => {
     expect(screen.getByRole('article', { name: 'Change 1' })).toHaveFocus()
     await userEvent.keyboard('np')
     expect(screen.getByRole('article', { name: 'Change 1' })).toHaveFocus()
-    await userEvent.keyboard('a')
+    await userEvent.keyboard('y')
     await waitFor(() => expect(screen.getByRole('article', { name: 'Change 2' })).toHaveFocus())
     expect(screen.getByText('1 change without an answer.')).toBeVisible()
-    await userEvent.keyboard('c')
+    await userEvent.keyboard('e')
     const form = within(await screen.findByRole('form', { name: 'Counter change 2' }))
     await userEvent.clear(form.getByLabelText('Text'))
     fireEvent.change(form.getByLabelText('Text'), { target: { value: 'At five, not four.' } })
@@ -231,7 +248,7 @@ describe('a producer', () => {
     const { asked, answers, answerWith } = opened()
     openApp(PAGE)
     await screen.findByRole('article', { name: 'Change 1' })
-    await userEvent.keyboard('nr')
+    await userEvent.keyboard('ns')
     const field = await screen.findByLabelText('Why it is refused')
     expect(field).toHaveFocus()
     fireEvent.change(field, { target: { value: 'Two are enough, and a car.' } })
@@ -241,7 +258,7 @@ describe('a producer', () => {
     cleanup()
     answerWith(1, round([given('refused'), null]))
     openApp(PAGE)
-    await userEvent.click(await screen.findByRole('button', { name: 'Refuse change 1' }))
+    await userEvent.click(await screen.findByRole('button', { name: 'Keep as it was, change 1' }))
     expect(screen.getByLabelText('Why it is refused')).toHaveValue('Two are enough, and a car.')
     await userEvent.click(screen.getByRole('button', { name: 'Refuse the change' }))
     await waitFor(() => expect(screen.queryByLabelText('Why it is refused')).not.toBeInTheDocument())

@@ -1,3 +1,4 @@
+import { money, percent } from '@/money/words'
 import { day, dueDay } from '@/ui/format'
 import type { StateKind } from '@/ui/State'
 
@@ -50,6 +51,20 @@ export const sentence = (text: string): string => {
 export const inWords = (name: string): string => {
   const words = name.replace(/_(bp|minor)$/, '').replaceAll('_', ' ')
   return words.charAt(0).toUpperCase() + words.slice(1)
+}
+
+/** A value of a term as the text says it. */
+export function figureInWords(
+  name: string,
+  value: number | string,
+  currency: string,
+  choices: readonly { value: number | string; label: string }[] = [],
+): string {
+  const choice = choices.find((each) => each.value === value)
+  if (choice) return choice.label
+  if (typeof value === 'string') return value
+  if (name.endsWith('_bp')) return percent(value)
+  return name.endsWith('_minor') ? money(value, currency) : String(value)
 }
 
 /** How the address of the accepting person was verified. */
