@@ -48,6 +48,28 @@ test('the first screen is one sound to hear and to decide by one key, and can be
   await expect(first(page)).toBeVisible()
 })
 
+test('Review has twelve controls in sight at most beside its queue, and a change is requested by keys alone', async ({
+  demo,
+  page,
+}) => {
+  await page.goto(demo.url)
+  await page
+    .getByRole('link', { name: /^Review/ })
+    .first()
+    .click()
+  await expect(page).toHaveURL(/\/review\/.+/)
+  await expect(page.getByRole('button', { name: 'Request change' })).toBeVisible()
+  const controls = page.locator('main').locator('button, input, select, textarea, [role=tab]').filter({ visible: true })
+  expect(await controls.count()).toBeLessThanOrEqual(12)
+  const cue = await page.getByRole('heading', { level: 1 }).innerText()
+  await page.keyboard.press('r')
+  await page.keyboard.type('duller')
+  await page.keyboard.press('Enter')
+  await expect(page.getByRole('status').filter({ hasText: `Change requested: ${cue}` })).toBeVisible()
+  await page.keyboard.press('u')
+  await expect(page.getByRole('heading', { level: 1, name: cue })).toBeVisible()
+})
+
 test('the menu switches between approver, producer, designer and build', async ({ demo, page }) => {
   await page.goto(demo.url)
   await expect(page.getByRole('button', { name: /^Approve A/ })).toBeVisible()

@@ -141,7 +141,7 @@ test('what was guessed, skipped and not read is said, and can be undone', async 
   expect(screen.getByRole('region', { name: 'File names that the spec refuses' })).toHaveTextContent('DOOR → door')
   await userEvent.click(screen.getByRole('button', { name: 'Read row 5 as a cue' }))
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ keep_rows: [5] }))
-  await userEvent.selectOptions(screen.getByRole('combobox', { name: /^Tab/ }), 'Ambience')
+  await userEvent.click(screen.getByRole('button', { name: 'Ambience (9 rows)' }))
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ tab: 'Ambience' }))
   await userEvent.selectOptions(screen.getByRole('combobox', { name: /^Encoding/ }), 'mac-roman')
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ encoding: 'mac-roman' }))
@@ -224,4 +224,25 @@ test('a designer sees who changes the list', async () => {
   expect(
     await screen.findByRole('heading', { name: 'Only producers and audio leads can edit the list' }),
   ).toBeInTheDocument()
+})
+
+test('F8 leads from error to error, x leaves the row out, and Ctrl Enter imports the others', async () => {
+  const { sent } = opened(({ body }: Asked) => {
+    const { dry_run: isDry, skip_rows: skipped = [] } = body as { dry_run: boolean; skip_rows?: number[] }
+    const errors = [4, 7].map((row) => ({ row, column: 'Len', name: `wrong_${row}`, message: 'wanted seconds' }))
+    const left = errors.filter(({ row }) => !skipped.includes(row))
+    return { ...PLAN, errors: left, left_out: left.map(({ row }) => row), imported: !isDry }
+  })
+  await type('Sound\tLen\na\tlong')
+  const wrong = await screen.findAllByRole('row', { name: /Error/ })
+  await userEvent.click(document.body)
+  await userEvent.keyboard('{F8}')
+  await waitFor(() => expect(wrong[0]).toHaveFocus())
+  await userEvent.keyboard('{F8}')
+  await waitFor(() => expect(screen.getByRole('row', { name: /wrong_7/ })).toHaveFocus())
+  await userEvent.keyboard('x')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ dry_run: true, skip_rows: [7] }))
+  await waitFor(() => expect(screen.queryByRole('row', { name: /wrong_7/ })).toBeNull())
+  await userEvent.keyboard('{Control>}{Enter}{/Control}')
+  await waitFor(() => expect(sent().filter((body) => !(body as { dry_run: boolean }).dry_run)).toHaveLength(1))
 })

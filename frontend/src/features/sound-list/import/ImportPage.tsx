@@ -72,7 +72,6 @@ export function ImportPage(): ReactNode {
     send.reset()
   }
   const toList = () => void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
-  useHotkeys([{ keys: 'Escape', label: 'Back to the list', group: 'Import', run: toList }])
 
   const take = async (file: File | undefined) => {
     if (file === undefined) return
@@ -149,6 +148,13 @@ export function ImportPage(): ReactNode {
       },
     })
   }
+
+  const skip = (row: number) =>
+    setSheet({ ...sheet, read: { ...sheet.read, skip_rows: [...(sheet.read.skip_rows ?? []), row] } })
+  useHotkeys([
+    { keys: 'Escape', label: 'Back to the list', group: 'Import', run: toList },
+    { keys: 'mod+Enter', label: 'Import the rows without errors', group: 'Import', run: put },
+  ])
 
   if (rights.known && !rights.edits) {
     return (
@@ -250,7 +256,7 @@ export function ImportPage(): ReactNode {
           />
           <ReadNotes read={read} reading={sheet.read} onRead={(reading) => setSheet({ ...sheet, read: reading })} />
           <RefusedNamesList refused={read.refused_names} />
-          <ImportRows read={read} />
+          <ImportRows read={read} onSkip={skip} />
           <footer className={classes.bar} aria-label="Import">
             <div className={classes.says} role="status">
               <p className="strong">{isStale ? 'Reading the spreadsheet' : whatWould(read)}</p>
@@ -263,6 +269,7 @@ export function ImportPage(): ReactNode {
             <Refusal error={send.error} />
             <Button
               variant="primary"
+              keys="mod+Enter"
               disabled={read.added + read.changed === 0 || isStale || send.isPending}
               onClick={put}
             >

@@ -1,5 +1,7 @@
-import { useCallback, useMemo, useRef, useState } from 'react'
+import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
 
+import { useHotkeys } from '@/app/keys'
+import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day, figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
@@ -38,8 +40,15 @@ const WORDS = {
   same: { word: 'Same', icon: 'tick' },
 } as const
 
-/** What would happen to every row. */
-export function ImportRows({ read }: { read: ImportRead }) {
+interface ImportRowsProps {
+  read: ImportRead
+  /** Leave a row out; it can be read again. */
+  onSkip: (row: number) => void
+}
+
+/** What would happen to every row; F8 leads from error to error, x leaves the row of the focus out. */
+export function ImportRows({ read, onSkip }: ImportRowsProps) {
+  const [current, setCurrent] = useState<number>()
   const all = useMemo(() => sheetRows(read), [read])
   const wrong = all.filter(({ faults }) => faults.length > 0).length
   const [wanted, setWanted] = useState<Shown>('all')
@@ -59,6 +68,27 @@ export function ImportRows({ read }: { read: ImportRead }) {
     useCallback((place: number) => String(rows[place]?.row), [rows]),
     table,
   )
+  const wrongRows = all.filter(({ faults }) => faults.length > 0).map(({ row }) => row)
+  const toNextError = () => {
+    const next = wrongRows.find((row) => row > (current ?? 0)) ?? wrongRows[0]
+    if (next === undefined) return
+    setWanted('errors')
+    setCurrent(next)
+  }
+  useEffect(() => {
+    const line = table.current?.querySelector<HTMLElement>(`[data-row="${current}"]`)
+    line?.focus()
+    line?.scrollIntoView({ block: 'nearest' })
+  }, [current, shown])
+  const skipCurrent = () => {
+    if (current === undefined || !wrongRows.includes(current)) return
+    onSkip(current)
+    setCurrent(undefined)
+  }
+  useHotkeys([
+    { keys: 'F8', label: 'Next error', group: 'Import', run: toNextError, disabled: wrong === 0 },
+    { keys: 'x', label: 'Skip the row', group: 'Import', run: skipCurrent, disabled: current === undefined },
+  ])
   return (
     <Card aria-labelledby="rows">
       <CardHead
@@ -66,16 +96,23 @@ export function ImportRows({ read }: { read: ImportRead }) {
         title="Preview"
         count={all.length}
         end={
-          <Segmented
-            label="Rows shown"
-            value={shown}
-            onChange={setWanted}
-            options={[
-              { value: 'all', label: 'All' },
-              { value: 'changes', label: 'Changes' },
-              ...(wrong > 0 ? [{ value: 'errors' as const, label: `${wrong} with errors` }] : []),
-            ]}
-          />
+          <>
+            {wrong > 0 && (
+              <Button keys="F8" onClick={toNextError}>
+                Next error
+              </Button>
+            )}
+            <Segmented
+              label="Rows shown"
+              value={shown}
+              onChange={setWanted}
+              options={[
+                { value: 'all', label: 'All' },
+                { value: 'changes', label: 'Changes' },
+                ...(wrong > 0 ? [{ value: 'errors' as const, label: `${wrong} with errors` }] : []),
+              ]}
+            />
+          </>
         }
       />
       <table ref={table} className={classes.rows} aria-label="Rows of the spreadsheet" aria-rowcount={rows.length + 1}>
@@ -106,7 +143,19 @@ export function ImportRows({ read }: { read: ImportRead }) {
           {beforePx > 0 && <Gap heightPx={beforePx} />}
           {places.map((at) => {
             const row = rows[at]
-            return row && <Line key={row.row} row={row} at={at} measure={measure} />
+            return (
+              row && (
+                <Line
+                  key={row.row}
+                  row={row}
+                  at={at}
+                  measure={measure}
+                  isCurrent={row.row === current}
+                  onFocus={() => setCurrent(row.row)}
+                  onSkip={() => onSkip(row.row)}
+                />
+              )
+            )
           })}
           {afterPx > 0 && <Gap heightPx={afterPx} />}
         </tbody>
@@ -127,13 +176,24 @@ interface LineProps {
   row: SheetRow
   at: number
   measure: ((row: Element | null) => void) | undefined
+  isCurrent: boolean
+  onFocus: () => void
+  onSkip: () => void
 }
 
-function Line({ row: { row, read, faults }, at, measure }: LineProps) {
+function Line({ row: { row, read, faults }, at, measure, isCurrent, onFocus, onSkip }: LineProps) {
   const action = read && WORDS[read.action]
   const isWrong = faults.length > 0
   return (
-    <tr ref={measure} data-index={at} data-wrong={isWrong || undefined} aria-rowindex={at + 2}>
+    <tr
+      ref={measure}
+      data-index={at}
+      data-row={row}
+      data-wrong={isWrong || undefined}
+      aria-rowindex={at + 2}
+      tabIndex={isCurrent ? 0 : -1}
+      onFocus={onFocus}
+    >
       <td className="num mono dim">{row}</td>
       <td>
         {isWrong ? (
@@ -161,6 +221,11 @@ function Line({ row: { row, read, faults }, at, measure }: LineProps) {
             <span className="toned">{fault.message}</span>
           </p>
         ))}
+        {isWrong && (
+          <Button variant="quiet" className="small" keys={isCurrent ? 'x' : undefined} onClick={onSkip}>
+            Skip row {row}
+          </Button>
+        )}
         {!isWrong && read && read.action === 'change' && <Changes changes={read.changes} />}
         {!isWrong && read?.action === 'add' && (
           <span className="mid">

@@ -3,6 +3,7 @@ import { useState } from 'react'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { plural } from '@/ui/format'
+import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
 import type { ImportRead } from './api'
@@ -56,25 +57,23 @@ export function ReadNotes({ read, reading, onRead }: Props) {
       <CardHead id="how-read" title="How the sheet was read" note="Guesses, and what was left out" />
       <div className={classes.notes}>
         {tabs.length > 1 && (
-          <label>
-            <span className="strong">Tab</span>
-            <Select
+          <div>
+            <Segmented
+              label="Tab"
               value={tabs.find(({ is_read }) => is_read)?.name ?? ''}
-              onChange={(event) => onRead({ ...reading, tab: event.currentTarget.value, skip_rows: [], keep_rows: [] })}
-            >
-              {tabs.map(({ name, rows, is_hidden }) => (
-                <option key={name} value={name}>
-                  {`${name} (${plural(rows, 'row')}${is_hidden ? ', hidden' : ''})`}
-                </option>
-              ))}
-            </Select>
+              onChange={(tab) => onRead({ ...reading, tab, skip_rows: [], keep_rows: [] })}
+              options={tabs.map(({ name, rows, is_hidden }) => ({
+                value: name,
+                label: `${name} (${plural(rows, 'row')}${is_hidden ? ', hidden' : ''})`,
+              }))}
+            />
             {others.length > 0 && (
               <span className="small mid">
                 Not read: {others.map(({ name }) => name).join(', ')}. Import {others.length === 1 ? 'it' : 'them'}{' '}
                 next.
               </span>
             )}
-          </label>
+          </div>
         )}
         {encoding && (encoding.is_guess || reading.encoding) && (
           <label>
