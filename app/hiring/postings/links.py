@@ -35,7 +35,7 @@ def join(session: Session, actor: Actor, secret: str) -> UUID:
     """Let the caller bid on the posting behind a link; a personal link belongs to the first account that uses it."""
     posting, candidate = posting_by_link(session, secret)
     if actor.roles_in(posting.studio_id):
-        raise OwnPosting("you are a member of the studio that posted this", fix="open it under Project, Postings")
+        raise OwnPosting("you are a member of the studio that posted this", fix="open it under People, Postings")
     with bypass_row_policies(session):  # the person who joins cannot see the project yet
         person = session.get_one(Person, actor.person)
         own = queries.candidate_by_person(session, posting.id, person.id)

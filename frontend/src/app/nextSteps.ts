@@ -87,7 +87,7 @@ export function wordsOf(step: NextStep, projectId: string): Words {
     case 'invite_designer':
       return {
         head: 'Invite a sound designer',
-        why: 'The invitation shows the list and the spec right away. Or post the work under Project, and compare bids.',
+        why: 'The invitation shows the list and the spec right away. Or post the work under People, Postings, and compare bids.',
         act: 'Invite',
         path: `${project}/people`,
       }
