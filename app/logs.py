@@ -61,12 +61,12 @@ def bound(cause: Mapping[str, str], **more: Any) -> AbstractContextManager[None]
 
 
 def cause() -> Cause:
-    """Return what the jobs asked for here carry on: the id of the request behind this work, if there is one."""
+    """Return the cause that jobs asked for here carry on: the id of the request behind this work, if there is one."""
     request_id = structlog.contextvars.get_contextvars().get(REQUEST_ID)
     return {REQUEST_ID: request_id} if request_id else {}
 
 
 def report_confinement() -> None:
-    """Log what this kernel cannot take from the processes that read strangers' files; nothing where it can all."""
+    """Log powers that this kernel cannot take from the processes that read strangers' files; none where it can all."""
     for gap in confinement_gaps():
         structlog.get_logger(__name__).warning(gap)

@@ -46,7 +46,7 @@ def migrate(database: Database) -> None:
 
 
 def login_warning(database: Database) -> str | None:
-    """Return what is wrong with a login that may do more than it needs; None where nothing is."""
+    """Return the fault of a login that may do more than it needs; None where there is none."""
     if database.is_sqlite:
         return None
     with database.engine.connect() as connection:

@@ -85,7 +85,7 @@ class CannotGuardRows(Exception):
 
 
 def condition(table: sa.Table) -> str | None:
-    """Return which rows of a table a request may see, and write but for `written`; None where it sees all or none."""
+    """Return rows of a table that a request may see, and write but for `written`; None where it sees all or none."""
     columns = set(table.columns.keys())
     project_id = "id" if table.name == "projects_projects" else "project_id"
     if table.name in UNGUARDED | ADD_ONLY | SERVERS_OWN:
@@ -120,7 +120,7 @@ def condition(table: sa.Table) -> str | None:
 
 
 def written(table: sa.Table) -> str | None:
-    """Return which rows a request may write where these are fewer than it sees."""
+    """Return the rows that a request may write where these are fewer than it sees."""
     if table.name == "accounts_people":
         return f"id = {ME}"
     if table.name in (*DESIGNERS_READ, "reviews_reason_lists"):

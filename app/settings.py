@@ -274,7 +274,7 @@ def bucket_address(url: str) -> BucketAddress:
 
 
 def read_settings(*, serving: bool = False) -> Settings:
-    """Return what the environment sets; raise SettingsWrong with everything that is wrong, at once."""
+    """Return the settings of the environment; raise SettingsWrong with everything that is wrong, at once."""
     lines = _unknown_names()
     try:
         settings = Settings()

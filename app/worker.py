@@ -32,7 +32,7 @@ def sweep_uploads(runtime: Runtime, _payload: Payload) -> None:
 
 @job("server.send_pending")
 def send_waiting_mails(runtime: Runtime, _payload: Payload) -> None:
-    """Send what waits although no job will send it: mails that a dead server, or one without SMTP, left behind."""
+    """Send waiting mails that no job will send: those that a dead server, or one without SMTP, left behind."""
     send_pending(runtime)
 
 

@@ -1,4 +1,4 @@
-"""What can go wrong with a file, a spec, a render or a sandboxed call, each named after the fact."""
+"""Errors of a file, a spec, a render or a sandboxed call, each named after the fact."""
 
 from __future__ import annotations
 

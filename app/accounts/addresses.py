@@ -31,7 +31,7 @@ def renew_secret(link: MailedLink, *, is_sent_by_mail_only: bool) -> str:
 
 
 def account_proof(link: MailedLink) -> AddressProof:
-    """Return what following an account's own link shows; only the command line shows such a link."""
+    """Return the proof that an account's own link gives; only the command line shows such a link."""
     return AddressProof.MAIL if link.is_sent_by_mail_only else AddressProof.OPERATOR
 
 

@@ -118,7 +118,7 @@ def csrf_token(settings: Settings, secret: str) -> str:
 
 
 def device_cookie(settings: Settings, account: str) -> str:
-    """Return what a browser shows from now on to guess apart from strangers at this account's password."""
+    """Return a browser's cookie, from now on, to guess apart from strangers at this account's password."""
     nonce = new_secret()
     return f"{nonce}.{_signed(settings, 'device', nonce, account)}"
 
@@ -159,7 +159,7 @@ def ensure_same_origin(settings: Settings, credentials: RequestCredentials) -> N
 def authenticate_request(
     database: Database, settings: Settings, credentials: RequestCredentials, *, by_desk_token: bool = False
 ) -> AuthResult:
-    """Return who comes in, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's.
+    """Return the caller, or raise NotSignedIn; CsrfMismatch where a cookie's write is not our page's.
 
     A desk token is known only where the endpoint admits one.
     """

@@ -202,7 +202,7 @@ class HandOverNeeded(Conflict):
 
 
 class CannotTakeOver(Invalid):
-    """Who takes over is no audio lead and no producer of the studio."""
+    """A person who takes over is no audio lead and no producer of the studio."""
 
 
 class TimeZoneUnknown(Invalid):
@@ -226,7 +226,7 @@ class NameNeeded(Invalid):
 
 
 class PasskeyRefused(Invalid):
-    """What the browser sent is not the right answer of a passkey."""
+    """The browser's answer is not the right one of a passkey."""
 
 
 class ProviderRefused(Invalid):
@@ -248,7 +248,7 @@ class StorageQuotaReached(Refused):
 
 
 class PictureRefused(Invalid):
-    """What was sent is not a picture that can be shown beside a name."""
+    """The content sent is not a picture that can be shown beside a name."""
 
 
 class PictureNotFound(NotFound):

@@ -307,7 +307,7 @@ class StudioInvitation(MailedLink, Base):
 
 
 class InvoiceDetails(Base):
-    """What invoices say of a studio or a person, as it was saved once; rows are only added, and the newest holds."""
+    """The details of a studio or a person on invoices, as saved once; rows are only added, and the newest holds."""
 
     __tablename__ = "accounts_invoice_details"
     __table_args__ = (CheckConstraint("(studio_id is null) <> (person_id is null)", name="one_owner"),)

@@ -65,7 +65,7 @@ _SIGNED_IN = (
 
 @dataclass(frozen=True)
 class SignedIn:
-    """Who holds a session cookie."""
+    """The holder of a session cookie."""
 
     actor: Actor
     unrecorded_id: UUID | None  # of the sign-in, where its use is to be noted (`record_seen`)
@@ -95,7 +95,7 @@ def actor_for_sign_in(database: Database, secret_sha256: str) -> SignedIn | None
 
 
 def record_seen(session: Session, sign_in_id: UUID) -> None:
-    """Keep when a browser was last used."""
+    """Record the time of a browser's last use."""
     session.execute(update(SignIn).where(SignIn.id == sign_in_id).values(last_seen_at=clock.now()))
 
 
@@ -125,7 +125,7 @@ def actor_for_token(database: Database, secret_sha256: str) -> Actor | None:
 
 
 def token_past_use(database: Database, secret_sha256: str) -> tuple[datetime | None, datetime] | None:
-    """Return when a token that is refused was revoked and when it ends; None for an unknown one."""
+    """Return the times of revocation and of the end of a token that is refused; None for an unknown one."""
     for statement in _TOKENS_PAST_USE:
         for token in database.read_autocommit(statement, {"secret_sha256": secret_sha256}):
             return token.revoked_at, token.expires_at
@@ -143,7 +143,7 @@ _DESK_TOKEN = (
 
 
 def actor_for_desk_token(database: Database, secret_sha256: str) -> tuple[Actor, UUID] | None:
-    """Return who holds this desk token, and its id; None when it is unknown, revoked or over."""
+    """Return the holder of this desk token, and its id; None when it is unknown, revoked or over."""
     rows = database.read_autocommit(_DESK_TOKEN, {"secret_sha256": secret_sha256, "now": clock.now()})
     if not rows:
         return None
@@ -152,7 +152,7 @@ def actor_for_desk_token(database: Database, secret_sha256: str) -> tuple[Actor,
 
 
 def record_desk_token_use(session: Session, desk_token_id: UUID) -> None:
-    """Keep when a desk token was last used, to the minute."""
+    """Record the time of a desk token's last use, to the minute."""
     now = clock.now()
     is_old = DeskToken.last_used_at.is_(None) | (DeskToken.last_used_at < now - TOKEN_USE_RECORDED_EVERY)
     session.execute(update(DeskToken).where(DeskToken.id == desk_token_id, is_old).values(last_used_at=now))
@@ -175,7 +175,7 @@ def actor_for_demo_part(session: Session, part: str) -> Actor | None:
 
 
 def record_token_use(session: Session, token_id: UUID) -> None:
-    """Keep when a token was last used, to the minute."""
+    """Record the time of a token's last use, to the minute."""
     now = clock.now()
     is_old = Token.last_used_at.is_(None) | (Token.last_used_at < now - TOKEN_USE_RECORDED_EVERY)
     session.execute(update(Token).where(Token.id == token_id, is_old).values(last_used_at=now))
@@ -187,7 +187,7 @@ def people_by_id(session: Session, ids: set[UUID]) -> dict[UUID, Person]:
 
 
 def person_by_email(session: Session, email: str) -> Person | None:
-    """Return who has this normalised address."""
+    """Return the person with this normalised address."""
     return session.scalar(select(Person).where(Person.email == email))
 
 

@@ -1,4 +1,4 @@
-"""How often the same may be tried: guesses at passwords, mails sent to strangers. All processes count together.
+"""Limits on repeated tries: guesses at passwords, mails sent to strangers. All processes count together.
 
 Each limit is a bucket (GCRA): so many tries at once, then one in each interval. A try that is refused costs nothing,
 so waiting always helps. Guesses at one account from one place are held tighter than guesses at it from

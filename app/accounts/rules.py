@@ -28,7 +28,7 @@ LEAD_ROLES = frozenset({Role.PRODUCER, Role.LIAISON})
 
 
 class AccessKind(StrEnum):
-    """What a member made that works without their sign-in, and so outlives their membership unless it is ended."""
+    """A member's access that works without their sign-in, and so outlives their membership unless it is ended."""
 
     TOKENS = "tokens"
     GUEST_LINKS = "guest_links"
@@ -37,7 +37,7 @@ class AccessKind(StrEnum):
 
 
 class SecondFactorUse(StrEnum):
-    """What a studio may require a second factor for."""
+    """A use for which a studio may require a second factor."""
 
     SIGNING = "signing"  # its contracts, by either party
     PAYING = "paying"  # recording payments and refunds, and what makes an amount due at once
@@ -65,7 +65,7 @@ def is_end_near(created_at: datetime, expires_at: datetime, now: datetime) -> bo
 
 
 class AddressProof(StrEnum):
-    """How the address of an account was verified."""
+    """The way an account's address was verified."""
 
     MAIL = "mail"  # by a link that was sent there and shown nowhere else
     OPERATOR = "operator"  # by a link that the operator read on the command line and handed over
@@ -197,7 +197,7 @@ def ensure_producer_remains(others: Collection["frozenset[Role]"], wanted: "froz
 
 @dataclass(frozen=True)
 class MemberChange:
-    """What `member.changed` says: a member has other roles now, or with none has left the studio."""
+    """The content of `member.changed`: a member has other roles now, or with none has left the studio."""
 
     studio_id: UUID
     person_id: UUID

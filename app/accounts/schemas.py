@@ -78,7 +78,7 @@ class CalendarRead(Schema):
 
 
 class InvoiceDetailsSave(Schema):
-    """What electronic invoices say of a party; a field may stay empty."""
+    """A party's details on electronic invoices, to save; a field may stay empty."""
 
     name: MaybeLine = Field("", description="By which the party trades.")
     street: MaybeLine = ""
@@ -92,7 +92,7 @@ class InvoiceDetailsSave(Schema):
 
 
 class InvoiceDetailsRead(InvoiceDetailsSave):
-    """What electronic invoices say of a party now."""
+    """A party's present details on electronic invoices."""
 
 
 class SessionRead(Schema):
@@ -150,7 +150,7 @@ class SignUpShown(Schema):
 
 
 class SignUpMode(Schema):
-    """How a person can get an account here."""
+    """The way for a person to get an account here."""
 
     open: bool = Field(description="Whether anyone may sign up now; otherwise people are invited.")
     by_mail: bool = Field(description="Whether the address is verified by a mailed link first.")
@@ -170,7 +170,7 @@ class SignInRead(Schema):
 
 
 class DeskTokenAdd(Schema):
-    """What the caller calls a desk token, the machine that it is for, and how long it works."""
+    """The caller's name for a desk token, the machine that it is for, and its lifetime."""
 
     name: Line
     days: int = Field(MAX_TOKEN_DAYS, ge=1, le=MAX_TOKEN_DAYS, description="How long it works.")

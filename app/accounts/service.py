@@ -53,7 +53,7 @@ def request_sign_up(session: Session, email: str) -> None:
 
 
 def sign_up_by_secret(session: Session, secret: str, *, lock: bool = False) -> SignUp:
-    """Return what a mailed link opens; raise SignUpNotFound when it is past use."""
+    """Return the sign-up of a mailed link; raise SignUpNotFound when it is past use."""
     with bypass_row_policies(session):  # only the secret identifies the link
         begun = queries.open_sign_up(session, sha256_of(secret), lock=lock)
     if begun is None:
@@ -177,7 +177,7 @@ def _publish_change(
     hand_over_to: UUID | None,
     kept: Collection[AccessKind],
 ) -> None:
-    """End what the membership gave in each room, in this transaction."""
+    """End the grants of the membership in each room, in this transaction."""
     session.flush()
     address = session.get_one(Person, person_id).email
     for invitation in queries.studio_invitations(session, studio_id):

@@ -1,1 +1,1 @@
-"""What studio and designer agree, and what follows from it."""
+"""Agreements of studio and designer, and their consequences."""

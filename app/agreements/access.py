@@ -1,4 +1,4 @@
-"""Who sees a contract, and who may change it."""
+"""Sight of a contract, and permission to change it."""
 
 from uuid import UUID
 

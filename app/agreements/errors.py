@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""The refusals of this room, each named after the fact."""
 
 from app.core.errors import Conflict, Forbidden, Invalid, NotFound
 
@@ -40,7 +40,7 @@ class SamePersonOnBothSides(Forbidden):
 
 
 class AddressNotProven(Forbidden):
-    """Who accepts a contract must first have shown that they read their mail address."""
+    """A person who accepts a contract must first have shown that they read their mail address."""
 
 
 class NotASigner(Forbidden):
@@ -100,7 +100,7 @@ class TextChanged(Conflict):
 
 
 class BadDrawing(Invalid):
-    """What was sent as a drawn name is none, or is too large."""
+    """The content sent as a drawn name is none, or is too large."""
 
 
 class AlreadyAccepted(Conflict):
@@ -128,7 +128,7 @@ class AmountsNeeded(Invalid):
 
 
 class BadTemplate(Invalid):
-    """What was sent is not a template; says where and why."""
+    """The content sent is not a template; says place and reason."""
 
 
 class TooLongToCompare(Invalid):

@@ -19,7 +19,7 @@ from app.sound_lists.models import Cue
 
 
 class Contract(Base):
-    """What a studio and one designer agree in a project, from the first draft on."""
+    """An agreement of a studio and one designer in a project, from the first draft on."""
 
     __tablename__ = "contracts_contracts"
     __table_args__ = (

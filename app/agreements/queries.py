@@ -35,7 +35,7 @@ NOTICE_GIVEN, NOTICE_WITHDRAWN = "notice_given", "notice_withdrawn"  # kinds of 
 
 
 def in_reach(actor: Actor) -> ColumnElement[bool]:
-    """Return which contracts a caller may see: a producer the studio's, a liaison the project's, a designer their own.
+    """Return the contracts a caller may see: a producer the studio's, a liaison the project's, a designer their own.
 
     Only the studio sees a contract before it is first sent.
     """
@@ -154,7 +154,7 @@ def versions_of(session: Session, contract_id: UUID) -> Sequence[ContractVersion
 
 
 def acceptances_of(session: Session, version_id: UUID) -> Sequence[ContractAcceptance]:
-    """Return who said yes to a version, in order."""
+    """Return the acceptances of a version, in order."""
     return session.scalars(
         select(ContractAcceptance).where(ContractAcceptance.version_id == version_id).order_by(ContractAcceptance.id)
     ).all()
@@ -213,7 +213,7 @@ def turns_to_sign(session: Session, contracts: Collection[Contract]) -> dict[UUI
 
 
 def signers_of(session: Session, contract_id: UUID) -> Sequence[ContractSigner]:
-    """Return who is named to sign a contract for the studio, in order, with the people."""
+    """Return the named signers of a contract for the studio, in order, with the people."""
     return session.scalars(
         select(ContractSigner)
         .where(ContractSigner.contract_id == contract_id)
@@ -240,7 +240,7 @@ def drop_signer(session: Session, contract_id: UUID, person_id: UUID) -> None:
 
 
 def drop_signers(session: Session, contract_id: UUID) -> None:
-    """Delete who is named to sign a contract for the studio."""
+    """Delete the named signers of a contract for the studio."""
     session.execute(delete(ContractSigner).where(ContractSigner.contract_id == contract_id))
 
 

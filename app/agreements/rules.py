@@ -1,4 +1,4 @@
-"""What a contract may be and become, stated without a database."""
+"""Possible states and changes of a contract, stated without a database."""
 
 from collections.abc import Collection, Iterable
 from enum import StrEnum
@@ -17,7 +17,7 @@ from app.agreements.errors import (
 
 
 class ContractKind(StrEnum):
-    """What is agreed by one text."""
+    """The matter agreed by one text."""
 
     NDA = "nda"
     FRAMEWORK = "framework"  # rights and rates once, for many batches
@@ -26,7 +26,7 @@ class ContractKind(StrEnum):
 
 
 class ContractState(StrEnum):
-    """How far the parties are."""
+    """The progress of the parties."""
 
     DRAFT = "draft"
     SENT = "sent"
@@ -35,21 +35,21 @@ class ContractState(StrEnum):
 
 
 class ReleaseClause(StrEnum):
-    """When an accepted cue's share becomes due."""
+    """The due time of an accepted cue's share."""
 
     PER_CUE = "per_cue"
     ON_COMPLETION = "on_completion"  # with the last cue of its milestone
 
 
 class Party(StrEnum):
-    """Who agrees with whom."""
+    """A side of an agreement."""
 
     STUDIO = "studio"
     DESIGNER = "designer"
 
 
 class AcceptedBy(StrEnum):
-    """How a cue came to be accepted."""
+    """The way a cue came to be accepted."""
 
     VERDICT = "verdict"  # the approver's
     SILENCE = "silence"  # no decision within the days of the contract's clause
@@ -57,7 +57,7 @@ class AcceptedBy(StrEnum):
 
 
 class WorkState(StrEnum):
-    """How far the work on a cue was when it was cut; `WORK_STATE_WORDS` define each."""
+    """The progress of the work on a cue when it was cut; `WORK_STATE_WORDS` define each."""
 
     NOT_BEGUN = "not_begun"
     IN_WORK = "in_work"
@@ -95,7 +95,7 @@ def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str
 
 
 def next_action_hint(state: ContractState, kind: ContractKind, party: Party = Party.STUDIO) -> str:
-    """Return what a party can do where a contract's text or plan cannot be changed in its state."""
+    """Return a hint on a party's options where a contract's text or plan cannot be changed in its state."""
     is_designer = party is Party.DESIGNER
     match state:
         case ContractState.DRAFT:

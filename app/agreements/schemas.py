@@ -1,4 +1,4 @@
-"""What contracts are asked and answer."""
+"""Requests and answers of contracts."""
 
 from datetime import date, datetime
 from typing import Annotated, Any, Literal
@@ -40,7 +40,7 @@ class ChoiceRead(Schema):
 
 
 class TermRead(Schema):
-    """What a clause leaves open: `_bp` ends a part in basis points, `_minor` an amount in minor units."""
+    """A term that a clause leaves open: `_bp` ends a part in basis points, `_minor` an amount in minor units."""
 
     name: str
     default: int | str
@@ -64,7 +64,7 @@ class LibraryClauseRead(Schema):
 
 
 class LibraryRead(Schema):
-    """What the library has for a kind of contract, and the variables that the server fills in."""
+    """The library's content for a kind of contract, and the variables that the server fills in."""
 
     kind: ContractKind
     notice: str
@@ -99,7 +99,7 @@ class TemplateAdd(Schema):
 
 
 class TemplateChange(Schema):
-    """What a template is to say."""
+    """The new content of a template."""
 
     name: Line
     clauses: list[ClauseRow] = Field(min_length=1, max_length=200)
@@ -114,7 +114,7 @@ class TemplateImport(Schema):
 
 
 class ContractTemplateAdd(Schema):
-    """Under which name to keep a contract's clauses."""
+    """The name under which to keep a contract's clauses."""
 
     name: Line
 
@@ -146,7 +146,7 @@ class DraftChange(Schema):
 
 
 class MilestoneAmount(Schema):
-    """What a milestone pays."""
+    """A milestone's payment."""
 
     milestone_id: UUID
     amount_minor: int = Field(ge=0, le=10**12)
@@ -189,7 +189,7 @@ class BlockRead(Schema):
 
 
 class DraftProblem(Schema):
-    """What is wrong with a draft, and where: `clauses.KEY` or `terms.NAME`."""
+    """A fault of a draft, and its place: `clauses.KEY` or `terms.NAME`."""
 
     where: str
     message: str
@@ -249,7 +249,7 @@ class AcceptanceRead(Schema):
 
 
 class MayRead(Schema):
-    """What the caller may do with the contract now."""
+    """The caller's permitted actions on the contract now."""
 
     change: bool
     send: bool
@@ -340,14 +340,14 @@ class ContractRedlines(Schema):
 
 
 class SignatureTime(Schema):
-    """How long a contract takes from first being sent to the last signature."""
+    """The time of a contract from first being sent to the last signature."""
 
     first_sent_at: datetime
     waits_since: datetime | None = Field(description="Since when its next step is open; null: it waits for nobody.")
 
 
 class ContractChangeRead(Schema):
-    """What the designer wants otherwise."""
+    """The change that the designer wants."""
 
     text: str
     clause: str
@@ -356,19 +356,19 @@ class ContractChangeRead(Schema):
 
 
 class SendAdd(Schema):
-    """What goes with the text."""
+    """The note sent with the text."""
 
     note: Prose = ""
 
 
 class RecallAdd(Schema):
-    """Why a text is taken back."""
+    """The reason to take back a text."""
 
     reason: Reason
 
 
 class ContractChangeAdd(Schema):
-    """What the designer wants otherwise, of one clause or of the whole."""
+    """The change that the designer wants, of one clause or of the whole."""
 
     text: Reason
     clause_key: str | None = Field(default=None, max_length=61)
@@ -386,13 +386,13 @@ class AcceptAdd(Schema):
 
 
 class SigningCodeAdd(Schema):
-    """Which text a code is for."""
+    """The text that a code is for."""
 
     text_sha256: Sha256
 
 
 class SigningCodeRead(Schema):
-    """Where a code is mailed, and how often it can be tried."""
+    """The address of a mailed code, and the number of tries."""
 
     email: str
     expires_at: datetime
@@ -400,14 +400,14 @@ class SigningCodeRead(Schema):
 
 
 class SignersSet(Schema):
-    """Who signs for the studio, in this order, and which party signs first."""
+    """The studio's signers, in this order, and the party that signs first."""
 
     person_ids: list[UUID] = Field(max_length=20)
     first: Party | None = None
 
 
 class EndAdd(Schema):
-    """Why a contract ends."""
+    """The reason to end a contract."""
 
     reason: Reason
 

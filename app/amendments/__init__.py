@@ -1,1 +1,1 @@
-"""What changes an agreed contract: change orders, notice, and the settlement of an early end."""
+"""Changes to an agreed contract: change orders, notice, and the settlement of an early end."""

@@ -1,4 +1,4 @@
-"""What a change order does to a contract once both have accepted it."""
+"""The effects of a change order on a contract once both have accepted it."""
 
 from uuid import UUID
 

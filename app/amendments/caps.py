@@ -33,7 +33,7 @@ class Caps:
         return None if all(cap is None for cap in caps.model_dump().values()) else caps
 
     def problems(self, change: SetCaps) -> list[str]:
-        """Return what is wrong with a change, each with a way on."""
+        """Return the faults of a change, each with a way on."""
         wanted = change.terms
         for name in wanted:
             if not self._pays_by(name):

@@ -1,4 +1,4 @@
-"""What a change order would do to a contract as it stands, and what is wrong with it."""
+"""The effects of a change order on a contract as it stands, and its faults."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -32,7 +32,7 @@ from app.sound_lists.rules import CueState
 
 @dataclass
 class Review:
-    """What a change order would do to a contract as it stands now, and what is wrong with it."""
+    """The effects of a change order on a contract as it stands now, and its faults."""
 
     difference: schemas.DifferenceRead | None = None
     problems: list[str] = field(default_factory=list)
@@ -66,12 +66,12 @@ class Reviewer:
         return bool(own) and all(one.accepted_at or one.cut_at for one in own)
 
     def round_minor(self, covered: ContractCue) -> int:
-        """Return what a further round of a cue costs by the contract."""
+        """Return the cost of a further round of a cue by the contract."""
         (cue,) = priced([covered])
         return price_of_round(cue, self.terms.extra_round_bp)
 
     def review(self, changes: Sequence[schemas.Change]) -> Review:
-        """Return what changes would do; with a problem there is no difference."""
+        """Return the effects of changes; with a problem there is no difference."""
         problems: list[str] = []
         named: set[tuple[str, UUID]] = set()
         for change in changes:

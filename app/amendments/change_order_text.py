@@ -13,7 +13,7 @@ PARTY_WORDS = {Party.STUDIO: "the studio", Party.DESIGNER: "the designer"}
 
 
 def change_order_title(number: int, title: str) -> str:
-    """Return what a change order is called."""
+    """Return the title of a change order."""
     return f"Change order {number} to {title}"
 
 

@@ -90,7 +90,7 @@ def change_orders(session: Session, actor: Actor, contract_id: UUID) -> schemas.
 def preview(
     session: Session, actor: Actor, contract_id: UUID, changes: Sequence[schemas.Change]
 ) -> schemas.ChangePreview:
-    """Return what changes would do, and what is wrong with them; nothing is saved."""
+    """Return the effects of changes, and their faults; nothing is saved."""
     contract = visible_contract(session, actor, contract_id)
     party = party_of(actor, contract)
     if party is None:
@@ -318,7 +318,7 @@ def _read(
 
 
 def lapse_open(session: Session, contract: Contract) -> None:
-    """Close what is proposed when a contract ends; callers hold its lock."""
+    """Close open proposals when a contract ends; callers hold its lock."""
     for order in queries.change_orders_of(session, contract.id):
         if order.state is ChangeOrderState.PROPOSED:
             _close(session, order, ChangeOrderState.LAPSED, "the contract ended", by=None)

@@ -43,7 +43,7 @@ from app.money.work.service import price_of
 
 
 def ending(session: Session, actor: Actor, contract_id: UUID) -> schemas.EndingRead:
-    """Return what a contract comes to if it ends early, as it stands now or as it was settled."""
+    """Return the outcome of a contract's early end, as it stands now or as it was settled."""
     return _read(session, visible_contract(session, actor, contract_id), actor)
 
 

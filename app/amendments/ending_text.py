@@ -19,7 +19,7 @@ PARTY_WORDS = {Party.STUDIO: "The studio", Party.DESIGNER: "The designer"}
 
 
 def statement_title(ending: EndingRead) -> str:
-    """Return what a statement is called."""
+    """Return the title of a statement."""
     return f"Settlement of {ending.title}"
 
 
@@ -76,7 +76,7 @@ def statement_text(ending: EndingRead, studio: str) -> str:
 
 
 def _state_definitions(states: Collection[WorkState]) -> str:
-    """Return what the states in a statement mean, as the clause on cut cues defines them."""
+    """Return the meanings of the states in a statement, as the clause on cut cues defines them."""
     meanings = [WORK_STATE_WORDS[state] for state in WorkState if state in states]
     return f"Of the states, a cue is {'; '.join(meanings)}." if meanings else ""
 

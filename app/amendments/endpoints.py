@@ -41,7 +41,7 @@ ORDER_REFUSALS = (ContractNotFound, NotYourContract, ChangeOrderNotFound, Change
 
 @router.get("/contracts/{contract_id}/ending", responses=problems(ContractNotFound))
 def read_ending(contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.EndingRead:
-    """Return what a contract comes to if it ends early: a forecast, the statement of a notice, or what was settled."""
+    """Return the outcome of a contract's early end: a forecast, the statement of a notice, or the settlement."""
     return ending.ending(session, actor, contract_id)
 
 
@@ -122,7 +122,7 @@ def propose_change_order(
 def preview_change_order(
     contract_id: UUID, body: schemas.ChangesSet, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> schemas.ChangePreview:
-    """Return what changes would do to scope, price and dates; nothing is saved."""
+    """Return the effects of changes on scope, price and dates; nothing is saved."""
     return change_orders.preview(session, actor, contract_id, body.changes)
 
 

@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""The refusals of this room, each named after the fact."""
 
 from app.core.errors import Conflict, Invalid, NotFound
 
@@ -32,7 +32,7 @@ class ChangeOrderClosed(Conflict):
 
 
 class ChangeOrderStale(Conflict):
-    """What the change order would change has changed since it was proposed."""
+    """The subject of the change order has changed since it was proposed."""
 
 
 class NotInForce(Conflict):
@@ -40,11 +40,11 @@ class NotInForce(Conflict):
 
 
 class OwnChangeOrder(Conflict):
-    """Who proposed a change order withdraws it; the other party refuses it."""
+    """The proposer of a change order withdraws it; the other party refuses it."""
 
 
 class NotOwnChangeOrder(Conflict):
-    """Who did not propose a change order refuses it; the other party withdraws it."""
+    """A party that did not propose a change order refuses it; the other party withdraws it."""
 
 
 class OfferSettled(Conflict):

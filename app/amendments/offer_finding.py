@@ -1,4 +1,4 @@
-"""What changed since both signed, as it is recorded, and no change order or dismissal has settled."""
+"""Changes since both signed, as recorded, that no change order or dismissal has settled."""
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
@@ -54,7 +54,7 @@ class Offer:
 
 @dataclass
 class SettledOffers:
-    """What of the offers of a contract is settled for one party."""
+    """The offers of a contract that are settled for one party."""
 
     orders: Sequence[ChangeOrder]
     settled: set[str] = field(default_factory=set)  # dismissed by this party, or taken up by a change order
@@ -81,7 +81,7 @@ class SettledOffers:
 
 
 class Found:
-    """Collects what changed since a contract was signed."""
+    """A collector of the changes since a contract was signed."""
 
     def __init__(self, session: Session, reviewer: Reviewer, settled: SettledOffers) -> None:
         self._session, self._reviewer, self._settled_offers = session, reviewer, settled
@@ -92,7 +92,7 @@ class Found:
         self._open = [one for one in self._running if one.accepted_at is None]
 
     def all(self) -> Iterator[Offer]:
-        """Yield what no change order or dismissal has settled."""
+        """Yield offers that no change order or dismissal has settled."""
         agreed_at = self._contract.agreed_at
         if agreed_at is None:
             return
@@ -344,7 +344,7 @@ class Found:
 
 
 def _names(change: dict[str, str]) -> Settler | None:
-    """Return what a change of an order names, as offers are settled by it."""
+    """Return the settler named by a change of an order, as offers are settled by it."""
     about = change.get("milestone_id") if change["kind"] == "move_date" else change.get("cue_id")
     return (change["kind"], UUID(about)) if about else None
 

@@ -1,4 +1,4 @@
-"""What was recorded since a contract was signed, read from the database; callers have checked who looks."""
+"""Records since a contract was signed, read from the database; callers have checked the reader."""
 
 from collections.abc import Collection, Sequence
 from datetime import datetime
@@ -20,7 +20,7 @@ from app.sound_lists.models import Cue, CueChange, Question, Revision
 
 
 def work_began(session: Session, contract: Contract, cue_ids: Collection[UUID]) -> dict[UUID, datetime]:
-    """Return when the contract's designer first delivered, or logged work, for each of these cues."""
+    """Return the time of first delivery, or logged work, of the contract's designer for each of these cues."""
     takes = (
         select(Take.cue_id, func.min(Take.received_at))
         .where(in_array(Take.cue_id, cue_ids), Take.designer_id == contract.designer_id)
@@ -42,7 +42,7 @@ def work_began(session: Session, contract: Contract, cue_ids: Collection[UUID]) 
 def list_changes_since(
     session: Session, project_id: UUID, cue_ids: Collection[UUID], since: datetime
 ) -> Sequence[ListChange]:
-    """Return what revisions after an instant changed of these cues, the oldest first."""
+    """Return the changes of revisions after an instant to these cues, the oldest first."""
     rows = session.execute(
         select(CueChange, Revision.number, Revision.created_at, Person.name)
         .join(Revision, Revision.id == CueChange.revision_id)
@@ -60,7 +60,7 @@ def list_changes_since(
 
 
 def who_listed(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]:
-    """Return who put each of these cues on the list."""
+    """Return the person who listed each of these cues."""
     rows = session.execute(
         select(CueChange.cue_id, Person.name)
         .join(Revision, Revision.id == CueChange.revision_id)

@@ -1,4 +1,4 @@
-"""What a change since the signature comes to, stated without a database."""
+"""The outcome of a change since the signature, stated without a database."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from uuid import UUID
 
 
 class OfferKind(StrEnum):
-    """What changed since a contract was signed, so that a change order is offered."""
+    """The kind of a change since a contract was signed for which a change order is offered."""
 
     ROUND = "round"  # beyond those included
     DESCRIBED = "described"  # differently, after work on the cue began
@@ -23,7 +23,7 @@ class OfferKind(StrEnum):
 
 @dataclass(frozen=True)
 class ListChange:
-    """What one revision of the list changed of one cue."""
+    """The change of one cue by one revision of the list."""
 
     cue_id: UUID
     revision: int
@@ -49,7 +49,7 @@ DUE = "due_on"
 
 
 def net_change(changes: Sequence[ListChange], facts: Sequence[str]) -> dict[str, tuple[Any, Any]]:
-    """Return what facts were before the first change and are after the last, without those that are the same again."""
+    """Return the facts before the first change and after the last, without those that are the same again."""
     found: dict[str, tuple[Any, Any]] = {}
     for change in changes:
         for fact in facts:

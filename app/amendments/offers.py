@@ -18,7 +18,7 @@ DISMISSED, PROPOSED = "offer_dismissed", "change_proposed"
 
 
 def offers(session: Session, reviewer: Reviewer, party: Party) -> list[schemas.ChangeOfferRead]:
-    """Return what changed since both signed and no change order says yet, the newest first, as one party reads it."""
+    """Return changes since both signed that no change order says yet, the newest first, as one party reads them."""
     settled = _settled_offers(session, reviewer, party)
     found = sorted(Found(session, reviewer, settled).all(), key=lambda one: (one.at, one.key), reverse=True)
     return [

@@ -35,7 +35,7 @@ def contracts_to_settle(session: Session, today: date) -> Sequence[UUID]:
 
 
 def acceptances_of(session: Session, contract_id: UUID, text_sha256: str) -> Sequence[AmendmentAcceptance]:
-    """Return who said yes to a text, in order."""
+    """Return the acceptances of a text, in order."""
     return session.scalars(
         select(AmendmentAcceptance)
         .where(AmendmentAcceptance.contract_id == contract_id, AmendmentAcceptance.text_sha256 == text_sha256)

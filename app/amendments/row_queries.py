@@ -77,7 +77,7 @@ def _read_one_by_one(
 
 
 def _scope(table: RecordedTable, contract: Contract) -> ColumnElement[bool]:
-    """Return which rows of a table belong to a contract; none, where a row does not say so itself."""
+    """Return the rows of a table that belong to a contract; none, where a row does not say so itself."""
     columns = inspect(table.model).local_table.c
     if table.model is Contract:
         return columns["id"] == contract.id

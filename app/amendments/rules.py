@@ -1,4 +1,4 @@
-"""When a contract may end early, and what a change order does to a plan, stated without a database."""
+"""Conditions of a contract's early end, and effects of a change order on a plan, stated without a database."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ from app.core.plural import counted, day_in_words
 
 
 class ChangeOrderState(StrEnum):
-    """How far the parties are with a change order."""
+    """The parties' progress with a change order."""
 
     PROPOSED = "proposed"
     AGREED = "agreed"
@@ -69,7 +69,7 @@ class Planned:
 
 @dataclass(frozen=True)
 class Difference:
-    """What one change does to a milestone."""
+    """The effect of one change on a milestone."""
 
     milestone_id: UUID
     amount_minor: int = 0
@@ -100,7 +100,7 @@ def warnings_of(
     rush_bp: int,
     more_work: Collection[UUID] = (),
 ) -> list[Advice]:
-    """Return what a change order should not do unsaid: less time for more work, and work at a rush.
+    """Return a change order's effects that should not go unsaid: less time for more work, and work at a rush.
 
     `more_work` are the milestones to which it adds work beside their cues.
     """

@@ -1,4 +1,4 @@
-"""What the endpoints of amendments take and answer; every amount is in whole minor units of the contract's currency."""
+"""Requests and answers of amendment endpoints; every amount is in whole minor units of the contract's currency."""
 
 from datetime import date, datetime
 from typing import Annotated, Literal, Self
@@ -43,7 +43,7 @@ class OrderCaps(Schema):
 
 
 class NoticeAdd(Schema):
-    """Why a contract ends, and its last day: the earliest that the contract allows where none is given."""
+    """The reason to end a contract, and its last day: the earliest that the contract allows where none is given."""
 
     reason: Reason
     ends_on: date | None = None
@@ -167,7 +167,7 @@ OfferKey = Annotated[str, StringConstraints(min_length=1, max_length=120, patter
 
 
 class OfferedChange(Schema):
-    """What the form begins with where a change order is offered; what is null is for the party to say."""
+    """The form's first content where a change order is offered; a null is for the party to say."""
 
     kind: Literal["add_cue", "reprice_cue", "add_round", "move_date", "add_work"]
     cue_id: UUID | None = None
@@ -198,14 +198,14 @@ class ChangeOfferRead(Schema):
 
 
 class OfferDismiss(Schema):
-    """What a party wants no change order for, and why."""
+    """A change that a party wants no order for, and the reason."""
 
     offer: OfferKey
     reason: Reason
 
 
 class ChangeOrderAdd(Schema):
-    """What a party proposes, and why."""
+    """A party's proposal, and its reason."""
 
     reason: Reason
     begins_at_once: bool = Field(
@@ -235,7 +235,7 @@ class ChangesSet(Schema):
 
 
 class DifferenceRead(Schema):
-    """What a change order does to scope, price and dates, and to the check of the plan."""
+    """The effects of a change order on scope, price and dates, and on the check of the plan."""
 
     changes: list[str] = Field(description="Each change as a sentence.")
     cues_before: int
@@ -249,7 +249,7 @@ class DifferenceRead(Schema):
 
 
 class ChangeOrderMay(Schema):
-    """What the caller may do with a change order now."""
+    """The caller's permitted actions on a change order now."""
 
     agree: bool
     refuse: bool
@@ -298,20 +298,20 @@ class ChangeOrdersRead(Schema):
 
 
 class ChangePreview(Schema):
-    """What a change order would do, and what is wrong with it; nothing is saved."""
+    """The effects of a change order, and its faults; nothing is saved."""
 
     difference: DifferenceRead | None
     problems: list[str]
 
 
 class ReasonGiven(Schema):
-    """Why a change order is refused or withdrawn."""
+    """The reason to refuse or withdraw a change order."""
 
     reason: Reason
 
 
 class EndingMay(Schema):
-    """What the caller may do about an early end now."""
+    """The caller's permitted actions on an early end now."""
 
     give_notice: bool
     withdraw: bool
@@ -319,7 +319,7 @@ class EndingMay(Schema):
 
 
 class EndingRead(Schema):
-    """What a contract comes to if it ends early: a forecast, then a statement, then what was settled."""
+    """The outcome of a contract's early end: a forecast, then a statement, then the settlement."""
 
     project_id: UUID
     contract_id: UUID

@@ -99,7 +99,7 @@ def sign(
 
 @dataclass(frozen=True)
 class Signatures:
-    """How many signatures a text needs, and whether the caller's is the next."""
+    """The number of signatures that a text needs, and whether the caller's is the next."""
 
     needed: int
     is_my_turn: bool
@@ -112,7 +112,7 @@ def signatures(
     person_id: UUID | None,
     party: Party | None,
 ) -> Signatures:
-    """Return where the signatures of a text stand, for a person of a party."""
+    """Return the state of a text's signatures, for a person of a party."""
     order = amendment_order_of(session, contract)
     turn = order.turn(_yeses(given))
     is_mine = party is not None and person_id is not None and turn.is_of(party, person_id)
@@ -124,5 +124,5 @@ def _yeses(given: Sequence[AmendmentAcceptance]) -> list[Signature]:
 
 
 def _called(kind: str) -> str:
-    """Return what a text is, by the kind of its entries in the record."""
+    """Return the name of a text, by the kind of its entries in the record."""
     return "a change order" if kind == "change_accepted" else "the settlement statement"

@@ -60,7 +60,7 @@ def _verified(session: Session, store: Store, contract_id: str) -> Verified:
 
 
 def validation_errors(session: Session, store: Store, contract: Contract) -> list[str]:
-    """Return what is wrong with the record, the texts and the tables of a contract.
+    """Return the faults of the record, the texts and the tables of a contract.
 
     Tables are held against a record that is whole; where it is not, that is what has to be looked into first.
     """

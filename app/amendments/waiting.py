@@ -1,4 +1,4 @@
-"""What waits for a party of an agreed contract: change orders to sign, a statement to agree to, changes to propose."""
+"""Matters for a party of an agreed contract: change orders to sign, a statement to agree to, changes to propose."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from app.amendments.signing import signatures
 
 
 class Amendment(StrEnum):
-    """What of a contract's amendments waits."""
+    """A waiting part of a contract's amendments."""
 
     CHANGE_ORDER = "change_order"  # for a signature
     STATEMENT = "statement"  # of an early end, for a signature
@@ -36,7 +36,7 @@ class Waiting:
 
 
 def waiting_amendments(session: Session, actor: Actor, contract: Contract, party: Party) -> Iterator[Waiting]:
-    """Yield what waits under a contract that orders work and is in force."""
+    """Yield the waiting matters under a contract that orders work and is in force."""
     if contract.kind not in ORDERS or contract.state is not ContractState.AGREED:
         return
     for order in queries.change_orders_of(session, contract.id):

@@ -1,4 +1,4 @@
-"""How far the work under a contract is."""
+"""The progress of the work under a contract."""
 
 from uuid import UUID
 
@@ -11,7 +11,7 @@ from app.reviews.verdicts import settlement
 
 
 def work_states(session: Session, contract: Contract) -> dict[UUID, WorkState]:
-    """Return how far its designer's work is on each cue of a contract that is not settled."""
+    """Return the progress of its designer's work on each cue of a contract that is not settled."""
     covered = plan_queries.cues_of(session, contract.id)
     return settlement.work_states(
         session, contract, [one for one in covered if one.accepted_at is None and one.cut_at is None]

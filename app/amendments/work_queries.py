@@ -46,7 +46,7 @@ def comments_under(session: Session, contract: Contract) -> Sequence[Row[UUID, C
 
 
 def entries_with_this_designer(session: Session, contract: Contract, kinds: Collection[str]) -> Sequence[str]:
-    """Return what the records of the project's contracts with this designer say in entries of some kinds.
+    """Return the contents of entries of some kinds in the records of the project's contracts with this designer.
 
     A cue that one contract has settled and another one covers is on record in the first.
     """
@@ -62,7 +62,7 @@ def entries_with_this_designer(session: Session, contract: Contract, kinds: Coll
 
 
 def list_changes(session: Session, project_id: UUID, revisions: Collection[int]) -> dict[tuple[int, str], Any]:
-    """Return what revisions of the list changed, by revision and cue."""
+    """Return the changes of revisions of the list, by revision and cue."""
     rows = session.execute(
         select(Revision.number, CueChange.cue_id, CueChange.after)
         .join(CueChange, CueChange.revision_id == Revision.id)

@@ -117,7 +117,7 @@ def record_brief_read(
 
 @router.get("/projects/{project_id}/brief/reads", responses=problems(ProjectNotFound, TeamNeeded))
 def list_brief_reads(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> list[LastReadRead]:
-    """Return which version each engaged designer opened last."""
+    """Return the version that each engaged designer opened last."""
     return [
         LastReadRead(
             designer=PersonBrief.model_validate(last.engagement.designer),
@@ -168,7 +168,7 @@ def propose_spec(project_id: UUID, session: DbSession, actor: Actor = allows(Aud
 def apply_spec_proposal(
     project_id: UUID, body: SpecProposalApply, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> SpecApplied:
-    """Save what the answers ask for as a version of the delivery spec; affected takes are checked again."""
+    """Save the answers' demands as a version of the delivery spec; affected takes are checked again."""
     spec = spec_answers.apply_proposal(
         session,
         actor,

@@ -58,7 +58,7 @@ class BriefRead(Base):
 
 
 class FollowUp(Base):
-    """What a designer asks about a question of the brief, and the team's answer."""
+    """A designer's question about a question of the brief, and the team's answer."""
 
     __tablename__ = "briefs_follow_ups"
 

@@ -71,7 +71,7 @@ def follow_up_by_id(session: Session, follow_up_id: UUID) -> FollowUp | None:
 
 
 def open_follow_ups(session: Session, project_id: UUID) -> tuple[int, datetime | None]:
-    """Return how many follow-ups have no answer, and since when the first one waits."""
+    """Return the number of follow-ups without an answer, and the start of the first wait."""
     waiting = select(func.count(), func.min(FollowUp.asked_at)).where(
         FollowUp.project_id == project_id, FollowUp.answered_at.is_(None)
     )

@@ -6,7 +6,7 @@ from enum import StrEnum
 
 
 class AnswerKind(StrEnum):
-    """What an answer is made of."""
+    """The kind of content of an answer."""
 
     CHOICE = "choice"  # the key of one choice
     CHOICES = "choices"  # the keys of some choices

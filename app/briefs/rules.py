@@ -25,7 +25,7 @@ _UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u20
 
 @dataclass(frozen=True)
 class Completeness:
-    """How far a brief is answered; an answer "I don't know yet" counts as open."""
+    """The progress of a brief's answers; an answer "I don't know yet" counts as open."""
 
     answered: int
     total: int
@@ -34,7 +34,7 @@ class Completeness:
 
 
 class _Unfit(Exception):
-    """Why a value does not fit its question."""
+    """The reason a value does not fit its question."""
 
 
 def question_of(key: str) -> Question:
@@ -62,7 +62,7 @@ def is_answered(question: Question, answers: Answers) -> bool:
 
 
 def completeness(answers: Answers) -> Completeness:
-    """Return how many of the questions that are asked have an answer, and which are open."""
+    """Return the number of asked questions with an answer, and those that are open."""
     asked = [question for question in QUESTIONS if applies(question, answers)]
     still_open = [question for question in asked if not is_answered(question, answers)]
     return Completeness(

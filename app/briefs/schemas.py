@@ -34,7 +34,7 @@ class BriefAnswerRead(Schema):
 
 
 class FollowUpRead(Schema):
-    """What a designer asks about a question of the brief, and the team's answer."""
+    """A designer's question about a question of the brief, and the team's answer."""
 
     id: UUID
     question: str
@@ -159,7 +159,7 @@ class BriefComparison(Schema):
 
 
 class LastReadRead(Schema):
-    """Which version a designer opened last."""
+    """The version that a designer opened last."""
 
     designer: PersonBrief
     version: int | None = Field(description="Null: none yet.")
@@ -189,7 +189,7 @@ class SpecProposal(Schema):
 
 
 class SpecProposalApply(Schema):
-    """What the proposal was made from: it is refused where either has changed."""
+    """The sources of the proposal: it is refused where either has changed."""
 
     based_on_version: int = Field(ge=1, le=LARGEST_NUMBER)
     brief_revision: Number
@@ -202,7 +202,7 @@ class SpecApplied(Schema):
 
 
 class FollowUpAdd(Schema):
-    """What a designer asks about a question of the brief."""
+    """A designer's question about a question of the brief."""
 
     question: str = Field(max_length=60)
     text: Asked

@@ -1,4 +1,4 @@
-"""What the answers of a brief ask of the delivery spec: the tables as they would be, and each difference."""
+"""The demands of a brief's answers on the delivery spec: the tables as they would be, and each difference."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import deepcopy
@@ -56,7 +56,7 @@ class _Draft:
         self.changes: list[SpecChange] = []
 
     def at(self, *place: str) -> Any:
-        """Return what stands at a place, None where nothing does."""
+        """Return the value at a place, None where there is none."""
         found: Any = self.tables
         for key in place:
             found = found.get(key) if isinstance(found, dict) else None

@@ -150,7 +150,7 @@ def get_documentation_key_csv(
     target: Target = None,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Response:
-    """Return what each file of the pack is and what it is for, as CSV."""
+    """Return the identity and purpose of each file of the pack, as CSV."""
     rows = packs.key_rows(packs.visible_pack(session, actor, project_id, target), masters=False)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_CSV}"'}
     return Response(key_csv(rows), media_type="text/csv; charset=utf-8", headers=headers)
@@ -167,7 +167,7 @@ def get_documentation_key_xlsx(
     target: Target = None,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Response:
-    """Return what each file of the pack is and what it is for, as a workbook."""
+    """Return the identity and purpose of each file of the pack, as a workbook."""
     rows = packs.key_rows(packs.visible_pack(session, actor, project_id, target), masters=False)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_XLSX}"'}
     return Response(key_xlsx(rows), media_type=XLSX, headers=headers)
@@ -187,7 +187,7 @@ def get_documentation_key_pdf(
     target: Target = None,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Response:
-    """Return what each file of the pack is and what it is for, to read and to print."""
+    """Return the identity and purpose of each file of the pack, to read and to print."""
     pack = packs.visible_pack(session, actor, project_id, target)
     headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_PDF}"'}
     with PDFS.of(actor.token_id or actor.person):
@@ -201,7 +201,7 @@ def get_documentation_key_pdf(
 def get_targets(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ)
 ) -> TargetsRead:
-    """Return what game files are made to, what they take in memory, and what the whole list will take."""
+    """Return the targets of game files, their size in memory, and the future size of the whole list."""
     return targets.visible_targets(session, actor, project_id)
 
 
@@ -216,7 +216,7 @@ def get_placeholders(
     target: Target = None,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> PlaceholderRegister:
-    """Return what the game has no accepted sound for yet, and which of it has a placeholder file."""
+    """Return the slots for which the game has no accepted sound yet, and those with a placeholder file."""
     return placeholders.register(session, actor, project_id, target)
 
 
@@ -231,7 +231,7 @@ def get_placeholders_countdown(
     target: Target = None,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> PlaceholderCountdown:
-    """Return how much is still a placeholder, by category, and what to record next."""
+    """Return the number of placeholders left, by category, and the next one to record."""
     return placeholders.countdown(session, actor, project_id, target)
 
 
@@ -260,7 +260,7 @@ def make_placeholders(
 def add_pack(
     project_id: UUID, body: PackAdd, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> SealedPackSummary:
-    """Seal what is accepted now as a numbered pack, which never changes; the worker puts it together."""
+    """Seal the sounds accepted now as a numbered pack, which never changes; the worker puts it together."""
     pack = sealing.request_pack(session, actor, project_id, body)
     (summary,) = sealing.summaries(session, [pack])
     return summary
@@ -365,7 +365,7 @@ def get_build(build_id: UUID, session: DbSession, actor: Actor = allows(Audience
 def get_baseline(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
 ) -> Baseline:
-    """Return what the approver let through and the accepted drift, for `--baseline` of `audio-checks`."""
+    """Return the approver's waivers and the accepted drift, for `--baseline` of `audio-checks`."""
     waived = service.waived_sounds(session, actor, project_id)
     return Baseline(waived=waived, accepted=audits.accepted_sounds(session, project_id))
 

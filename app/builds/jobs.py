@@ -71,7 +71,7 @@ def seal_pack(runtime: Runtime, payload: Payload) -> None:
 
 @job("builds.make_placeholder_files")
 def make_placeholder_files(runtime: Runtime, payload: Payload) -> None:
-    """Make what the pack of a target lacks, each on record before the next."""
+    """Make the missing files of a target's pack, each on record before the next."""
     with runtime.database.reading() as session:
         project, slots = placeholders.slots_to_make(session, UUID(payload["project_id"]), payload["target"])
     _make_placeholders(runtime, project, payload["target"], slots)

@@ -76,7 +76,7 @@ def adopted_masters(session: Session, project_id: UUID) -> dict[tuple[UUID, int]
 
 
 def wanted_cues(session: Session, project_id: UUID) -> int:
-    """Return how many cues of the list are not cut."""
+    """Return the number of cues of the list that are not cut."""
     query = select(func.count()).where(Cue.project_id == project_id, Cue.state != CueState.CUT)
     return session.scalar(query) or 0
 
@@ -145,7 +145,7 @@ class PackSums(NamedTuple):
 
 
 def pack_sums(session: Session, pack_ids: Collection[UUID]) -> dict[UUID, PackSums]:
-    """Return how much each pack holds; nothing of one that is not put together yet."""
+    """Return the sums of each pack; nothing of one that is not put together yet."""
     rows = session.execute(
         select(
             PackedFile.pack_id,
@@ -222,7 +222,7 @@ def packed_sounds_of(session: Session, pack_id: UUID) -> list[PackedSoundRow]:
 
 
 def game_levels(session: Session, take_ids: Collection[UUID]) -> dict[str, list[dict[str, Any]]]:
-    """Return how the game played the sounds of takes when their folder was adopted, by the take's id."""
+    """Return the game's play levels of takes' sounds when their folder was adopted, by the take's id."""
     query = (
         select(Take.id, GameLevel.plays)
         .join(GameLevel, (GameLevel.cue_id == Take.cue_id) & (GameLevel.variation == Take.variation))
@@ -232,12 +232,12 @@ def game_levels(session: Session, take_ids: Collection[UUID]) -> dict[str, list[
 
 
 def fingerprinted_sounds(session: Session, studio_id: UUID, sha256s: Collection[str]) -> set[str]:
-    """Return which stored sounds have been listened to as this version does."""
+    """Return the stored sounds that have been listened to as this version does."""
     return set(session.scalars(select(Fingerprint.sound_sha256).where(*_fingerprinted(studio_id, sha256s))))
 
 
 def manifest_entries(session: Session, studio_id: UUID, sha256s: Collection[str]) -> dict[str, dict[str, Any]]:
-    """Return what stored sounds are known by, by their hashes."""
+    """Return the identifying data of stored sounds, by their hashes."""
     rows = session.execute(
         select(Fingerprint.sound_sha256, Fingerprint.entry).where(*_fingerprinted(studio_id, sha256s))
     )
@@ -314,7 +314,7 @@ class RemarkRow(NamedTuple):
 
 
 def open_remarks(session: Session, cue_ids: Collection[UUID], designer_id: UUID) -> list[RemarkRow]:
-    """Return what was asked of a designer's takes of cues and said of them, change requests first, in order."""
+    """Return the requests and remarks on a designer's takes of cues, change requests first, in order."""
     of_takes = (in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id)
     requests = session.execute(
         select(

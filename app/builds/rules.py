@@ -46,7 +46,7 @@ class Changes:
 
 
 def changes_between(before: Mapping[str, str], after: Mapping[str, str]) -> Changes:
-    """Return what happened to each path; a file is the same while its mark is."""
+    """Return the change of each path; a file is the same while its mark is."""
     kept = [path for path in after if path in before]
     return Changes(
         new=[path for path in after if path not in before],
@@ -57,7 +57,7 @@ def changes_between(before: Mapping[str, str], after: Mapping[str, str]) -> Chan
 
 
 def sums(sha256_by_path: Mapping[str, str]) -> bytes:
-    """Return what `sha256sum --check` reads."""
+    """Return the input of `sha256sum --check`."""
     return "".join(f"{sha256}  {path}\n" for path, sha256 in sha256_by_path.items()).encode()
 
 
@@ -82,7 +82,7 @@ def is_refused(entry: Mapping[str, Any]) -> bool:
 
 
 def warnings_in(entry: Mapping[str, Any]) -> int:
-    """Return how many findings of a file warn that are not let through."""
+    """Return the number of warning findings of a file that are not let through."""
     return sum(finding["severity"] == "warning" and not finding.get("waived") for finding in entry["findings"])
 
 

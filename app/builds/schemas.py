@@ -310,7 +310,7 @@ class PlaceholderCountdown(Schema):
 
 
 class PlaceholdersAdd(Schema):
-    """For which target placeholder files are to be made."""
+    """The target for which placeholder files are to be made."""
 
     target: str = Field(min_length=1, max_length=100)
 

@@ -72,7 +72,7 @@ def visible_build(session: Session, actor: Actor, build_id: UUID) -> Build:
 
 
 def waived_sounds(session: Session, actor: Actor, project_id: UUID) -> list[WaivedSound]:
-    """Return what the approver let through, by the samples of each master and of each game file made of it.
+    """Return the approver's waivers, by the samples of each master and of each game file made of it.
 
     That is what was waived, and the warnings that approved versions had.
     """

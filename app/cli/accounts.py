@@ -43,7 +43,7 @@ def quota(
         list[str] | None, typer.Option("--set", help="KIND=NUMBER, or KIND=default; repeat for several.")
     ] = None,
 ) -> None:
-    """Show what a studio uses of its limits, and set them."""
+    """Show a studio's use of its limits, and set them."""
     from app.accounts.quotas.service import QuotaKind, set_limit
     from app.operations.quotas import quotas_of
 
@@ -132,7 +132,7 @@ def bind_domain(
 
 @accounts_cli.command("unbind-domain")
 def unbind_domain(domain: Annotated[str, typer.Argument(help="The domain.")]) -> None:
-    """End what bind-domain began; sign-ins that are open stay open."""
+    """End a binding by bind-domain; sign-ins that are open stay open."""
     from app.accounts.providers import service as providers
 
     def unbind(session: "Session") -> str:
@@ -176,7 +176,7 @@ def _change(change: "Callable[[Session], str]") -> None:
 
 @operators_cli.command("list")
 def list_operators() -> None:
-    """List who sees the whole server."""
+    """List people who see the whole server."""
     from app.accounts.queries import operators
 
     runtime = opened(read_settings_or_exit())

@@ -1,4 +1,4 @@
-"""What every command begins with: the settings, and the server's database and store."""
+"""The start of every command: the settings, and the server's database and store."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -19,7 +19,7 @@ def read_settings_or_exit(*, serving: bool = False) -> Settings:
 
 
 def refusal(lines: Iterable[str]) -> typer.Exit:
-    """Print why a command refuses, and return the exit to raise."""
+    """Print a command's reasons to refuse, and return the exit to raise."""
     for line in lines:
         typer.echo(line, err=True)
     return typer.Exit(2)

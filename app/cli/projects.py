@@ -12,7 +12,7 @@ from app.cli.opening import opened, read_settings_or_exit, refusal
 
 
 class DocumentFormat(StrEnum):
-    """How a document is written."""
+    """The format of a document."""
 
     MD = "md"
     JSON = "json"

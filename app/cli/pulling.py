@@ -22,7 +22,7 @@ def ci(context: typer.Context) -> None:
 
 @cli.command(context_settings=OPTIONS_OF_CLIENT)
 def why(context: typer.Context) -> None:
-    """Say which cue, approval, contract and sources a file has."""
+    """Name the cue, approval, contract and sources of a file."""
     raise typer.Exit(main(["why", *context.args]))
 
 
@@ -40,5 +40,5 @@ def adopt(context: typer.Context) -> None:
 
 @cli.command(context_settings=OPTIONS_OF_CLIENT)
 def desk(context: typer.Context) -> None:
-    """List what you owe as a sound designer on all servers, what is due soonest first."""
+    """List your owed work as a sound designer on all servers, the soonest due first."""
     raise typer.Exit(main(["desk", *context.args]))

@@ -62,7 +62,7 @@ def serve(
 
 
 def _try_to_open() -> tuple[int, str, str]:
-    """Open what a web process uses, and close it; return an exit code and what was printed."""
+    """Open a web process's resources, and close them; return an exit code and the output."""
     from app.core import metrics
 
     code, printed, reasons = 0, io.StringIO(), io.StringIO()

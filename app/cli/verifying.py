@@ -1,4 +1,4 @@
-"""What `soundlist verify` reports: of every record, of copies and heads that a party kept, of PDFs."""
+"""The reports of `soundlist verify`: on every record, on copies and heads that a party kept, on PDFs."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -33,7 +33,7 @@ def report_all(runtime: Runtime, copies: Sequence[Path], kept_heads: Sequence[Pa
 
 
 def report_seal(path: Path) -> bool:
-    """Report what a PDF says of itself by its seal alone; return whether it is not untouched as far as that shows."""
+    """Report a PDF's own account by its seal alone; return whether it is not untouched as far as that shows."""
     try:
         read = read_seal(path.read_bytes())
     except OSError as error:

@@ -39,7 +39,7 @@ def adopt(options: argparse.Namespace) -> int:
 
 
 def _adopt(root: Path, settings: Path, options: argparse.Namespace) -> int:
-    """Send what a folder holds, by the settings that are in another one or above it."""
+    """Send a folder's contents, by the settings that are in another one or above it."""
     source = read_source(
         settings, None, server=options.server, project=options.project, target=None, allow_http=options.allow_http
     )
@@ -89,7 +89,7 @@ def _listed(path: str, place: Path) -> dict[str, Any]:
 
 
 def _send(server: Server, opened: dict[str, Any], files: dict[str, Path]) -> int:
-    """Send what the server does not have yet; return how many files that were."""
+    """Send the files that the server does not have yet; return their number."""
     missing = [path for path in opened["missing"] if path in files]
     progress = Progress(len(missing), sum(files[path].stat().st_size for path in missing))
 

@@ -33,7 +33,7 @@ INSTALLING = "pip install audio-checks into the environment of this job; docs/ci
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    """Add what only this command takes."""
+    """Add this command's own arguments."""
     command.add_argument("folder", nargs="?", default=".", help="the game's sounds; this folder if left out")
     numbers = ", ".join(LABELS[:3])
     command.add_argument("--label", help=f"what to call the build; else {numbers}, another CI's number or the time")

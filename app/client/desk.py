@@ -41,7 +41,7 @@ HEADS = ("due", "cue", "name", "state", "project", "studio", "server", "said las
 
 @dataclass
 class Answer:
-    """What one server said, or why it said nothing."""
+    """One server's answer, or the reason for its silence."""
 
     server: DeskServer
     cues: list[dict[str, Any]] = field(default_factory=list)
@@ -52,7 +52,7 @@ class Answer:
 
 
 def desk(options: argparse.Namespace) -> int:
-    """Print what is owed on all servers; return the exit code."""
+    """Print the owed work on all servers; return the exit code."""
     servers = list(read_servers().values())
     if not servers:
         raise Refusal("no server yet; create a token on your page Account, then: soundlist desk add https://…")
@@ -201,7 +201,7 @@ def _report(answers: Sequence[Answer], cues: Sequence[dict[str, Any]], *, as_jso
 
 
 def _remarks(answers: Sequence[Answer]) -> list[str]:
-    """Return which servers are left out, or not shown in full, and why."""
+    """Return the servers left out, or not shown in full, and the reasons."""
     remarks = []
     for answer in answers:
         name = shown(answer.server.name)

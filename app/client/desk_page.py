@@ -101,7 +101,7 @@ def _text(text: str) -> str:
 
 
 def cache_path() -> Path:
-    """Return where the page is kept: the user's folder for what can be made again."""
+    """Return the place of the page: the user's folder for data that can be made again."""
     home = Path.home()
     if os.name == "nt":
         folder = Path(os.environ.get("LOCALAPPDATA") or home / "AppData" / "Local")

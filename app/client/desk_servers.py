@@ -27,12 +27,12 @@ class DeskServer:
 
     @property
     def source(self) -> Source:
-        """Where to ask, and with which token."""
+        """Return the place to ask, and its token."""
         return Source(self.address, project="", target=None, token=self.token, named_by=self.name)
 
 
 def file_path() -> Path:
-    """Return where the servers are kept: the user's folder for settings."""
+    """Return the file path of the servers: the user's folder for settings."""
     if os.name == "nt":
         folder = os.environ.get("APPDATA") or str(Path.home() / "AppData" / "Roaming")
     else:

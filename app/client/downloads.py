@@ -125,7 +125,7 @@ class Downloads:
 
 
 def _blocks(read: Callable[[int], bytes]) -> Iterator[bytes]:
-    """Yield what arrives; raise _Cut where the connection breaks."""
+    """Yield the arriving bytes; raise _Cut where the connection breaks."""
     while True:
         try:
             block = read(BLOCK_BYTES)
@@ -146,7 +146,7 @@ def _digest(path: Path) -> str:
 
 
 def remove_old_parts(root: Path, folders: set[Path]) -> None:
-    """Remove what cut downloads of earlier versions left in some folders."""
+    """Remove the leftovers of cut downloads of earlier versions from some folders."""
     for folder in {root, *folders}:
         for part in folder.glob(".soundlist-*.part"):
             part.unlink(missing_ok=True)

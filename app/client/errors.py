@@ -1,4 +1,4 @@
-"""Why a command ends without doing what was asked."""
+"""Reasons for a command to end with its task undone."""
 
 DONE, NOT_AS_APPROVED, REFUSED, UNREACHABLE = 0, 1, 2, 3  # exit codes
 

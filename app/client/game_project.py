@@ -56,7 +56,7 @@ def _project_at(place: Path) -> Path:
 
 
 def _wanted_by(place: Path) -> Callable[[str], bool]:
-    """Return which paths below the project's root are texts that say how sounds are played."""
+    """Return the test of paths below the project's root for texts on the playing of sounds."""
     if place.is_dir():
         settings = ("ProjectSettings/AudioManager.asset", "ProjectSettings/ProjectVersion.txt")
         return lambda path: path in settings or path.endswith((*UNITY_HOLDERS, *UNITY_METAS, ".mixer"))

@@ -8,7 +8,7 @@ HEAD_BYTES = 64 << 10  # chunks before `fmt ` are seldom longer
 
 
 class Format(NamedTuple):
-    """What a header says; None where it is not read."""
+    """A header's content; None where it is not read."""
 
     sample_rate_hz: int | None
     bit_depth: int | None

@@ -37,7 +37,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Lock:
-    """What a folder holds."""
+    """A folder's contents."""
 
     project: str
     target: str

@@ -75,12 +75,12 @@ def ensure_distinct(paths: Iterable[str]) -> None:
 
 
 def folded(path: str) -> str:
-    """Return what is equal for two paths that are one file where case and the composition of letters do not count."""
+    """Return a key equal for two paths that are one file where case and the composition of letters do not count."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", path).casefold())
 
 
 def place_of(root: Path, path: str) -> Path:
-    """Return where a game file is; raise Refusal where a link on the way leads out of the folder."""
+    """Return the place of a game file; raise Refusal where a link on the way leads out of the folder."""
     place = root.joinpath(*path.split("/"))
     inside, folder = root.resolve(), place.parent
     while not os.path.lexists(folder):
@@ -93,7 +93,7 @@ def place_of(root: Path, path: str) -> Path:
 
 
 def part_of(place: Path, path: str, sha256: str) -> Path:
-    """Return where a download is kept until it is whole: beside its place, so that it is moved by a rename."""
+    """Return the place of an unfinished download: beside its final place, so that it is moved by a rename."""
     return place.with_name(f".soundlist-{hashlib.sha256(path.encode()).hexdigest()[:8]}-{sha256[:24]}.part")
 
 

@@ -1,4 +1,4 @@
-"""What a pull would change in a folder: decided before anything is written."""
+"""The changes of a pull to a folder: decided before anything is written."""
 
 import re
 from dataclasses import dataclass, field, replace
@@ -51,7 +51,7 @@ class Lacking:
 
 @dataclass(frozen=True)
 class Listing:
-    """What the server says of a target."""
+    """The server's listing of a target."""
 
     project_id: str
     project: str
@@ -91,7 +91,7 @@ class Gone:
 
 @dataclass
 class Plan:
-    """What a pull does."""
+    """The actions of a pull."""
 
     writes: list[Write] = field(default_factory=list)
     kept: list[Kept] = field(default_factory=list)
@@ -102,7 +102,7 @@ class Plan:
 
 
 def listing_of(said: Any) -> Listing:
-    """Return what the server answered; raise Refusal for anything that is not a list of game files."""
+    """Return the server's answer; raise Refusal for anything that is not a list of game files."""
     try:
         files = [_wanted(one) for one in said["files"]]
         listing = Listing(
@@ -154,7 +154,7 @@ def _matched(pattern: re.Pattern[str], text: Any) -> str:
 
 
 def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, opens_read_only: bool) -> Plan:
-    """Return what makes a folder equal to what is approved.
+    """Return a plan to make a folder equal to the approved files.
 
     `force` overwrites what was changed here; `opens_read_only`: source control opens read-only files first.
     """

@@ -44,7 +44,7 @@ def pull(options: argparse.Namespace) -> int:
 
 
 def _gate(listing: Listing, plan: Plan, *, prune: bool) -> int:
-    """Print what keeps a game from its release; return 0 where nothing does."""
+    """Print the obstacles to a game's release; return 0 where there are none."""
     open_files: list[Lacking] = [*listing.placeholders, *listing.missing]
     left = [] if prune else [Lacking(one.entry.path, one.entry.cue, "no longer approved") for one in plan.gone]
     open_files += left
@@ -88,7 +88,7 @@ class _Pull:
         self._removed = [one for one in plan.gone if self._is_removed(one)] if options.prune else []
 
     def rehearse(self) -> int:
-        """Print what would be done."""
+        """Print the planned actions."""
         for write in self._plan.writes:
             say(self._line("would add" if write.is_new else "would change", write.wanted.entry, write.wanted.cue_name))
         for gone in self._removed:
@@ -98,7 +98,7 @@ class _Pull:
         return NOT_AS_APPROVED if self._plan.writes or self._removed or self._plan.kept else DONE
 
     def run(self, server: Server, perforce: Perforce | None, lfs: LfsLocks | None) -> int:
-        """Do what the plan says, the lock file last."""
+        """Carry out the plan, the lock file last."""
         writes, plan = self._plan.writes, self._plan
         changed = [write.place for write in writes if not write.is_new] + self._opened_lock()
         if not (perforce or lfs) and (self._root / LOCK_NAME) in changed and is_read_only(self._root / LOCK_NAME):
@@ -169,7 +169,7 @@ class _Pull:
             say(self._line("removed", gone.entry))
 
     def _report_left(self) -> None:
-        """Print what is left as it is, and why."""
+        """Print the files left as they are, with reasons."""
         for kept in self._plan.kept:
             say(f"kept  {shown(kept.path)}: {kept.reason}")
         for gone in self._plan.gone:
@@ -207,7 +207,7 @@ class _Pull:
         say(f"{head}, {', '.join([*words, f'{plan.same} unchanged'])}")
 
     def _description(self) -> str:
-        """Return what a changelist says: the cues, each with its files."""
+        """Return the text of a changelist: the cues, each with its files."""
         by_cue: dict[str, list[str]] = {}
         names: dict[str, str] = {}
         for write in self._plan.writes:

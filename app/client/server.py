@@ -1,4 +1,4 @@
-"""What the client asks of a server. The token goes to that server only: never along with a redirect elsewhere."""
+"""The client's requests to a server. The token goes to that server only: never along with a redirect elsewhere."""
 
 import http.client
 import json
@@ -169,7 +169,7 @@ class RangeRefused(Refusal):
 
 
 def _problem(error: urllib.error.HTTPError) -> str:
-    """Return what the server says of a refusal, in one sentence; empty where it is not an answer of Soundlist."""
+    """Return the server's words on a refusal, in one sentence; empty where it is not an answer of Soundlist."""
     try:
         said = json.loads(error.read(1 << 20))
         detail, fix = str(said["detail"]), said.get("fix")

@@ -1,4 +1,4 @@
-"""Which server, project and target a folder is pulled from: options first, then soundlist.toml, then the lock."""
+"""The server, project and target of a folder's pull: options first, then soundlist.toml, then the lock."""
 
 import os
 import re
@@ -20,7 +20,7 @@ MAX_BYTES = 1 << 16
 
 @dataclass(frozen=True)
 class Source:
-    """Where the sounds of a folder come from."""
+    """The origin of a folder's sounds."""
 
     server: str
     project: str
@@ -32,7 +32,7 @@ class Source:
 def read_source(
     folder: Path, lock: Lock | None, *, server: str | None, project: str | None, target: str | None, allow_http: bool
 ) -> Source:
-    """Return where a folder's sounds come from; raise Refusal where something is not known, or is not safe."""
+    """Return the origin of a folder's sounds; raise Refusal where something is not known, or is not safe."""
     path, said = _settings_file(folder)
     address = server or said.get("server", "")
     project = (project or said.get("project") or (lock.project if lock else "")).lower()

@@ -1,4 +1,4 @@
-"""Opens what a pull will write in Perforce, or locks it in Git LFS; commands are started without a shell."""
+"""Files that a pull will write, opened in Perforce or locked in Git LFS; commands are started without a shell."""
 
 import os
 import re
@@ -27,7 +27,7 @@ def program(name: str) -> str:
 
 
 def _run(command: Sequence[str], folder: Path, *, given: str = "") -> tuple[str, str]:
-    """Return what a command printed; raise Refusal where it fails."""
+    """Return the output of a command; raise Refusal where it fails."""
     try:
         done = subprocess.run(
             list(command), cwd=folder, input=given, capture_output=True, text=True, timeout=WAIT_S, check=False

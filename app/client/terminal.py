@@ -1,4 +1,4 @@
-"""What the commands print: plain lines, a line of progress on a terminal, and nothing that could control one."""
+"""The commands' output: plain lines, a line of progress on a terminal, and nothing that could control one."""
 
 import sys
 import unicodedata

@@ -35,7 +35,7 @@ IN_FOLDER = {None: "not in the folder", True: "as it was pulled", False: "change
 
 
 def why(options: argparse.Namespace) -> int:
-    """Print where a file comes from; return the exit code."""
+    """Print the origin of a file; return the exit code."""
     folder, name = _folder_and_name(options.folder, options.name)
     root = next((place for place in (folder, *folder.parents) if (place / LOCK_NAME).is_file()), None)
     lock = read_lock(root) if root else None
@@ -57,7 +57,7 @@ def why(options: argparse.Namespace) -> int:
 
 
 def _folder_and_name(folder: Path | None, name: str) -> tuple[Path, str]:
-    """Return where to look for the lock file, and the name in it: a path of a file that is here, or a plain name."""
+    """Return the folder to search for the lock file, and the name in it: a path of a file here, or a plain name."""
     if folder is None and Path(name).exists():
         path = Path(name).resolve().parent / Path(name).name
         return path.parent, str(path)
@@ -87,7 +87,7 @@ def _from_lock(root: Path, lock: Lock, entry: Entry) -> dict[str, Any]:
 def _ask(
     options: argparse.Namespace, folder: Path, lock: Lock | None, entries: list[Entry], name: str
 ) -> tuple[Any, str]:
-    """Return what the server says of each entry, and why it says nothing."""
+    """Return the server's answer on each entry, and the reason for none."""
     try:
         source = read_source(
             folder, lock, server=options.server, project=options.project, target=options.target,

@@ -46,7 +46,7 @@ def list_checks(_actor: Actor = allows(Audience.ANYONE)) -> list[CheckDescriptio
 def preview_checks(
     project_id: UUID, body: CheckPreview, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> CheckPreviewed:
-    """Say what files would be judged by before they are sent, and what is wrong with their names; nothing is kept."""
+    """State the rules for files before they are sent, and the faults of their names; nothing is kept."""
     return previews.preview_checks(session, actor, project_id, body)
 
 
@@ -90,7 +90,7 @@ def list_fixes(project_id: UUID, session: DbSession, actor: Actor = allows(Audie
 
 @router.get("/takes/{take_id}/fix", response_model=FixRead, responses=problems(TakeNotFound))
 def see_fix(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> FixRead:
-    """Show what a fix can do, or did, about a take."""
+    """Show a fix's possible or past effect on a take."""
     return fixes.fix_for(session, actor, take_id)
 
 

@@ -133,7 +133,7 @@ def use_fix(session: Session, actor: Actor, take_id: UUID) -> tuple[Take, bool, 
 
 
 def fix_for(session: Session, actor: Actor, take_id: UUID) -> FixRead:
-    """Return what a fix can do, or did, about a take within the caller's sight."""
+    """Return a fix's possible or past effect on a take within the caller's sight."""
     take, _ = take_for(session, actor, take_id)
     return read_fix(session, take)
 
@@ -178,7 +178,7 @@ def _asked(session: Session, take: Take, run: CheckRun, *, asked_by: UUID | None
 
 
 def order_fix(session: Session, fix_id: UUID) -> FixOrder | None:
-    """Return what is to be fixed; None where it is made, or its take was checked against something else meanwhile."""
+    """Return the order for a fix; None where it is made, or its take was checked against something else meanwhile."""
     fix = queries.fix_by_id(session, fix_id)
     if fix is None or fix.state is not FixState.MAKING:
         return None
@@ -225,7 +225,7 @@ def give_up(session: Session, fix_id: UUID) -> None:
 
 
 def read_fix(session: Session, take: Take) -> FixRead:
-    """Return what a fix can do, or did, about a take."""
+    """Return a fix's possible or past effect on a take."""
     run = queries.current_run(session, take.id)
     chance = _fix_outlook(session, take, run) if run else None
     fix = queries.fix_with_key(session, take.id, run.key) if run else None

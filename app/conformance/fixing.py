@@ -22,7 +22,7 @@ def fix(
 
 
 def as_record(made: MadeFix) -> dict[str, Any]:
-    """Return what is kept of a fix: what was done, the file that was made, and the sound around each repair."""
+    """Return the record of a fix: the actions, the file that was made, and the sound around each repair."""
     fixed, spots = made
     result = fixed.to_dict()
     facts = result["after"]["facts"] if result["after"] else None

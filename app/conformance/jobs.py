@@ -71,7 +71,7 @@ def _stored(runtime: Runtime, order: fixes.FixOrder, folder: Path, made: dict[st
 
 
 def _fixed(runtime: Runtime, order: fixes.FixOrder, folder: str) -> dict[str, Any] | None:
-    """Return what a child made of a master; None after three failures."""
+    """Return a child's result on a master; None after three failures."""
     for _ in range(TRIES):
         try:
             with (

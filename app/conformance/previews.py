@@ -1,4 +1,4 @@
-"""What a check would say of files before they are sent: whom they are for, what their names break, and the limits."""
+"""A check's verdict on files before they are sent: their cues, the faults of their names, and the limits."""
 
 from collections.abc import Collection
 from uuid import UUID
@@ -33,7 +33,7 @@ from app.sound_lists.service import cue_facts
 
 
 def preview_checks(session: Session, actor: Actor, project_id: UUID, body: CheckPreview) -> CheckPreviewed:
-    """Say what each file would be judged by, and what is found in its name; nothing is kept."""
+    """State the rules for each file, and the findings in its name; nothing is kept."""
     access = project_access(session, actor, project_id)
     access.ensure_party()
     whole = parsed_spec(current_spec(session, project_id).toml)

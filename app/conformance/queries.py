@@ -357,7 +357,7 @@ def made_fix_of(session: Session, take_id: UUID) -> Fix | None:
 
 
 def takes_with_finding(session: Session, take_ids: Collection[UUID], code: str) -> set[UUID]:
-    """Return which of some takes had a finding of this code in their newest check."""
+    """Return those of some takes that had a finding of this code in their newest check."""
     found: set[UUID] = set()
     wanted = list(take_ids)
     has_code = CheckRun.report["findings"].as_string().contains(f'"{code}"')

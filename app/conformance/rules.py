@@ -35,7 +35,7 @@ class FixState(StrEnum):
 
 
 def levels_in_browser(spec: audio_checks.DeliverySpec) -> dict[str, str]:
-    """Return what a view of a spec says of the checks that the page computes: a severity or off, where it says any."""
+    """Return a spec view's levels for the checks that the page computes: a severity or off, where it says any."""
     return {name: level for name, level in spec.checks.items() if name in JUDGED_IN_BROWSER}
 
 
@@ -80,7 +80,7 @@ def error_codes(report: Mapping[str, Any]) -> list[str]:
 
 
 def state_after(report: Mapping[str, Any], waived: Collection[str]) -> TakeState:
-    """Return what a take becomes by its report; a waiver of every error holds when it is checked again."""
+    """Return the new state of a take by its report; a waiver of every error holds when it is checked again."""
     verdict = report["verdict"]
     if verdict == "unjudged":
         return TakeState.UNJUDGED
@@ -120,7 +120,7 @@ def with_waived(findings: Collection[Mapping[str, Any]], codes: Collection[str])
 
 
 def fix_offers(report: Mapping[str, Any], spec: audio_checks.DeliverySpec) -> list[audio_checks.Offer]:
-    """Return what a fix does about each finding of a report, or why none can, in the report's order."""
+    """Return a fix's action on each finding of a report, or the reason for none, in the report's order."""
     entry = audio_checks.FileReport.from_dict(report)
     return [audio_checks.fix_offer(finding, entry, spec) for finding in entry.findings]
 

@@ -34,7 +34,7 @@ class FindingRead(Schema):
 
 
 class WaiverAdd(Schema):
-    """Why a returned take is let through."""
+    """The reason to let through a returned take."""
 
     reason: Reason
 
@@ -184,7 +184,7 @@ class PreviewedCheck(Schema):
 
 
 class SpecView(Schema):
-    """What the spec asks of files of one category."""
+    """The spec's demands on files of one category."""
 
     category: str | None
     accept: AcceptRead
@@ -203,7 +203,7 @@ class CueLength(Schema):
 
 
 class FilePreview(Schema):
-    """What a file would be judged by, and what is wrong with its name."""
+    """The rules for a file, and the faults of its name."""
 
     cue: CueBrief | None = Field(description="Null where its name does not say surely which.")
     variation: int | None
@@ -217,7 +217,7 @@ class FilePreview(Schema):
 
 
 class CheckPreviewed(Schema):
-    """What files would be judged by, in the order in which they were named."""
+    """The rules for files, in the order in which they were named."""
 
     checks: list[PreviewedCheck]
     specs: list[SpecView]

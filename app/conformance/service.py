@@ -87,7 +87,7 @@ class CheckOrder:
 
 
 def order_check(session: Session, found: ToCheck) -> CheckOrder:
-    """Return what is to be checked of a take."""
+    """Return the order for a take's check."""
     take, spec, stem_named, has_dry_stems = found
     cue = cue_facts(take.cue) if take.cue else None
     resolved = resolved_spec(spec, take)
@@ -120,12 +120,12 @@ def _before(session: Session, take: Take) -> TakeBefore | None:
 
 
 def resolved_spec(spec: Spec, take: Take) -> audio_checks.DeliverySpec:
-    """Return what a version of the spec asks of one take."""
+    """Return the demands of a version of the spec on one take."""
     return spec_for(parsed_spec(spec.toml), take.cue, take.file_name)
 
 
 def spec_for(whole: audio_checks.DeliverySpec, cue: Cue | None, file_name: str) -> audio_checks.DeliverySpec:
-    """Return what a spec asks of a file that is for a cue, or for none yet."""
+    """Return a spec's demands on a file that is for a cue, or for none yet."""
     resolved = whole.for_category((cue.category if cue else "") or whole.category_of(file_name))
     if cue is None:  # it is named for its cue once it is matched
         return replace(resolved, checks=resolved.checks | {"naming": "off"})

@@ -1,4 +1,4 @@
-"""What is found over files together: looked up when it is shown. It informs the approver, and returns no take."""
+"""Findings over files together: looked up when shown. They inform the approver, and return no take."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass

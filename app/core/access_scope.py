@@ -1,4 +1,4 @@
-"""For whom a transaction runs; the database shows it their rows and no others."""
+"""The principal of a transaction; the database shows it their rows and no others."""
 
 from dataclasses import dataclass
 from uuid import UUID

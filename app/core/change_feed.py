@@ -135,7 +135,7 @@ class ChangeFeed:
             STREAMS.dec()
 
     async def replay(self, stream: Stream, last_seen: UUID) -> bool:
-        """Add what changed since an event was sent; return whether the log still reaches back that far."""
+        """Add the changes since an event was sent; return whether the log still reaches back that far."""
         at_s = instant_of(last_seen)
         if not time.time() - KEPT_FOR.total_seconds() + LATE_S < at_s <= time.time() + LATE_S:
             return False

@@ -30,7 +30,7 @@ class _Values(TypeDecorator[Collection[Any]]):
         self.of = of
 
     def load_dialect_impl(self, dialect: Dialect) -> TypeEngine[Any]:
-        """Return what a database takes many values as."""
+        """Return the database's type for many values."""
         return ARRAY(self.of) if dialect.name == "postgresql" else dialect.type_descriptor(sa.String())
 
     def process_bind_param(self, value: Collection[Any] | None, dialect: Dialect) -> Any:

@@ -81,7 +81,7 @@ class PoolFigures(Collector):
         self._database = database
 
     def collect(self) -> Iterator[GaugeMetricFamily]:
-        """Yield how many connections are in use and how many are idle."""
+        """Yield the numbers of connections in use and of idle ones."""
         pool = self._database.engine.pool
         family = GaugeMetricFamily(
             "soundlist_database_connections", "Connections of this process to the database.", labels=["state"]

@@ -10,7 +10,7 @@ BASIS_POINTS = 10_000  # the whole
 
 
 def minor_digits(currency: str) -> int:
-    """Return how many digits of a currency's amounts come after the decimal point."""
+    """Return the number of digits after the decimal point in a currency's amounts."""
     return _MINOR_DIGITS.get(currency, 2)
 
 

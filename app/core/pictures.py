@@ -68,7 +68,7 @@ def decode(source: Path | BytesIO, limits: PictureLimits, *, within_px: int) -> 
 
 
 def preload() -> None:
-    """Load what decodes and writes pictures, for all the children to come."""
+    """Load the code that decodes and writes pictures, for all the children to come."""
     from PIL import Image
 
     Image.init()

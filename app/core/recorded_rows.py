@@ -111,7 +111,7 @@ def declare(
 
 @dataclass
 class RowChanges:
-    """What happened to rows, by the name of their table and their id."""
+    """The changes of rows, by the name of their table and their id."""
 
     added: dict[str, dict[str, Facts]] = field(default_factory=lambda: defaultdict(dict))
     changed: dict[str, dict[str, Facts]] = field(default_factory=lambda: defaultdict(dict))
@@ -144,7 +144,7 @@ class RowChanges:
         return self
 
     def merge(self, other: "RowChanges") -> None:
-        """Note what happened besides."""
+        """Note the other changes."""
         for name, rows in other.added.items():
             self.added[name] |= rows
         for name, rows in other.changed.items():

@@ -21,7 +21,7 @@ class Runtime:
 
     @classmethod
     def of(cls, settings: Settings, *, engine_connections: int = 0) -> "Runtime":
-        """Open what the settings name; a worker leaves some of the process's connections to the engine of jobs."""
+        """Open the settings' resources; a worker leaves some of the process's connections to the engine of jobs."""
         connections = settings.database_connections - CLIENT_CONNECTIONS - engine_connections
         database = Database(settings.resolved_database_url, connections=connections)
         return cls(settings, database, open_store(settings), JobQueue(database))

@@ -47,7 +47,7 @@ def sealed(secret: str, purpose: str, text: str, *, context: bytes) -> bytes:
 
 
 def unsealed(secret: str, purpose: str, content: bytes, *, context: bytes) -> str:
-    """Decrypt what `sealed` returned; raise cryptography's InvalidTag for what it did not."""
+    """Decrypt the output of `sealed`; raise cryptography's InvalidTag for anything else."""
     nonce, encrypted = content[:NONCE_BYTES], content[NONCE_BYTES:]
     return _cipher(secret, purpose).decrypt(nonce, encrypted, context).decode()
 

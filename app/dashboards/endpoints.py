@@ -34,7 +34,7 @@ router = APIRouter(prefix="/v1", tags=["dashboards"])
 
 @router.get("/me")
 def read_me(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> schemas.Me:
-    """Return who is signed in, and everything they can open."""
+    """Return the person signed in, and everything they can open."""
     return service.me(session, actor)
 
 
@@ -71,19 +71,19 @@ def read_recent_verdicts(
 
 @router.get("/projects/{project_id}/today", responses=problems(ProjectNotFound, TeamNeeded))
 def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> schemas.Today:
-    """Return what waits for the team today, besides the review queue."""
+    """Return the team's waiting matters today, besides the review queue."""
     return service.today(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/next-steps", responses=problems(ProjectNotFound))
 def read_next_steps(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> NextSteps:
-    """Return what the caller is to do in a project, the first thing first, and for whom they wait."""
+    """Return the caller's next steps in a project, the first thing first, and the people they wait for."""
     return next_steps.next_steps(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/pace", responses=problems(ProjectNotFound, TeamNeeded))
 def read_pace(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Pace:
-    """Return how a project goes: the work's pace beside the studio's own, for both parties."""
+    """Return the pace of a project: the work's beside the studio's own, for both parties."""
     return pace(session, actor, project_id)
 
 
@@ -91,13 +91,13 @@ def read_pace(project_id: UUID, session: DbSession, actor: Actor = allows(Audien
 def read_roster_work(
     roster_entry_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> WorkFigures | None:
-    """Return what is known of a designer on file from work for this studio; null where there was none."""
+    """Return the facts known of a designer on file from work for this studio; null where there was none."""
     return work_of_entry(session, actor, roster_entry_id)
 
 
 @router.get("/me/work")
 def read_own_work(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> list[WorkFigures]:
-    """Return what each studio that the caller works or worked for knows from that work."""
+    """Return the facts that each studio that the caller works or worked for knows from that work."""
     return own_work(session, actor)
 
 
@@ -187,7 +187,7 @@ def find(
     session: DbSession,
     actor: Actor = allows(Audience.PROJECT),
 ) -> finding_schemas.FindResult:
-    """Return what holds the typed words: cues, files, people, contracts, reasons, labels, comments and questions.
+    """Return matches of the typed words: cues, files, people, contracts, reasons, labels, comments and questions.
 
     A designer finds reasons and labels of their own versions.
     """

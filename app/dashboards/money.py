@@ -138,7 +138,7 @@ def _last_days_to_pay(invoices: list[InvoiceRead]) -> int | None:
 
 
 def _slips(session: Session, project_id: UUID, milestones: list[MilestoneRead]) -> dict[UUID, schemas.MilestoneSlip]:
-    """Return how late each milestone is that is finished or whose day is over."""
+    """Return the lateness of each milestone that is finished or whose day is over."""
     now = clock.now()
     over = [
         milestone

@@ -129,7 +129,7 @@ def sent_changes(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[C
 
 
 def comments_of_takes(session: Session, take_ids: Collection[UUID]) -> Sequence[Comment]:
-    """Return what was said of takes, with its authors, the oldest first."""
+    """Return the comments on takes, with their authors, the oldest first."""
     return session.scalars(
         select(Comment)
         .where(in_array(Comment.take_id, take_ids))
@@ -139,7 +139,7 @@ def comments_of_takes(session: Session, take_ids: Collection[UUID]) -> Sequence[
 
 
 def unsent_mails(session: Session, studio_id: UUID) -> int:
-    """Return how many mails of the studio wait in the outbox."""
+    """Return the number of mails of the studio that wait in the outbox."""
     return session.scalar(select(func.count()).where(Mail.studio_id == studio_id, Mail.sent_at.is_(None))) or 0
 
 
@@ -151,7 +151,7 @@ def builds(session: Session, project_id: UUID) -> Sequence[Build]:
 
 
 def team_size(session: Session, studio_id: UUID) -> int:
-    """Return how many members the studio has."""
+    """Return the number of members of the studio."""
     return session.scalar(select(func.count()).where(Membership.studio_id == studio_id)) or 0
 
 
@@ -244,7 +244,7 @@ def back_since(session: Session, project_id: UUID, viewer_id: UUID) -> datetime 
 
 
 def tray_since(session: Session, project_id: UUID, designer_id: UUID) -> tuple[int, datetime | None]:
-    """Return how many of a designer's files wait for a cue, and since when the oldest."""
+    """Return the number of a designer's files waiting for a cue, and the oldest wait's start."""
     count, since = session.execute(
         select(func.count(), func.min(Take.state_since)).where(*in_tray(project_id, designer_id))
     ).one()
@@ -252,7 +252,7 @@ def tray_since(session: Session, project_id: UUID, designer_id: UUID) -> tuple[i
 
 
 def drafts_since(session: Session, project_id: UUID, scope: ApprovalScope) -> tuple[int, datetime | None]:
-    """Return how many change requests of cues that a person approves wait to be sent, and since when the oldest."""
+    """Return the number of unsent change requests of cues that a person approves, and the oldest wait's start."""
     found = select(func.count(), func.min(ChangeRequest.created_at)).where(
         ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None), ChangeRequest.sends_at.is_(None)
     )
@@ -264,7 +264,7 @@ def drafts_since(session: Session, project_id: UUID, scope: ApprovalScope) -> tu
 
 
 def questions_open_since(session: Session, project_id: UUID, *, asked_by: UUID | None) -> tuple[int, datetime | None]:
-    """Return how many questions wait for an answer, and since when the oldest; one person's where one is given."""
+    """Return the number of unanswered questions, and the oldest wait's start; one person's where one is given."""
     found = select(func.count(), func.min(Question.asked_at)).where(
         Question.project_id == project_id, Question.answered_at.is_(None)
     )
@@ -283,7 +283,7 @@ def studio_names(session: Session, ids: Collection[UUID]) -> dict[UUID, str]:
 
 
 def conforming_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUID, datetime]]:
-    """Return when takes came that the checks let through, by cue."""
+    """Return arrival times of takes that the checks let through, by cue."""
     let_through = (TakeState.CONFORMING, TakeState.APPROVED, TakeState.CHANGE_REQUESTED, TakeState.SET_ASIDE)
     rows = session.execute(
         select(Take.cue_id, Take.received_at).where(in_array(Take.cue_id, cue_ids), Take.state.in_(let_through))
@@ -292,7 +292,7 @@ def conforming_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[
 
 
 def changes_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUID, datetime]]:
-    """Return when changes were sent to the designer, by cue."""
+    """Return the times of changes sent to the designer, by cue."""
     rows = session.execute(
         select(Verdict.cue_id, Verdict.created_at).where(
             in_array(Verdict.cue_id, cue_ids), Verdict.kind == VerdictKind.REQUEST_CHANGE
@@ -304,7 +304,7 @@ def changes_since(session: Session, cue_ids: Collection[UUID]) -> list[tuple[UUI
 def questions_since(
     session: Session, project_id: UUID, cue_ids: Collection[UUID]
 ) -> list[tuple[UUID, datetime, datetime | None]]:
-    """Return when questions were asked and answered, by cue."""
+    """Return the times of questions and of their answers, by cue."""
     rows = session.execute(
         select(Question.cue_id, Question.asked_at, Question.answered_at).where(
             Question.project_id == project_id, in_array(Question.cue_id, cue_ids)

@@ -32,7 +32,7 @@ CAME_BACK = frozenset({CueStatus.RETURNED, CueStatus.CHANGE_REQUESTED, CueStatus
 
 
 class NextStepKind(StrEnum):
-    """What a person is the one to do, in the order in which it is shown."""
+    """A step that a person is the one to take, in the order of display."""
 
     ADD_CUES = "add_cues"
     WRITE_BRIEF = "write_brief"
@@ -71,7 +71,7 @@ STEP_ORDER = {kind: place for place, kind in enumerate(NextStepKind)}
 
 
 class AwaitedKind(StrEnum):
-    """What another person is to do."""
+    """A step that another person is to take."""
 
     JOIN = "join"
     BIDS = "bids"
@@ -106,7 +106,7 @@ MAX_URGENT_FIRST = (
 
 
 def variation_status(fact: VariationFact) -> CueStatus:
-    """Return where one variation stands: approved once is accepted; else the newest take that is not set aside."""
+    """Return the state of one variation: approved once is accepted; else the newest take that is not set aside."""
     if fact.has_approved:
         return CueStatus.ACCEPTED
     if fact.newest is None:
@@ -118,7 +118,7 @@ def variation_status(fact: VariationFact) -> CueStatus:
 
 @lru_cache(maxsize=4096)
 def statuses_of(facts: str | None, variations: int) -> tuple[CueStatus, ...]:
-    """Return where the variations of a cue stand, from their packed facts in order; the rest is still to make."""
+    """Return the states of a cue's variations, from their packed facts in order; the rest is still to make."""
     packed = facts.split(",")[:variations] if facts else []
     statuses = [variation_status(VariationFact.unpacked(int(part))) for part in packed]
     return (*statuses, *[CueStatus.TO_MAKE] * (variations - len(statuses)))

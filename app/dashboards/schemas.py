@@ -147,7 +147,7 @@ class AskedQuestion(Schema):
 
 
 class WithOthers(Schema):
-    """What waits for another person."""
+    """A matter that waits for another person."""
 
     cue: CueBrief | None
     file_name: str
@@ -172,7 +172,7 @@ class BuildBrief(Schema):
 
 
 class Today(Schema):
-    """What waits for the team today, besides the review queue."""
+    """Matters that wait for the team today, besides the review queue."""
 
     questions: list[AskedQuestion]
     with_others: list[WithOthers]
@@ -256,7 +256,7 @@ class Step(Schema):
 
 
 class NeedCompletion(Schema):
-    """How far the cues of one need are; cut ones are not counted."""
+    """Progress of the cues of one need; cut ones are not counted."""
 
     need: Need
     accepted: int

@@ -1,4 +1,4 @@
-"""Joins what the rooms know into the screens that people start from."""
+"""The rooms' facts, joined into the screens that people start from."""
 
 from datetime import datetime
 from typing import Any
@@ -35,7 +35,7 @@ STEPS = 500  # cues of which the project page shows one by one where they stand
 
 
 def me(session: Session, actor: Actor) -> schemas.Me:
-    """Return who is signed in, and everything they can open."""
+    """Return the person signed in, and everything they can open."""
     person = session.get_one(Person, actor.person)
     engagements = {
         my_engagement.project_id: my_engagement for my_engagement in queries.my_engagements(session, person.id)
@@ -86,7 +86,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
 
 
 def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
-    """Return what waits for the team today, besides the review queue."""
+    """Return the matters that wait for the team today, besides the review queue."""
     access = project_access(session, actor, project_id)
     access.ensure_team()
     project = access.project
@@ -103,7 +103,7 @@ def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
 
 
 def _with_others(session: Session, project: Project) -> list[schemas.WithOthers]:
-    """Return what waits for others than the approver, the oldest first."""
+    """Return the matters that wait for others than the approver, the oldest first."""
 
     def waits(take: Take, cue: CueBrief | None, status: Any, who: Person) -> schemas.WithOthers:
         return schemas.WithOthers(

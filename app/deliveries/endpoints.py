@@ -244,7 +244,7 @@ def see_take(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.P
 def set_take_label(
     take_id: UUID, body: TakeLabelSet, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> TakeLabelRead:
-    """Say what a take is among alternates, as its designer or for the team."""
+    """Set the label of a take among alternates, as its designer or for the team."""
     return labels.set_label(session, actor, take_id, body.label)
 
 

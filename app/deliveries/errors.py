@@ -92,7 +92,7 @@ class AdoptionClosed(Conflict):
 
 
 class GameProjectUnreadable(Invalid):
-    """What was sent is not a project of a known engine or middleware, or it is too large."""
+    """Sent data that are no project of a known engine or middleware, or are too large."""
 
 
 class PathTwice(Invalid):

@@ -196,7 +196,7 @@ class DryStem(Base):
 
 
 class SourceStatement(Base):
-    """What a take was made from, as its designer states it; without a take, what holds for the rest of a delivery."""
+    """The sources of a take, as its designer states them; without a take, those of the rest of a delivery."""
 
     __tablename__ = "deliveries_source_statements"
     __table_args__ = (

@@ -64,7 +64,7 @@ def deliveries_of(
 
 
 def takes_counts(session: Session, delivery_ids: Collection[UUID]) -> dict[UUID, int]:
-    """Return how many takes each delivery has; deliveries without any are left out."""
+    """Return the number of takes of each delivery; deliveries without any are left out."""
     rows = session.execute(
         select(Take.delivery_id, func.count())
         .where(in_array(Take.delivery_id, delivery_ids), Take.discarded_at.is_(None))
@@ -313,7 +313,7 @@ def in_tray(project_id: UUID, designer_id: UUID | None) -> tuple[ColumnElement[b
 
 
 def unmatched_count(session: Session, project_id: UUID, designer_id: UUID | None) -> int:
-    """Return how many takes wait in the tray; of one designer where one is given."""
+    """Return the number of takes that wait in the tray; of one designer where one is given."""
     return session.scalar(select(func.count()).where(*in_tray(project_id, designer_id))) or 0
 
 

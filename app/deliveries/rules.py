@@ -64,7 +64,7 @@ CHECKABLE = frozenset(state for state, following in NEXT_STATES.items() if S.REC
 
 @dataclass(frozen=True)
 class ReviewClock:
-    """How long a take has been ready for a verdict: since its first conforming check, less the time it was returned."""
+    """A take's time of readiness for a verdict: since its first conforming check, less the time it was returned."""
 
     conforming_since: datetime | None
     returned_since: datetime | None  # only once it has conformed
@@ -90,7 +90,7 @@ def ensure_may_become(now: TakeState, wanted: TakeState) -> None:
 
 
 class OpenTake(NamedTuple):
-    """What decides whether files of one delivery compete for a place in the list."""
+    """Facts that decide whether files of one delivery compete for a place in the list."""
 
     id: UUID
     delivery_id: UUID
@@ -140,7 +140,7 @@ def is_archive(file_name: str) -> bool:
 
 
 def max_bytes(file_name: str) -> int:
-    """Return how long a file of this name may be."""
+    """Return the length limit of a file of this name."""
     return MAX_ARCHIVE_BYTES if is_archive(file_name) else MAX_FILE_BYTES
 
 
@@ -164,7 +164,7 @@ def named_for(file_name: str, stem: str) -> str:
 
 
 def list_name_for(file_name: str, stem: str, ending: str | None) -> str:
-    """Return what the list calls a file: its alternate is kept, its extension is spelt as the spec has it."""
+    """Return the list's name for a file: its alternate is kept, its extension is spelt as the spec has it."""
     name = audio_checks.parse_file_name(file_name)
     alternate = "" if name.alternate is None else f"__alt{name.alternate}"
     is_spelt_otherwise = ending is not None and ending.lower() == name.extension.lower()

@@ -169,13 +169,13 @@ Label = Annotated[
 
 
 class TakeLabelSet(Schema):
-    """What a take is among alternates."""
+    """The label of a take among alternates."""
 
     label: Label | None = Field(description="Of the studio's list or in other words; null takes it away.")
 
 
 class TakeLabelRead(Schema):
-    """What a take is among alternates, and who said so."""
+    """The label of a take among alternates, and its author."""
 
     label: str | None
     labelled_by: PersonBrief | None
@@ -358,7 +358,7 @@ class PerformerSource(Schema):
 
 
 class Sources(Schema):
-    """What a sound was made from."""
+    """The sources of a sound."""
 
     from_scratch: bool = Field(False, description="Synthesized or designed without any recording of others.")
     own_recordings: bool = Field(False, description="Recorded by its designer.")
@@ -369,7 +369,7 @@ class Sources(Schema):
 
 
 class SourcesRead(Schema):
-    """What was stated of a sound, or of a delivery."""
+    """The stated sources of a sound, or of a delivery."""
 
     sources: Sources
     stated_at: datetime

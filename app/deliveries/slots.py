@@ -73,7 +73,7 @@ class Matching:
 
 
 def matching_for(session: Session, project_id: UUID, designer_id: UUID | None) -> Matching:
-    """Return what the names in a project's tray are read by, with the prefixes that they share."""
+    """Return the matching for the names in a project's tray, with the prefixes that they share."""
     names = list_names(session, project_id)
     return Matching(names, names.index.shared_prefixes(queries.tray_names(session, project_id, designer_id)))
 

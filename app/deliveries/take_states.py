@@ -1,4 +1,4 @@
-"""Where a take stands: its place in the list, its state, and what the contract's record says of both."""
+"""The standing of a take: its place in the list, its state, and the contract's record of both."""
 
 from collections.abc import Mapping, Sequence
 from datetime import datetime

@@ -1,4 +1,4 @@
-"""How the demo's designer was found: a posting, two bids on it, the team's scores, and the award."""
+"""The search for the demo's designer: a posting, two bids on it, the team's scores, and the award."""
 
 from collections.abc import Callable, Sequence
 from datetime import timedelta

@@ -48,7 +48,7 @@ class ProcessTree:
         return not self._stopping and all(process.poll() is None for process in self._processes.values())
 
     def ended(self) -> str:
-        """Return which processes ended by themselves, in words."""
+        """Return the processes that ended by themselves, in words."""
         codes = {name: process.poll() for name, process in self._processes.items()}
         return " and ".join(f"the {name} ended with code {code}" for name, code in codes.items() if code is not None)
 

@@ -1,4 +1,4 @@
-"""What a command that takes long is doing: a line for each step, and one now and then while a step goes on."""
+"""The progress of a long command: a line for each step, and one now and then while a step goes on."""
 
 import threading
 import time

@@ -34,7 +34,7 @@ class DemoReference:
     end_s: float | None = None
 
     def metadata(self, project_id: str) -> str:
-        """Return what an upload says of the file."""
+        """Return an upload's metadata of the file."""
         values = {"project_id": project_id, "file_name": self.file_name}
         return ",".join(f"{key} {base64.b64encode(value.encode()).decode()}" for key, value in values.items())
 

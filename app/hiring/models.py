@@ -121,7 +121,7 @@ class Sample(Base):
 
 
 class PostingQuestion(Base):
-    """What a candidate asks about a posting, and the team's answer, for all or for one."""
+    """A candidate's question about a posting, and the team's answer, for all or for one."""
 
     __tablename__ = "hiring_questions"
 
@@ -141,7 +141,7 @@ class PostingQuestion(Base):
 
 
 class Score(Base):
-    """What one person of the team gives a bid under each heading, 1 to 5, with a note."""
+    """The scores of one person of the team for a bid under each heading, 1 to 5, with a note."""
 
     __tablename__ = "hiring_scores"
 

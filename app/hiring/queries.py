@@ -233,7 +233,7 @@ def waiting_postings(session: Session, project_id: UUID) -> list[WaitingPosting]
 
 
 def counts_of_bids(session: Session, posting_ids: Collection[UUID]) -> dict[UUID, int]:
-    """Return how many bids each posting has that were sent."""
+    """Return the number of sent bids of each posting."""
     counted = (
         select(Bid.posting_id, func.count())
         .where(Bid.posting_id.in_(posting_ids), Bid.state == BidState.SENT)
@@ -249,7 +249,7 @@ def own_bids(session: Session, designer_id: UUID, posting_ids: Collection[UUID])
 
 
 def other_sent_bids(session: Session, designer_id: UUID, posting_id: UUID) -> Sequence[Bid]:
-    """Return what a designer has offered elsewhere and was not refused, with the postings."""
+    """Return a designer's offers elsewhere that were not refused, with the postings."""
     lost = Posting.awarded_bid_id.is_not(None) & (Posting.awarded_bid_id != Bid.id)
     return session.scalars(
         select(Bid)

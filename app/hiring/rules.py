@@ -15,7 +15,7 @@ NO_CATEGORY = "Other sounds"
 
 
 class PostingState(StrEnum):
-    """Where a posting is between writing and award."""
+    """The stage of a posting between writing and award."""
 
     DRAFT = "draft"
     OPEN = "open"
@@ -24,14 +24,14 @@ class PostingState(StrEnum):
 
 
 class PostingPhase(StrEnum):
-    """What a posting is about: making sounds, or advice before that."""
+    """The subject of a posting: making sounds, or advice before that."""
 
     PRODUCTION = "production"
     ADVISORY = "advisory"
 
 
 class AskedScope(StrEnum):
-    """Which cues a posting asks for."""
+    """The cues that a posting asks for."""
 
     ALL = "all"
     CATEGORIES = "categories"
@@ -39,7 +39,7 @@ class AskedScope(StrEnum):
 
 
 class BidState(StrEnum):
-    """Where a bid is; what happened to a sent one follows from its posting."""
+    """The state of a bid; the fate of a sent one follows from its posting."""
 
     DRAFT = "draft"
     SENT = "sent"
@@ -47,7 +47,7 @@ class BidState(StrEnum):
 
 
 class SampleState(StrEnum):
-    """What the check said of a sample."""
+    """The result of the check of a sample."""
 
     PENDING = "pending"
     CONFORMING = "conforming"
@@ -65,7 +65,7 @@ def sample_is_open(now: datetime, *, is_refused: bool, refused_at: datetime | No
 
 
 class BidLineKind(StrEnum):
-    """What a line of a bid is for: one asked for by the posting, or an extra."""
+    """The purpose of a line of a bid: one asked for by the posting, or an extra."""
 
     ASKED = "asked"
     RUSH = "rush"
@@ -76,7 +76,7 @@ class BidLineKind(StrEnum):
 
 
 class BidUnit(StrEnum):
-    """What the price of a line counts."""
+    """The unit that the price of a line counts."""
 
     PER_CUE = "per_cue"
     PER_HOUR = "per_hour"
@@ -94,7 +94,7 @@ class CountedCue:
 
 
 def asked_lines(cues: Iterable[CountedCue]) -> list[dict[str, Any]]:
-    """Return what bids are made on: one line for each category in the order of the list, with its cues and files."""
+    """Return the lines for bids: one for each category in the order of the list, with its cues and files."""
     lines: dict[str, dict[str, Any]] = {}
     for cue in cues:
         line = lines.setdefault(
@@ -149,17 +149,17 @@ def ensure_takes_bids(state: PostingState, until: date | None, today: date) -> N
 
 
 def amount_minor(line: Mapping[str, Any]) -> int:
-    """Return what a line of a bid comes to, rounded once to the nearest minor unit."""
+    """Return the amount of a line of a bid, rounded once to the nearest minor unit."""
     return int((line["quantity_hundredths"] * line["price_minor"] + HUNDREDTHS // 2) // HUNDREDTHS)
 
 
 def total_minor(lines: Iterable[Mapping[str, Any]]) -> int:
-    """Return what the lines of a bid add up to."""
+    """Return the total of the lines of a bid."""
     return sum(amount_minor(line) for line in lines)
 
 
 def concept_minor(asked: Iterable[Mapping[str, Any]], lines: Iterable[Mapping[str, Any]]) -> int:
-    """Return what a bid asks for cues that are concepts still: the share of each line that they are in."""
+    """Return a bid's price for cues that are concepts still: the share of each line that they are in."""
     counts = {line["key"]: (line.get("concepts", 0), line["cues"]) for line in asked}
     found = 0
     for line in lines:

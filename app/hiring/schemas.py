@@ -107,7 +107,7 @@ class CandidateRead(Schema):
 
 
 class PostingQuestionRead(Schema):
-    """What a candidate asks about a posting, and the answer."""
+    """A candidate's question about a posting, and the answer."""
 
     id: UUID
     text: str
@@ -130,7 +130,7 @@ class BidLine(Schema):
 
 
 class BidContent(Schema):
-    """What a designer offers."""
+    """A designer's offer."""
 
     lines: Annotated[list[BidLine], Field(max_length=100)]
     hours_hundredths: Hundredths | None = Field(default=None, description="The whole work in hours: 16000 for 160.")
@@ -169,7 +169,7 @@ class SampleAdd(Schema):
 
 
 class SampleFinding(Schema):
-    """What the check found in a sample."""
+    """A finding of the check in a sample."""
 
     code: str
     severity: str
@@ -330,14 +330,14 @@ ScoreValue = Annotated[int, Field(ge=1, le=5)]
 
 
 class ScoresWrite(Schema):
-    """What the caller gives a bid under each heading."""
+    """The caller's scores for a bid under each heading."""
 
     scores: Annotated[dict[str, ScoreValue], Field(max_length=12)]
     note: Prose = ""
 
 
 class PersonScores(Schema):
-    """What one person of the team gave a bid."""
+    """The scores of one person of the team for a bid."""
 
     person: PersonBrief
     scores: dict[str, int]

@@ -1,1 +1,1 @@
-"""What is owed and paid under agreed contracts: ledger, invoices, payments, kill fees, extra rounds."""
+"""Sums owed and paid under agreed contracts: ledger, invoices, payments, kill fees, extra rounds."""

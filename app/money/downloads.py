@@ -1,4 +1,4 @@
-"""Which sounds are closed to the studio until they are paid, and what opens them."""
+"""Sounds closed to the studio until they are paid, and the things that open them."""
 
 from collections.abc import Collection
 from uuid import UUID
@@ -22,7 +22,7 @@ UNPAID = "its files open by payment, and it is not paid yet"
 
 
 def closed_downloads(session: Session, actor: Actor | None, work: Collection[Work]) -> dict[Work, str]:
-    """Return why the files of some work are closed, in words; what is open is left out.
+    """Return the reasons for closed files of some work, in words; open work is left out.
 
     Invoice and amount are named to those who see the contract, and to nobody where no actor is given.
     """
@@ -54,7 +54,7 @@ def ensure_open(session: Session, actor: Actor, cue_id: UUID | None, designer_id
 
 
 def closed_to(session: Session, actor: Actor, cue_id: UUID | None, designer_id: UUID) -> str | None:
-    """Return why the files of a designer's work on a cue are closed to the caller; None where they are open."""
+    """Return the reason that the files of a designer's work on a cue are closed to the caller; None if open."""
     if cue_id is None or actor.person_id == designer_id:
         return None
     return closed_downloads(session, actor, {(cue_id, designer_id)}).get((cue_id, designer_id))

@@ -1,4 +1,4 @@
-"""What a contract that ends early comes to, stated without a database: each cue by the state of its work then."""
+"""The total of a contract that ends early, stated without a database: each cue by the state of its work then."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -29,7 +29,7 @@ class StatedCue:
 
 @dataclass(frozen=True)
 class Statement:
-    """What is owed where a contract ends; `figures` are those of the ledger once `entries` are written."""
+    """The sums owed where a contract ends; `figures` are those of the ledger once `entries` are written."""
 
     cues: Sequence[StatedCue]
     entries: Sequence[Entry]  # what the ledger lacks
@@ -43,7 +43,7 @@ class Statement:
 
     @property
     def cues_minor(self) -> int:
-        """What is owed for cues."""
+        """Return the sum owed for cues."""
         return sum(cue.owed_minor for cue in self.cues)
 
 
@@ -57,7 +57,7 @@ def statement_of(
     deposit_is_set_off: bool = False,
     time: Sequence[Entry] = (),
 ) -> Statement:
-    """Return what a contract comes to if it ends now; `states` has the work of each cue that is not settled.
+    """Return the statement of a contract if it ends now; `states` has the work of each cue that is not settled.
 
     `time` is what hours and retainer owe by then and the ledger lacks.
     """

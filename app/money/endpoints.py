@@ -168,7 +168,7 @@ def read_invoice_draft(
     actor: Actor = allows(Audience.DESIGNER),
     full_number: schemas.InvoiceNumber = "",
 ) -> schemas.InvoiceDraft:
-    """Return what an invoice would say if it were issued now, under this number or the one after the last."""
+    """Return the content of an invoice if it were issued now, under this number or the one after the last."""
     return invoices.draft_invoice(session, actor, contract_id, full_number=full_number)
 
 
@@ -240,7 +240,7 @@ def charge_late_interest(
 def record_payment(
     invoice_id: UUID, body: schemas.PaymentAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.InvoiceRead:
-    """Record what was paid on an invoice, in part or whole."""
+    """Record the payment of an invoice, in part or whole."""
     payments.record_payment(
         session,
         actor,
@@ -276,7 +276,7 @@ def refund_payment(
 def read_cue_money(
     cue_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> schemas.CueMoneyRead | None:
-    """Return what accepting a cue would make due, and its rounds; null where no contract covers it."""
+    """Return the sum that accepting a cue would make due, and its rounds; null where no contract covers it."""
     return overview.cue_money(session, actor, cue_id)
 
 

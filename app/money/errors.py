@@ -1,4 +1,4 @@
-"""What this room refuses, each named after the fact."""
+"""This room's refusals, each named after the fact."""
 
 from app.core.errors import Conflict, Forbidden, Invalid, NotFound
 

@@ -1,4 +1,4 @@
-"""What a contract comes to: every figure is summed from its lines, and together they are what was agreed."""
+"""The figures of a contract: every one is summed from its lines, and together they are the agreed total."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

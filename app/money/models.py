@@ -15,7 +15,7 @@ from app.sound_lists.models import Cue
 
 
 class Invoice(Base):
-    """What a designer asks a studio to pay; its amounts are those of its lines."""
+    """A designer's request for payment by a studio; its amounts are those of its lines."""
 
     __tablename__ = "contracts_invoices"
     __table_args__ = (

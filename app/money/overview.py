@@ -118,7 +118,7 @@ def _milestone(
 
 
 def figures(session: Session, contract: Contract, book: LedgerBook) -> Figures:
-    """Return what an agreed contract comes to."""
+    """Return the figures of an agreed contract."""
     milestones = plan_queries.milestones_of(session, contract.id)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     time_minor = terms_of(session, contract).time_cap_minor
@@ -209,7 +209,7 @@ def priced_by_cue(session: Session, contract: Contract) -> dict[UUID, PricedCue]
 
 
 def cue_money(session: Session, actor: Actor, cue_id: UUID) -> schemas.CueMoneyRead | None:
-    """Return what accepting a cue would make due; None where no contract in the caller's sight covers it."""
+    """Return the sum that accepting a cue would make due; None where no contract in the caller's sight covers it."""
     visible_cue(session, actor, cue_id)
     covered = plan_queries.running_cue(session, cue_id, None)
     contract = contract_for(session, actor, covered.contract_id) if covered else None

@@ -24,7 +24,7 @@ from app.projects.errors import ProducerNeeded
 def record_payment(
     session: Session, actor: Actor, invoice_id: UUID, *, amount_minor: int, reference: str, paid_on: date
 ) -> Payment:
-    """Record what was paid on an invoice, in part or whole; raise Overpayment beyond what is open."""
+    """Record the payment of an invoice, in part or whole; raise Overpayment beyond what is open."""
     invoice, contract = visible_invoice(session, actor, invoice_id)
     _ensure_pays(session, actor, contract)
     ensure_not_ahead(paid_on, today_of(session, contract), "record a payment only after it was made")

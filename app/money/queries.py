@@ -146,7 +146,7 @@ def worked_minutes(session: Session, contract_ids: Collection[UUID]) -> dict[tup
 
 
 def invoice_texts(session: Session, invoice_id: UUID) -> dict[UUID, str]:
-    """Return what the lines of an invoice say, by the ledger's lines."""
+    """Return the texts of the lines of an invoice, by the ledger's lines."""
     rows = session.execute(
         select(InvoiceLine.ledger_line_id, InvoiceLine.text).where(InvoiceLine.invoice_id == invoice_id)
     )
@@ -194,7 +194,7 @@ def calendars_of(session: Session, project_id: UUID, person_id: UUID) -> Sequenc
 
 
 def days_of_invoice(session: Session, invoice_id: UUID) -> tuple[datetime, datetime]:
-    """Return when the first and the last line of an invoice were written, which is when they became due."""
+    """Return the times at which the first and the last line of an invoice were written, and so became due."""
     first, last = session.execute(
         select(func.min(LedgerLine.created_at), func.max(LedgerLine.created_at))
         .join(InvoiceLine, InvoiceLine.ledger_line_id == LedgerLine.id)

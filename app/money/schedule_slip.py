@@ -1,4 +1,4 @@
-"""How late a milestone is, with whom the days went, and whether it grows."""
+"""A milestone's lateness, the party with whom the days went, and any growth."""
 
 import itertools
 from collections.abc import Sequence

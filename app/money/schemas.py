@@ -1,4 +1,4 @@
-"""What the endpoints of money take and answer; every amount is in whole minor units of the contract's currency."""
+"""Inputs and answers of the money endpoints; every amount is in whole minor units of the contract's currency."""
 
 from collections.abc import Sequence
 from datetime import date, datetime
@@ -111,14 +111,14 @@ class AdviceRead(Schema):
 
 
 class PlanFault(Schema):
-    """What is wrong with a plan: `milestones.0` is its first one, `milestones` all of it."""
+    """A fault of a plan: `milestones.0` is its first one, `milestones` all of it."""
 
     where: str
     message: str
 
 
 class PriceRead(Schema):
-    """What a plan comes to, with its deposit in it, beside the bid that its contract began from."""
+    """The total of a plan, with its deposit in it, beside the bid that its contract began from."""
 
     total_minor: int
     deposit_minor: int = Field(description="A part of the total.")
@@ -157,7 +157,7 @@ class PlanRead(Schema):
 
 
 class FiguresRead(Schema):
-    """What a contract comes to without tax; paid, due, open and saved add up to agreed."""
+    """The figures of a contract without tax; paid, due, open and saved add up to agreed."""
 
     agreed_minor: int
     accepted_minor: int
@@ -230,7 +230,7 @@ class TaxRead(Schema):
 
 
 class InvoiceDraft(Schema):
-    """What an invoice would say if it were issued now."""
+    """The content of an invoice if it were issued now."""
 
     contract_id: UUID
     currency: str
@@ -343,7 +343,7 @@ class EstimateRead(Schema):
 
 
 class HabitRead(Schema):
-    """How estimates turn out: mean error in percent, its spread in points, and what that is good for."""
+    """The outcome of estimates: mean error in percent, its spread in points, and the usefulness of that."""
 
     pairs: int
     mean_percent: float | None
@@ -378,7 +378,7 @@ class CalendarLinkMade(Schema):
 
 
 class CueMoneyRead(Schema):
-    """What a contract says of one cue, and what accepting it now would do."""
+    """A contract's terms for one cue, and the effect of accepting it now."""
 
     contract_id: UUID
     currency: str

@@ -1,4 +1,4 @@
-"""What acceptance, cuts and rounds do to money; called in the transaction of the verdict or cut itself."""
+"""Effects of acceptance, cuts and rounds on money; called in the transaction of the verdict or cut itself."""
 
 from collections.abc import Collection, Mapping
 from datetime import date
@@ -119,7 +119,7 @@ def _cut(session: Session, covered: ContractCue, state: WorkState, person_id: UU
 
 
 def end_statement(session: Session, contract: Contract, states: Mapping[UUID, WorkState]) -> Statement:
-    """Return what a contract comes to if it ends now, by the state of the work on each cue that is not settled."""
+    """Return the statement of a contract if it ends now, by the state of the work on each cue that is not settled."""
     terms, book = terms_of(session, contract), load_ledger_book(session, contract)
     milestones = plan_queries.milestones_of(session, contract.id)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
@@ -288,7 +288,7 @@ def record_work(
     on_behalf_of: UUID | None = None,
     rows: RowChanges | None = None,
 ) -> None:
-    """Write what happened to a designer's work into the record of the contract that covers the cue, if one does.
+    """Write an event of a designer's work into the record of the contract that covers the cue, if one does.
 
     `by` is the person or the build token that did it; None: the server. `rows` are the rows that it tells of.
     """

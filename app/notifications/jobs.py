@@ -113,7 +113,7 @@ def _at(start_s: float | None) -> str:
 
 @job("notifications.notify_reply")
 def notify_reply(runtime: Runtime, payload: Payload) -> None:
-    """Notify who wrote a note that it was answered, while they work on the project."""
+    """Notify the author of a note of its answer, while they work on the project."""
     with runtime.database.writing() as session:
         comment = session.get_one(Comment, UUID(payload["comment_id"]))
         take, project, cue = queries.take_with_place(session, comment.take_id)

@@ -27,7 +27,7 @@ def send_mail(runtime: Runtime, payload: Payload) -> None:
 
 
 def send_pending(runtime: Runtime) -> None:
-    """Send what waits, oldest first, now that a server is set or back; without one, show the links of what waits."""
+    """Send the waiting mails, oldest first, now that a server is set or back; without one, show their links."""
     if not runtime.settings.smtp_url:
         with runtime.database.reading() as session:
             linkless = queries.ids_without_link(session)

@@ -48,7 +48,7 @@ class Mail(Base):
 
 
 class MailPreferences(Base):
-    """What a person wants to be mailed, and when."""
+    """The mails that a person wants, and their times."""
 
     __tablename__ = "notifications_mail_preferences"
 

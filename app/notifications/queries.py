@@ -113,7 +113,7 @@ def overdue_ids(session: Session, at: datetime, digest_delay_s: float) -> Sequen
 
 
 def changes_of(session: Session, feedback_id: UUID) -> Sequence[tuple[ChangeRequest, Take, Cue]]:
-    """Return what was sent together, with the takes and cues it is about."""
+    """Return the changes sent together, with the takes and cues they are about."""
     return session.execute(
         select(ChangeRequest, Take, Cue)
         .join(Take, Take.id == ChangeRequest.take_id)
@@ -124,7 +124,7 @@ def changes_of(session: Session, feedback_id: UUID) -> Sequence[tuple[ChangeRequ
 
 
 def preferences_of(session: Session, person_id: UUID) -> MailPreferences | None:
-    """Return what a person has saved of their mails."""
+    """Return the saved mail preferences of a person."""
     return session.get(MailPreferences, person_id)
 
 
@@ -134,7 +134,7 @@ def person_id_at(session: Session, address: str) -> UUID | None:
 
 
 def address_of(session: Session, person_id: UUID) -> str:
-    """Return where a person reads mail."""
+    """Return the mail address of a person."""
     return session.scalars(select(Person.email).where(Person.id == person_id)).one()
 
 
@@ -257,7 +257,7 @@ def has_notice(session: Session, person_id: UUID, topic: str, event_id: str) -> 
 
 
 def unread_notices(session: Session, person_id: UUID, *, limit: int) -> int:
-    """Return how many notices a person has not read, counted up to a limit."""
+    """Return the number of a person's unread notices, counted up to a limit."""
     unread = select(Notice.id).where(
         Notice.person_id == person_id, Notice.read_at.is_(None), has_part(Notice.studio_id, person_id)
     )

@@ -18,7 +18,7 @@ FOLDED_LINES = 5  # that a notice shows; the page that it leads to shows all
 
 
 class MailState(StrEnum):
-    """How a mail stands."""
+    """The state of a mail."""
 
     SENT = "sent"  # the mail server took it
     WAITING = "waiting"  # it is handed to the mail server in a moment

@@ -1,4 +1,4 @@
-"""What this room takes and answers."""
+"""Inputs and answers of this room."""
 
 from datetime import datetime, time
 from uuid import UUID
@@ -24,7 +24,7 @@ class MailRead(Schema):
 
 
 class MailedLinkRead(Schema):
-    """How the mail with a secret link stands: of an invitation, or of a candidate of a posting."""
+    """The state of the mail with a secret link: of an invitation, or of a candidate of a posting."""
 
     of_id: UUID = Field(description="The invitation or the candidate that the link is for.")
     mail_id: UUID
@@ -51,7 +51,7 @@ class OutboxRead(Schema):
 
 
 class MailPreferencesSave(Schema):
-    """What the caller wants to be mailed, and when; times are those of the time zone."""
+    """The mails that the caller wants, and their times; times are those of the time zone."""
 
     cadences: dict[News, Cadence] = Field(description="By kind of news; what is missing is mailed at once.")
     time_zone: str = Field(max_length=64, examples=["Europe/Berlin"])
@@ -61,11 +61,11 @@ class MailPreferencesSave(Schema):
 
 
 class MailPreferencesRead(MailPreferencesSave):
-    """What the caller is mailed, and when: every kind of news by name."""
+    """The caller's mails, and their times: every kind of news by name."""
 
 
 class MailChoiceRead(Schema):
-    """What the link of a mail changes: how often its reader is mailed some news."""
+    """The choice changed by a mail's link: the mail frequency of some news to its reader."""
 
     email: str
     news: list[News]
@@ -74,7 +74,7 @@ class MailChoiceRead(Schema):
 
 
 class MailChoiceSave(Schema):
-    """How often the news of the link is mailed from now on."""
+    """The mail frequency of the link's news from now on."""
 
     cadence: Cadence
 
@@ -92,7 +92,7 @@ class InAppNoticeRead(Schema):
 
 
 class UnreadRead(Schema):
-    """How many notices the caller has not read."""
+    """The number of the caller's unread notices."""
 
     unread: int = Field(description="100 where there are more than 99.")
 

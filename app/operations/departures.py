@@ -1,4 +1,4 @@
-"""What ends when a member leaves a studio or has other roles there, and what another person must take over first."""
+"""Things ended by a member's departure or new roles in a studio, and those another person must take over first."""
 
 from collections.abc import Collection, Iterator
 from uuid import UUID

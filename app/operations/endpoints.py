@@ -31,7 +31,7 @@ router = APIRouter(prefix="/v1", tags=["operations"])
 def read_studio_operations(
     studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
 ) -> StudioOperations:
-    """Return how many of the studio's jobs wait, run or failed, and whether a worker is running."""
+    """Return the numbers of the studio's jobs that wait, run or failed, and whether a worker is running."""
     return service.studio_operations(session, actor, studio_id, queue=runtime.queue, alive_within=WORKER_SILENT_AFTER)
 
 
@@ -54,7 +54,7 @@ def read_departure(
 
 @router.get("/studios/{studio_id}/storage", responses=problems(StudioNotFound, ProducerNeeded))
 def read_studio_storage(studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)) -> StorageRead:
-    """Return what the studio keeps."""
+    """Return the storage of the studio."""
     return service.studio_storage(session, actor, studio_id)
 
 
@@ -100,7 +100,7 @@ def read_operations(
 def read_studio_quotas(
     studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> list[QuotaRead]:
-    """Return what a studio uses of its limits."""
+    """Return a studio's use of its limits."""
     return quotas.studio_quotas(session, actor, studio_id)
 
 
@@ -108,7 +108,7 @@ def read_studio_quotas(
 def read_quotas(
     session: DbSession, cursor: str | None = None, _actor: Actor = allows(Audience.OPERATOR)
 ) -> Page[StudioQuotas]:
-    """Return what studios use of their limits, fifty a page, the nearest to one first."""
+    """Return studios' use of their limits, fifty a page, the nearest to one first."""
     return quotas.server_quotas(session, cursor)
 
 
@@ -116,7 +116,7 @@ def read_quotas(
 def read_storage(
     session: DbSession, runtime: CurrentRuntime, _actor: Actor = allows(Audience.OPERATOR)
 ) -> ServerStorage:
-    """Return what every studio keeps."""
+    """Return the storage of every studio."""
     return service.server_storage(session, store=runtime.store)
 
 

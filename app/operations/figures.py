@@ -22,7 +22,7 @@ class OutboxFigures(Collector):
         self._runtime = runtime
 
     def collect(self) -> Iterator[GaugeMetricFamily]:
-        """Yield how many mails are unsent, and how long the oldest of them has been due."""
+        """Yield the number of unsent mails, and the time that the oldest of them has been due."""
         mails = GaugeMetricFamily(
             "soundlist_mails", "Mails that wait to be sent, or that the mail server refused.", labels=["state"]
         )
@@ -60,7 +60,7 @@ class ScrubFigures(Collector):
         self._runtime = runtime
 
     def collect(self) -> Iterator[GaugeMetricFamily]:
-        """Yield how many blobs are missing, altered and orphaned, and the age of the newest finished pass."""
+        """Yield the numbers of missing, altered and orphaned blobs, and the age of the newest finished pass."""
         blobs = GaugeMetricFamily(
             "soundlist_damaged_blobs", "Stored files that are missing, altered, or named by no row.", labels=["state"]
         )

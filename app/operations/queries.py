@@ -77,7 +77,7 @@ def studio_names(session: Session, ids: set[UUID] | None = None) -> dict[UUID, s
 
 
 def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead]:
-    """Return what each studio keeps, the largest first; one studio alone where it is given."""
+    """Return the storage of each studio, the largest first; one studio alone where it is given."""
     sums: dict[UUID, dict[KeptKind, KeptFiles]] = defaultdict(dict)
     rows = session.execute(union_all(*(_summed(source, studio_id) for source in KEPT), _drawn(studio_id)))
     for whose, kind_word, files, size_bytes in rows:

@@ -34,14 +34,14 @@ USED: Mapping[QuotaKind, Usage] = {
 
 
 def studio_quotas(session: Session, actor: Actor, studio_id: UUID) -> list[QuotaRead]:
-    """Return what a studio uses of its limits to its producer."""
+    """Return a studio's use of its limits to its producer."""
     ensure_producer_of(session, actor, studio_id)
     with bypass_row_policies(session):  # sums over the whole studio
         return quotas_of(session, studio_id)
 
 
 def server_quotas(session: Session, cursor: str | None) -> Page[StudioQuotas]:
-    """Return what studios use of their limits to the operator, those nearest to one first, by one statement a kind."""
+    """Return studios' use of their limits to the operator, those nearest to one first, by one statement a kind."""
     start = number_cursor(cursor) or 0
     with bypass_row_policies(session):  # sums over every studio, and no row of any
         used = {kind: usage.by_studio(session) for kind, usage in USED.items()}
@@ -58,7 +58,7 @@ def server_quotas(session: Session, cursor: str | None) -> Page[StudioQuotas]:
 
 
 def quotas_of(session: Session, studio_id: UUID) -> list[QuotaRead]:
-    """Return what a studio uses of its limits."""
+    """Return a studio's use of its limits."""
     used = {kind: usage(session, studio_id) for kind, usage in USED.items()}
     return _quotas_read(used, own_limits(session, studio_id).get(studio_id, {}))
 

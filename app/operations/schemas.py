@@ -164,7 +164,7 @@ class ServerStorage(Schema):
 
 
 class DepartureKind(StrEnum):
-    """What a membership gave.
+    """A thing that a membership gave.
 
     Another person takes over first from an approver and a signer; an engagement goes on; tokens, links and webhooks may
     be kept; everything else ends.
@@ -194,14 +194,14 @@ class DepartureItem(Schema):
 
 
 class KeptItem(Schema):
-    """What an erasure leaves, and why."""
+    """The remains of an erasure, and their reason."""
 
     name: str = Field(examples=["3 signatures"])
     reason: str = Field(examples=["evidence of a contract; with the name as signed"])
 
 
 class ErasureRead(Schema):
-    """What an erasure deletes, what stays and why, and what must end first."""
+    """An erasure's deletions, its remains with reasons, and things to end first."""
 
     name: str
     confirmation: str = Field(description="What must be typed to erase it: its name, or the address of the account.")

@@ -49,7 +49,7 @@ def studio_operations(
 
 
 def studio_storage(session: Session, actor: Actor, studio_id: UUID) -> StorageRead:
-    """Return what a studio keeps to its producer."""
+    """Return a studio's storage to its producer."""
     ensure_producer_of(session, actor, studio_id)
     with bypass_row_policies(
         session
@@ -93,7 +93,7 @@ def server_operations(session: Session, *, queue: JobQueue, alive_within: timede
 
 
 def server_storage(session: Session, *, store: Store) -> ServerStorage:
-    """Return what every studio keeps to the operator."""
+    """Return every studio's storage to the operator."""
     with bypass_row_policies(session):  # sums over every studio, and no row of any
         storage, scrub = queries.storage(session), blob_queries.newest_scrub(session)
     return ServerStorage(studios=storage, free_bytes=store.free_bytes(), scrub=scrub and _scrub_read(scrub))

@@ -139,7 +139,7 @@ def get_project_calendar(project_id: UUID, session: DbSession, actor: Actor = al
 def change_project(
     project_id: UUID, body: schemas.ProjectChange, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> schemas.ProjectRead:
-    """Change what a project is called, or put it away."""
+    """Change the name of a project, or put it away."""
     service.change_project(
         session,
         actor,

@@ -162,7 +162,7 @@ class ProjectInvitation(MailedLink, Base):
 
 
 class CreditName(Base):
-    """How a person is named in the credits of a project, or that they are left out, as they said themselves."""
+    """A person's name in the credits of a project, or their omission, as they said themselves."""
 
     __tablename__ = "projects_credit_names"
 
@@ -190,7 +190,7 @@ class CreditLine(Base):
 
 
 class Budget(Base):
-    """What a project may cost in one currency, as a producer set it; no designer sees it."""
+    """The permitted cost of a project in one currency, as a producer set it; no designer sees it."""
 
     __tablename__ = "projects_budgets"
     __table_args__ = (CheckConstraint("amount_minor > 0", name="not_nothing"),)

@@ -1,4 +1,4 @@
-"""What a membership gives in the projects of a studio, and how it ends with the membership or with its roles."""
+"""The rights of a membership in the projects of a studio, and their end with the membership or with its roles."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ A_DAY = timedelta(days=1)  # somewhere it is still yesterday, counted from UTC
 
 @dataclass(frozen=True)
 class Namings:
-    """What names a person in the projects of a studio and that some roles there do not allow."""
+    """Namings of a person in the projects of a studio that some roles there do not allow."""
 
     approves: Sequence[Project]
     leads: Sequence[Project]
@@ -56,7 +56,7 @@ def namings_ending(session: Session, studio_id: UUID, person_id: UUID, roles: fr
 
 
 def end_namings(session: Session, payload: Mapping[str, Any]) -> None:
-    """End what names a member who left or has other roles now: a handler of `member.changed`.
+    """End the namings of a member who left or has other roles now: a handler of `member.changed`.
 
     Raises HandOverNeeded while they approve a project and nobody takes over, CannotTakeOver for who may not approve.
     """

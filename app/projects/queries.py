@@ -59,7 +59,7 @@ class AccessFacts(NamedTuple):
 
 
 def access_facts(session: Session, project_id: UUID, person_id: UUID) -> AccessFacts | None:
-    """Return what a person's standing in a project depends on, without asking what they may see."""
+    """Return the basis of a person's standing in a project, without asking what they may see."""
     row = session.execute(_ACCESS_FACTS, {"project_id": project_id, "person_id": person_id}).one_or_none()
     return AccessFacts._make(row) if row else None
 
@@ -95,7 +95,7 @@ def running_projects(session: Session, studio_ids: Collection[UUID]) -> Sequence
 
 
 def rights_of(session: Session, caller: Actor | None) -> frozenset[str]:
-    """Return what a caller may do at all: roles in studios, and running engagements."""
+    """Return all rights of a caller: roles in studios, and running engagements."""
     if caller is None:
         return frozenset()
     rights = {f"studio:{studio_id}:{role}" for studio_id, roles in caller.roles.items() for role in roles}

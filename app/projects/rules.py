@@ -20,7 +20,7 @@ class EngagementKind(StrEnum):
 
 
 class DesignersHear(StrEnum):
-    """Which sounds of others the designers of a project may hear."""
+    """The sounds of others that the designers of a project may hear."""
 
     OWN = "own"
     APPROVED = "approved"
@@ -62,7 +62,7 @@ NO_CUE = ApprovalScope(rest=False, own=frozenset(), others=frozenset())
 
 @dataclass(frozen=True)
 class ApprovalRights:
-    """Who may approve sounds in a project today: the one rule that every room asks."""
+    """The approvers of sounds in a project today: the one rule that every room asks."""
 
     approver_id: UUID  # of cues whose category has no approver of its own
     by_category: Mapping[str, UUID] = field(default_factory=dict)
@@ -73,7 +73,7 @@ class ApprovalRights:
         return self.by_category.get(category, self.approver_id)
 
     def people_for(self, category: str) -> list[UUID]:
-        """Return who may approve in a category today: its approver, then their deputies."""
+        """Return the approvers for a category today: its own approver, then their deputies."""
         approver_id = self.approver_of(category)
         return [approver_id, *self.deputies.get(approver_id, ())]
 
@@ -98,7 +98,7 @@ class ApprovalRights:
 
 
 def audio_leads_warning(count: int) -> str | None:
-    """Return why so many audio leads are too many; None for one or two."""
+    """Return the warning against so many audio leads; None for one or two."""
     if count <= USUAL_AUDIO_LEADS:
         return None
     return (
@@ -132,6 +132,6 @@ def ensure_deputy(person_id: UUID, deputy_id: UUID, *, from_on: date, until_on: 
 
 
 def stated(tables: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what a form states: a field left empty is a key left out."""
+    """Return the statements of a form: a field left empty is a key left out."""
     said = {key: stated(value) if isinstance(value, Mapping) else value for key, value in tables.items()}
     return {key: value for key, value in said.items() if value is not None}

@@ -108,7 +108,7 @@ class CategoryApproverName(Schema):
 
 
 class DeputyAdd(Schema):
-    """Who may approve in place of a person, and when."""
+    """A deputy for a person's approvals, and the days."""
 
     person_id: UUID
     deputy_id: UUID
@@ -312,7 +312,7 @@ class SpecDraftChecked(Schema):
 
 
 class InvitationAdd(Schema):
-    """Whom to invite, by what tie."""
+    """The person to invite, and their tie."""
 
     email: Email
     kind: EngagementKind = EngagementKind.CONTRACT
@@ -375,7 +375,7 @@ class TokenMade(TokenRead):
 
 
 class CreditNameSave(Schema):
-    """How the caller is named in a project's credits."""
+    """The caller's name in a project's credits."""
 
     name: MaybeLine = Field("", description="Empty: the name of the account.")
     is_left_out: bool = False

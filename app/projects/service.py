@@ -120,7 +120,7 @@ def ensure_speaks_in(session: Session, actor: Actor, project_id: UUID) -> None:
 
 
 def access_from_facts(actor: Actor, facts: queries.AccessFacts, *, before_nda: bool = False) -> ProjectAccess:
-    """Return what a person is in a project by these facts of theirs; raise as `project_access` does."""
+    """Return a person's access to a project by these facts of theirs; raise as `project_access` does."""
     project, engagement = facts.project, facts.engagement
     roles = actor.roles_in(project.studio_id)
     if not roles and engagement is None:

@@ -36,7 +36,7 @@ def visible_work(actor: Actor, *, studio_id: Column, project_id: Column, designe
 
 
 def visible_list(actor: Actor, *, studio_id: Column, project_id: Column) -> ColumnElement[bool]:
-    """Admit what each person in a project sees, such as its cues, in all projects that show it to the caller."""
+    """Admit rows that each person in a project sees, such as its cues, in all projects that show them to the caller."""
     return or_(_of_studios(actor, studio_id), _shows_list(actor, project_id))
 
 

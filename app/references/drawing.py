@@ -1,4 +1,4 @@
-"""What runs in the sandbox's child: a stranger's picture, decoded and drawn again at two sizes."""
+"""Work of the sandbox's child: a stranger's picture, decoded and drawn again at two sizes."""
 
 from pathlib import Path
 from typing import TypedDict

@@ -123,7 +123,7 @@ def list_reference_openings(
     cursor: str | None = None,
     actor: Actor = TEAM,
 ) -> Page[ReferenceOpeningRead]:
-    """Return who opened which version when, newest first."""
+    """Return the openings: person, version and time, newest first."""
     found = service.openings_of(
         session, actor, project_id, reference_id=reference, before=uuid_cursor(cursor), limit=PAGE + 1
     )

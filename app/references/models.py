@@ -13,7 +13,7 @@ from app.references.rules import PreviewState, ReferenceKind
 
 
 class Reference(Base):
-    """What shows or says how something is meant: pinned to a cue, to a category, or to the whole project."""
+    """A thing that shows or says how something is meant: pinned to a cue, to a category, or to the whole project."""
 
     __tablename__ = "references_references"
     __table_args__ = (

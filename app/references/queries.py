@@ -98,7 +98,7 @@ def parts_locked(session: Session, clip_id: UUID, sha256: str | None) -> Sequenc
 
 
 def parts_count(session: Session, clip_ids: Collection[UUID]) -> dict[UUID, int]:
-    """Return how many parts on the board were spotted from each clip."""
+    """Return the number of parts on the board that were spotted from each clip."""
     of_clip = select(Reference.spotted_from_id, func.count()).where(
         Reference.spotted_from_id.in_(clip_ids), Reference.removed_at.is_(None)
     )
@@ -112,7 +112,7 @@ def version_numbered(session: Session, reference_id: UUID, number: int) -> Refer
 
 
 def last_opened_at(session: Session, version_id: UUID, person_id: UUID) -> datetime | None:
-    """Return when a person last opened a version."""
+    """Return the time of a person's last opening of a version."""
     return session.scalar(
         select(func.max(ReferenceOpening.opened_at)).where(
             ReferenceOpening.version_id == version_id, ReferenceOpening.person_id == person_id
@@ -123,7 +123,7 @@ def last_opened_at(session: Session, version_id: UUID, person_id: UUID) -> datet
 def openings(
     session: Session, project_id: UUID, *, reference_id: UUID | None, before: UUID | None, limit: int
 ) -> Sequence[ReferenceOpening]:
-    """Return who opened what, newest first; references that were removed since are included."""
+    """Return the openings, newest first; references that were removed since are included."""
     found = (
         select(ReferenceOpening)
         .join(ReferenceOpening.version)

@@ -45,7 +45,7 @@ def read_version(version: ReferenceVersion) -> ReferenceVersionRead:
 
 
 def read_opening(opening: ReferenceOpening) -> ReferenceOpeningRead:
-    """Return who opened what."""
+    """Return the facts of an opening."""
     version = opening.version
     return ReferenceOpeningRead(
         reference_id=version.reference_id,

@@ -21,7 +21,7 @@ Seconds = Annotated[float, Field(ge=0, le=MAX_RANGE_S, allow_inf_nan=False)]
 
 
 class ReferenceContent(Schema):
-    """What a version holds: a finished upload, or a link."""
+    """The content of a version: a finished upload, or a link."""
 
     upload_id: UUID | None = Field(None, description="Of an upload into this project, `project_id` in its metadata.")
     url: Address | None = Field(None, description="An https address. The server never fetches it.")
@@ -39,7 +39,7 @@ class ReferenceAdd(ReferenceContent):
 
 
 class ReferenceChange(Schema):
-    """What changes of a reference; fields that are left out stay."""
+    """The changes of a reference; fields that are left out stay."""
 
     cue_id: UUID | None = None
     category: Category | None = None

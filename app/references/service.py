@@ -39,7 +39,7 @@ SCOPE = "references:"  # of uploads, before the id of their project
 
 @dataclass(frozen=True)
 class Content:
-    """What a version is to hold: a finished upload, or a link."""
+    """The content for a version: a finished upload, or a link."""
 
     upload_id: UUID | None
     url: str | None

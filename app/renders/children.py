@@ -51,7 +51,7 @@ def in_child(
 
 
 def retried(call: Callable[[], R]) -> R:
-    """Return what a sandboxed call gives, tried again when its child fails; the last failure is raised."""
+    """Return the result of a sandboxed call, tried again when its child fails; the last failure is raised."""
     for _ in range(TRIES - 1):
         try:
             return call()

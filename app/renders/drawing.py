@@ -1,4 +1,4 @@
-"""What runs in the sandbox's child: a sound's pictures and preview, and game files, written into a folder.
+"""Work of the sandbox's child: a sound's pictures and preview, and game files, written into a folder.
 
 Answers are of the types that functions declare here: no other comes out of a sandbox.
 """
@@ -114,7 +114,7 @@ def prepare(
 
 
 def game_file(encoding: str) -> str:
-    """Return what a game file of an encoding is called in its folder; a codec's is read by its ending."""
+    """Return the name of a game file of an encoding in its folder; a codec's is read by its ending."""
     return f"render{ending_of(encoding)}"
 
 
@@ -176,7 +176,7 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> Drawn:
 
 
 def _played(path: str, places_of: dict[str, Path], drawing: Drawn) -> Path:
-    """Return what plays a master: itself, the game file of a target, or a preview of its own."""
+    """Return the file that plays a master: itself, the game file of a target, or a preview of its own."""
     if drawing["plays_itself"]:
         return Path(path)
     target = drawing["preview_of"]

@@ -157,7 +157,7 @@ def get_render_file(
 
 @router.get("/renders/{render_id}/loss", response_model=LossRead, responses=problems(RenderNotFound, LossUnknown))
 def get_render_loss(render_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> LossRead:
-    """Return what a game file lost against its master, in figures and in both spectra."""
+    """Return the loss of a game file against its master, in figures and in both spectra."""
     return service.render_loss(session, actor, render_id)
 
 
@@ -191,7 +191,7 @@ def list_batches(
 
 @router.get("/batches/{batch_id}", response_model=BatchRead, responses=problems(BatchNotFound, TeamNeeded))
 def get_batch(batch_id: UUID, session: DbSession, actor: Actor = TEAM) -> BatchRead:
-    """Return how far a batch is, and what it does to the sizes."""
+    """Return the progress of a batch, and its effect on the sizes."""
     return batches.batch_read(session, batches.visible_batch(session, actor, batch_id))
 
 

@@ -85,7 +85,7 @@ def _outcomes(
     loop: bool,
     draws: bool,
 ) -> dict[str, tuple[drawing.Outcome, Path]]:
-    """Return what a child made of a master, and where; after a failure each part is tried in a child of its own."""
+    """Return a child's results of a master, with paths; after a failure each part is tried in a child of its own."""
     child.timeout_s = TIMEOUT_S
 
     def made(some: dict[str, Recipe], draws: bool) -> dict[str, tuple[drawing.Outcome, Path]]:

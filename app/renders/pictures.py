@@ -1,4 +1,4 @@
-"""What is drawn of a sound, put into the store."""
+"""The drawings of a sound, put into the store."""
 
 from pathlib import Path
 from uuid import UUID
@@ -18,7 +18,7 @@ def stored_picture(
     preview: StoredBlob | None = None,
     spectrum: StoredBlob | None = None,
 ) -> Picture:
-    """Store what was drawn of a sound, but for what is stored already: what plays it, and what that looks like."""
+    """Store a sound's drawings, but for those stored already: the file that plays it, and the look of that."""
     peaks = runtime.store.put_file(studio_id, folder / drawing.PEAKS)
     spectrum = spectrum or runtime.store.put_file(studio_id, folder / drawing.SPECTRUM)
     if preview is None and not drawn["plays_itself"]:

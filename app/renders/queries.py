@@ -33,7 +33,7 @@ def parsed_spec(toml: str) -> audio_checks.DeliverySpec:
 
 
 def wanted_recipes(spec: Spec, take: Take) -> dict[str, Recipe]:
-    """Return what a spec wants made of a take (its cue loaded), by target; nothing while it is unmatched."""
+    """Return a spec's recipes for a take (its cue loaded), by target; nothing while it is unmatched."""
     return {} if take.cue is None else _recipes(spec.toml, _category(spec, take, take.cue), loop=take.cue.loop)
 
 
@@ -278,7 +278,7 @@ def last_batch_number(session: Session, project_id: UUID) -> int:
 
 
 def item_counts(session: Session, batch_ids: Collection[UUID]) -> dict[UUID, dict[ItemState, int]]:
-    """Return how many game files of each batch are in each state."""
+    """Return the number of game files of each batch in each state."""
     counts: dict[UUID, dict[ItemState, int]] = defaultdict(dict)
     rows = session.execute(
         select(BatchItem.batch_id, BatchItem.state, func.count())

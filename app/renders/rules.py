@@ -51,12 +51,12 @@ MEDIA_TYPES = tuple(dict.fromkeys(OF_ENDING.values()))  # of game files
 
 
 def ending_of(facts: Mapping[str, Any]) -> str:
-    """Return what the name of a game file ends in, by the facts of its render."""
+    """Return the ending of a game file's name, by the facts of its render."""
     return audio_checks.ending_of(facts.get("encoding", ""))
 
 
 def game_ending(facts: Mapping[str, Any], made_to: Target, usual: str) -> str:
-    """Return what a game file's name ends in: the usual ending of its target, or its own where it is kept coded."""
+    """Return the ending of a game file's name: the usual one of its target, or its own where it is kept coded."""
     encoding = facts.get("encoding", "")
     is_kept = audio_checks.is_lossy(encoding) and encoding != made_to.encoding
     return ending_of(facts) if is_kept else usual
@@ -82,7 +82,7 @@ class Recipe(NamedTuple):
 
 
 def recipes(spec: DeliverySpec, *, category: str | None, loop: bool) -> dict[str, Recipe]:
-    """Return what a spec wants made of a master of a category, by target."""
+    """Return a spec's recipes for a master of a category, by target."""
     view = spec.for_category(category)
     limits = view.limits
     return {

@@ -105,7 +105,7 @@ class TakeSoundsRead(Schema):
 
 
 class BatchAdd(Schema):
-    """What to render again."""
+    """The renders to make again."""
 
     targets: list[str] = Field(default_factory=list, max_length=100, description="Empty: all of the spec's.")
 
@@ -182,7 +182,7 @@ class SeamRead(Schema):
 
 
 class LossRead(BaseModel):
-    """What a game file lost against its master; null in dB means silence."""
+    """The loss of a game file against its master; null in dB means silence."""
 
     before: LossLevels
     after: LossLevels

@@ -147,7 +147,7 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
 
 
 def render_loss(session: Session, actor: Actor, render_id: UUID) -> LossRead:
-    """Return what a game file lost; raise LossUnknown if it was not measured."""
+    """Return the loss of a game file; raise LossUnknown if it was not measured."""
     found = queries.visible_render(session, actor, render_id)
     if found is None:
         raise RenderNotFound(f"no render {render_id}")
@@ -179,13 +179,13 @@ class RenderOrder:
 
 
 def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
-    """Return what is to be made of a take; None where it may not ship, or is for no cue yet."""
+    """Return the render order of a take; None where it may not ship, or is for no cue yet."""
     order = order_renders_and_drawing(session, take_id)
     return order if order is not None and order.may_ship else None
 
 
 def order_renders_and_drawing(session: Session, take_id: UUID) -> RenderOrder | None:
-    """Return what is to be made of a take that may ship, and whether its master is to be drawn; None for neither."""
+    """Return the order for a take that may ship, and whether its master is to be drawn; None for neither."""
     take = take_with_cue(session, take_id)
     if take is None:
         return None
@@ -236,7 +236,7 @@ def complete(session: Session, order: RenderOrder) -> bool:
 
 
 def save_timbre(session: Session, timbre: Timbre) -> None:
-    """Put what a sound is like on record, once."""
+    """Put the timbre of a sound on record, once."""
     if queries.timbre_of(session, timbre.studio_id, timbre.sound_sha256) is None:
         session.add(timbre)
         session.flush()

@@ -106,7 +106,7 @@ def get_review_queue(
     cursor: str | None = None,
     actor: Actor = allows(Audience.TEAM),
 ) -> Page[QueueItem]:
-    """Return what waits for review, urgent cues first, then the oldest: of one project, or of all of the caller's."""
+    """Return the review queue, urgent cues first, then the oldest: of one project, or of all of the caller's."""
     return review_room.review_queue(session, actor, project_id=project_id, is_own=own, wanted=wanted, cursor=cursor)
 
 
@@ -322,7 +322,7 @@ def answer_carried_note(
 
 @router.get("/takes/{take_id}/history", response_model=list[HistoryEntry], responses=problems(TakeNotFound))
 def get_take_history(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> list[HistoryEntry]:
-    """Return what happened to a take, oldest first."""
+    """Return the events of a take, oldest first."""
     return take_history.take_history(session, actor, take_id)
 
 

@@ -53,7 +53,7 @@ class Verdict(Base):
 
 
 class GameLevel(Base):
-    """How the game played a variation of a cue when its folder was adopted: the level that counts as approved."""
+    """The game's playback of a variation of a cue when its folder was adopted: the level that counts as approved."""
 
     __tablename__ = "reviews_game_levels"
 
@@ -150,7 +150,7 @@ class ChangeRequest(Base):
 
     @property
     def mentioned(self) -> list[dict[str, Any]]:
-        """Whom the text mentions, by id and name."""
+        """Return the text's mentions, by id and name."""
         return mentioned_in(self.mentions)
 
 
@@ -204,14 +204,14 @@ class Comment(Base):
 
     @property
     def byline(self) -> dict[str, Any]:
-        """Who wrote it, as people read it; a guest has no account."""
+        """Return its author, as people read it; a guest has no account."""
         if self.author is None:
             return {"id": None, "name": f"guest {self.guest_name}"}
         return {"id": self.author.id, "name": self.author.name, "picture": self.author.picture}
 
     @property
     def mentioned(self) -> list[dict[str, Any]]:
-        """Whom the text mentions, by id and name."""
+        """Return the text's mentions, by id and name."""
         return mentioned_in(self.mentions)
 
 
@@ -298,7 +298,7 @@ class HeardTake(Base):
 
 
 class ApprovalRule(Base):
-    """What blocks approval in a project, as a producer set it; without a row nothing does."""
+    """The blockers of approval in a project, as a producer set them; without a row there are none."""
 
     __tablename__ = "reviews_approval_rules"
 

@@ -55,7 +55,7 @@ def clock_pauses(session: Session, contract_ids: Collection[UUID]) -> Sequence[C
 
 
 def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:
-    """Return how many rounds count for cues."""
+    """Return the number of rounds that count for cues."""
     query = select(Round.cue_id, func.count(Round.number)).where(in_array(Round.cue_id, cue_ids)).group_by(Round.cue_id)
     return dict(session.execute(query).all())
 
@@ -288,7 +288,7 @@ def people_who_see(session: Session, take: Take) -> Sequence[Person]:
 def notes_to_carry(
     session: Session, cue_ids: Collection[UUID]
 ) -> tuple[Sequence[ChangeRequest], Sequence[tuple[Comment, Take]]]:
-    """Return what was asked and said of versions for which a change was requested; no reply, nor by its designer."""
+    """Return the requests and comments of versions for which a change was requested; no reply, nor by its designer."""
     asked_of = (in_array(Take.cue_id, cue_ids), Take.state == TakeState.CHANGE_REQUESTED)
     asked = change_requests_of(session, ChangeRequest.take.has(and_(*asked_of)), ChangeRequest.feedback_id.is_not(None))
     said = session.execute(
@@ -303,7 +303,7 @@ def notes_to_carry(
 
 
 def newest_answers(session: Session, note_ids: Collection[UUID]) -> dict[UUID, NoteAnswer]:
-    """Return what was last said of notes that were carried over, by note."""
+    """Return the last answers to notes that were carried over, by note."""
     answers = session.scalars(
         select(NoteAnswer)
         .where(or_(in_array(NoteAnswer.comment_id, note_ids), in_array(NoteAnswer.change_request_id, note_ids)))
@@ -327,7 +327,7 @@ def waivers_of(session: Session, take_id: UUID) -> Sequence[tuple[Waiver, Person
 
 
 def duration_of(session: Session, take: Take) -> float | None:
-    """Return how long a take's master is; None while it is not drawn yet."""
+    """Return the length of a take's master; None while it is not drawn yet."""
     return session.scalar(
         select(Picture.duration_s).where(
             Picture.studio_id == take.studio_id, Picture.sound_sha256 == take.master_sha256

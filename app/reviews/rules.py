@@ -22,7 +22,7 @@ class VerdictKind(StrEnum):
 
 
 class HistoryKind(StrEnum):
-    """What happened to a take."""
+    """An event of a take."""
 
     RECEIVED = "received"
     CHECKED = "checked"
@@ -36,7 +36,7 @@ class HistoryKind(StrEnum):
 
 
 class QueueKind(StrEnum):
-    """How the waiting takes of a cue are played."""
+    """The way of playing the waiting takes of a cue."""
 
     SINGLE = "single"
     ALTERNATES = "alternates"  # one of several is picked
@@ -44,7 +44,7 @@ class QueueKind(StrEnum):
 
 
 class ApprovalBlockers(StrEnum):
-    """What has to be closed in a project before a take is approved."""
+    """The things to close in a project before a take is approved."""
 
     NONE = "none"
     NOTES = "notes"
@@ -71,7 +71,7 @@ class VersionKind(StrEnum):
 
 @dataclass(frozen=True)
 class QueueFilter:
-    """What of the review queue is wanted; what is left out filters nothing."""
+    """The wanted part of the review queue; fields left out filter nothing."""
 
     category: str | None = None
     designer_id: UUID | None = None
@@ -138,14 +138,14 @@ def missing_variations(variations: int, approved: Collection[int]) -> list[int]:
 
 
 def queue_kind(variations: int, waiting: Sequence[int]) -> QueueKind:
-    """Return how a cue's waiting takes, given by their variations, are played."""
+    """Return the way of playing a cue's waiting takes, given by their variations."""
     if variations > 1:
         return QueueKind.SET
     return QueueKind.ALTERNATES if len(waiting) > 1 else QueueKind.SINGLE
 
 
 def why_not_counted(reversals: Sequence[bool], unanswered_round: int | None = None) -> str | None:
-    """Return why a sending is no round for a cue, given which of its requests reverse an approval; None: it is.
+    """Return the reason a sending is no round for a cue, given its requests that reverse an approval; None: it is.
 
     A request that follows one that nothing was delivered for belongs to the round of that one.
     """
@@ -155,7 +155,7 @@ def why_not_counted(reversals: Sequence[bool], unanswered_round: int | None = No
 
 
 def work_state(variations: int, states: Mapping[int, Collection[TakeState]]) -> WorkState:
-    """Return how far the work on a cue is, from the states of each variation's takes.
+    """Return the state of the work on a cue, from the states of each variation's takes.
 
     A file that the checks returned shows work, and is not delivered yet; one that a change was asked of is work again.
     """

@@ -287,14 +287,14 @@ class CommentAdd(Schema):
 
 
 class AcknowledgementRead(Schema):
-    """Who has seen a comment, and when."""
+    """A viewer of a comment, and the time."""
 
     person: PersonBrief
     created_at: datetime
 
 
 class CommentAuthor(Schema):
-    """Who wrote a comment: a person, or a guest by the name that they typed."""
+    """The author of a comment: a person, or a guest by the name that they typed."""
 
     id: UUID | None = Field(description="Null for a guest, who has no account.")
     name: str = Field(examples=["guest Ada"])
@@ -326,7 +326,7 @@ class NoteAnswerGive(Schema):
 
 
 class NoteAnswerRead(Schema):
-    """What was last said of a note that was carried over, of which version, by whom and when."""
+    """The last answer to a note that was carried over, with its version, author and time."""
 
     is_done: bool
     number: int = Field(description="Of the version that it was said of.")
@@ -407,7 +407,7 @@ class CueReviewRead(Schema):
 
 
 class CueCut(Schema):
-    """Why the game no longer needs a cue."""
+    """The reason the game no longer needs a cue."""
 
     reason: Said
 

@@ -80,7 +80,7 @@ def file_of(comparison: Comparison) -> str:
 
 
 def keep(session: Session, comparison_id: UUID, blob: StoredBlob, made: Compared) -> None:
-    """Put what differs on record."""
+    """Put the differences on record."""
     comparison = session.get_one(Comparison, comparison_id)
     comparison.sha256, comparison.file_bytes = blob.sha256, blob.size_bytes
     comparison.lag_s, comparison.gain_db = made["lag_s"], made["gain_db"]
@@ -94,7 +94,7 @@ def keep(session: Session, comparison_id: UUID, blob: StoredBlob, made: Compared
 
 
 def refuse(session: Session, comparison_id: UUID, reason: str) -> None:
-    """Record why two sounds are not compared."""
+    """Record the reason two sounds are not compared."""
     session.get_one(Comparison, comparison_id).refusal = reason
 
 

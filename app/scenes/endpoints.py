@@ -44,7 +44,7 @@ LANE = "^[0-9a-z-]{1,36}:-?[0-9]{1,2}([.][0-9]{1,2})?$"
 
 @router.post("/takes/{take_id}/scene", responses=problems(TakeNotFound, TeamNeeded))
 def open_scene(take_id: UUID, session: DbSession, actor: Actor = TEAM) -> SceneRead:
-    """Return what sounds with a version in the game, and have measured what is not yet."""
+    """Return the sounds with a version in the game, and have the unmeasured ones measured."""
     scene = service.scene_of(session, actor, take_id)
     service.ask_for_missing(session, scene)
     return read_scene(scene)
@@ -60,7 +60,7 @@ def get_masking(
     ] = None,
     actor: Actor = TEAM,
 ) -> MaskingRead:
-    """Return which bands of a version are heard in its scene, and what covers the others."""
+    """Return the bands of a version heard in its scene, and the sounds that cover the others."""
     levels = None
     if lane is not None:
         split = [one.rpartition(":") for one in lane]
@@ -70,7 +70,7 @@ def get_masking(
 
 @router.get("/projects/{project_id}/bed-sources", responses=problems(ProjectNotFound, TeamNeeded))
 def list_bed_sources(project_id: UUID, session: DbSession, actor: Actor = TEAM) -> list[BedSource]:
-    """Return which sounds can be beds: approved versions, those that loop first, then sounds of the references."""
+    """Return the sounds that can be beds: approved versions, those that loop first, then sounds of the references."""
     takes, versions = service.bed_sources(session, actor, project_id)
     return [
         *(BedSource(take_id=take_id, reference_id=None, name=cue.name, loops=cue.loop) for take_id, cue in takes),
@@ -145,7 +145,7 @@ def get_comparison(comparison_id: UUID, session: DbSession, actor: Actor = TEAM)
 def get_comparison_file(
     comparison_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
 ) -> Response:
-    """Play what is left of a version without the other sound."""
+    """Play the rest of a version without the other sound."""
     comparison = comparisons.visible_comparison(session, actor, comparison_id)
     sha256 = comparisons.file_of(comparison)
     return blob_response(request, runtime.store, comparison.studio_id, sha256, media_type="audio/wav", by_link=True)

@@ -21,7 +21,7 @@ def packed(power: NDArray[np.float64]) -> bytes:
 
 
 def as_text(steps: bytes) -> str:
-    """Return what is kept of an excitation."""
+    """Return the kept part of an excitation."""
     return base64.b64encode(steps).decode("ascii")
 
 
@@ -34,7 +34,7 @@ def unpacked(text: str) -> NDArray[np.float64]:
 def placed(
     power: NDArray[np.float64], *, starts_s: Sequence[float], loops: bool, length_s: float, gain_db: float
 ) -> NDArray[np.float64]:
-    """Return what a sound excites over a scene: from each start once, or without an end from its first start."""
+    """Return a sound's excitation over a scene: from each start once, or without an end from its first start."""
     whole = np.zeros((math.ceil(round(length_s / BLOCK_S, 6)), len(CENTRES_HZ)))
     if not len(power):
         return whole

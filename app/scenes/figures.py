@@ -82,7 +82,7 @@ def read_bed(bed: Bed) -> BedRead:
 
 
 def masking_of(session: Session, actor: Actor, take_id: UUID, levels: Mapping[str, float] | None) -> MaskingRead:
-    """Return which bands of a version are heard in its scene; with `levels`, among these lanes alone and so loud."""
+    """Return the bands of a version heard in its scene; with `levels`, among these lanes alone and so loud."""
     scene = scene_of(session, actor, take_id, measured=True)
     if levels is None:
         levels = {lane.id: lane.level_db for lane in scene.lanes if lane.is_on}

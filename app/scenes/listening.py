@@ -1,4 +1,4 @@
-"""What runs in the sandbox's child: sounds measured for scenes, parts of references, and differences of two sounds.
+"""Work of the sandbox's child: sounds measured for scenes, parts of references, and differences of two sounds.
 
 Answers are of the types that functions declare here: no other comes out of a sandbox.
 """
@@ -36,7 +36,7 @@ class Measured(TypedDict):
 
 
 class Compared(TypedDict):
-    """How one sound differs from another; levels are null for silence."""
+    """The difference of one sound from another; levels are null for silence."""
 
     lag_s: float
     gain_db: float
@@ -48,7 +48,7 @@ class Compared(TypedDict):
 
 
 def measure_preview(path: str) -> Measured:
-    """Return what is measured of a preview, of a scene's length at most."""
+    """Return the measurements of a preview, of a scene's length at most."""
     with wave.open(path) as file:
         duration_s = file.getnframes() / file.getframerate()
     (shape,) = wave_shapes(path, (THUMB_POINTS,))
@@ -87,7 +87,7 @@ def _nothing(problem: str) -> Measured:
 
 
 def compare(path: str, against_path: str, folder: str) -> Compared:
-    """Write what is left of a preview when another, moved and brought to its level, is taken away from it."""
+    """Write the rest of a preview when another, moved and brought to its level, is taken away from it."""
     sound, rate_hz = _read(path)
     against, against_rate_hz = _read(against_path)
     against = resampled(against, against_rate_hz, rate_hz)
@@ -169,5 +169,5 @@ def _write(path: Path, samples: Samples, rate_hz: int) -> None:
 
 
 def preload() -> None:
-    """Load what decodes sounds, for all the children to come."""
+    """Load the decoders of sounds, for all the children to come."""
     import soundfile  # noqa: F401

@@ -13,7 +13,7 @@ from app.scenes.rules import BedRole
 
 
 class Bed(Base):
-    """What plays under the sounds of a project, or under those of one category, where it replaces the project's."""
+    """The sound under those of a project, or under those of one category, where it replaces the project's."""
 
     __tablename__ = "scenes_beds"
     __table_args__ = (
@@ -36,7 +36,7 @@ class Bed(Base):
 
 
 class SceneSound(Base):
-    """How far a stored sound excites the ear; of a reference also the part that plays, in a form for browsers."""
+    """A stored sound's excitation of the ear; of a reference also the part that plays, in a form for browsers."""
 
     __tablename__ = "scenes_sounds"
     __table_args__ = (

@@ -1,4 +1,4 @@
-"""What a scene is made of, read from the database; callers have checked access."""
+"""The parts of a scene, read from the database; callers have checked access."""
 
 from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple
@@ -176,7 +176,7 @@ def bed_references(session: Session, project_id: UUID) -> Sequence[ReferenceVers
 def scene_sounds(
     session: Session, studio_id: UUID, sha256s: Collection[str], *, measured: bool = False
 ) -> dict[tuple[str, str], SceneSound]:
-    """Return what is measured of stored sounds, by hash and part; with their excitations where asked."""
+    """Return the measurements of stored sounds, by hash and part; with their excitations where asked."""
     query = select(SceneSound).where(SceneSound.studio_id == studio_id, in_array(SceneSound.sound_sha256, sha256s))
     if measured:
         query = query.options(undefer(SceneSound.excitation))

@@ -1,4 +1,4 @@
-"""Which sounds make a scene, when each plays and how loud: without a database."""
+"""The sounds of a scene, with the times and the level of each: without a database."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -33,7 +33,7 @@ LOOPING_ROLES = frozenset({BedRole.MUSIC, BedRole.AMBIENCE})
 
 
 class LevelFrom(StrEnum):
-    """Where the level of a lane comes from."""
+    """The source of the level of a lane."""
 
     AUDIT = "audit"  # the newest audit of a build
     APPROVED = "approved"  # no audit names the sound: it plays as it was approved
@@ -53,7 +53,7 @@ class Candidate(NamedTuple):
 
 
 def column_value(extra: Mapping[str, Any], columns: frozenset[str]) -> str:
-    """Return what a cue says in a column of the project's own, or an imported one; empty where there is none."""
+    """Return a cue's value in a column of the project's own, or an imported one; empty where there is none."""
     for name, value in extra.items():
         if folded(name) in columns and value is not None:
             return str(value).strip()
@@ -88,7 +88,7 @@ def spots_in(text: str) -> list[float]:
 
 
 def scene_length_s(*, duration_s: float, spots: Sequence[float], clip_s: float | None) -> float:
-    """Return how long a scene plays before it begins again."""
+    """Return the playing time of a scene before it begins again."""
     if clip_s is not None:
         return round(min(LONGEST_S, max(1.0, clip_s)), 3)
     last = spots[-1] if spots else 0.0
@@ -101,7 +101,7 @@ def part_name(start_s: float | None, end_s: float | None) -> str:
 
 
 def part_bounds(part: str) -> tuple[float, float]:
-    """Return where a named part of a reference begins and ends, in seconds."""
+    """Return the start and the end of a named part of a reference, in seconds."""
     start, _, end = part.partition("-")
     return float(start), float(end or "inf")
 
@@ -117,7 +117,7 @@ class CoveredBand(NamedTuple):
 
 
 def masking_words(bands: Sequence[CoveredBand]) -> str:
-    """Return which bands of a sound are heard among others, and which are covered by what, in words."""
+    """Return the bands of a sound heard among others, and those covered, with their causes, in words."""
     part = [band for band in bands if band.is_part]
     if not part:
         return "The sound is silent."
@@ -135,7 +135,7 @@ def masking_words(bands: Sequence[CoveredBand]) -> str:
 
 
 def missing_words(*, neighbours: bool, bed: bool, any_on: bool) -> str:
-    """Return what a scene lacks for the question whether a sound is heard in it; empty where it has all."""
+    """Return a scene's gaps for the question whether a sound is heard in it; empty where it has all."""
     if not any_on and not neighbours and not bed:
         return (
             "Not known yet: the scene has no bed and no neighbours. Add a bed, or approve sounds that play beside it."

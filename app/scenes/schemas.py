@@ -25,7 +25,7 @@ class BedSet(Schema):
 
 
 class BedChange(Schema):
-    """What changes of a bed; fields that are left out stay."""
+    """The changes of a bed; fields that are left out stay."""
 
     level_db: LevelDb | None = None
     is_on: bool | None = None
@@ -115,7 +115,7 @@ class MaskedBand(Schema):
 
 
 class MaskingRead(Schema):
-    """Which bands of a sound are heard in its scene. A person decides whether that is enough."""
+    """The bands of a sound that are heard in its scene. A person decides whether that is enough."""
 
     is_measured: bool = Field(description="False while a sound of the scene is still being measured.")
     is_compared: bool = Field(description="False where nothing else sounds: then there are no bands and no figures.")
@@ -129,7 +129,7 @@ class MaskingRead(Schema):
 
 
 class SoundComparisonAdd(Schema):
-    """What a version is compared with: another version, or one of its own game files. Exactly one of the two."""
+    """The sound to compare a version with: another version, or one of its own game files. Exactly one of the two."""
 
     against_take_id: UUID | None = None
     target: Annotated[str, Field(max_length=100, pattern="^[^\\x00]*$")] | None = None
@@ -145,7 +145,7 @@ class SpectraRead(Schema):
 
 
 class SoundComparisonRead(Schema):
-    """How a version differs from another sound, both aligned to the sample and brought to one level."""
+    """The difference of a version from another sound, both aligned to the sample and brought to one level."""
 
     id: UUID
     is_made: bool

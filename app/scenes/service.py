@@ -160,7 +160,7 @@ def _spots_of(cue: Cue) -> list[float]:
 
 
 def _starts_of(cue: Cue, starts: list[float]) -> list[float]:
-    """Return when a neighbour plays; without times in the list when the version first does, where it covers most."""
+    """Return the starts of a neighbour; without times in the list the version's first start, where it covers most."""
     return [0.0] if cue.loop else _spots_of(cue) or starts[:1]
 
 
@@ -217,7 +217,7 @@ def _name_of(version: ReferenceVersion) -> str:
 
 
 def ask_for_missing(session: Session, scene: Scene) -> None:
-    """Have what is not measured yet measured; each sound once, however often it is asked for."""
+    """Ask for the missing measurements; each sound once, however often it is asked for."""
     studio_id = scene.access.project.studio_id
     for lane in scene.lanes:
         sha256, part = lane.sound

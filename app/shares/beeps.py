@@ -1,4 +1,4 @@
-"""What runs in the sandbox's child: a preview copied for guests, without metadata, with quiet beeps where wanted."""
+"""Work of the sandbox's child: a preview copied for guests, without metadata, with quiet beeps where wanted."""
 
 import math
 import wave

@@ -42,14 +42,14 @@ def request_copies(session: Session, studio_id: UUID, shared: Iterable[SharedTak
 
 
 class Playable(NamedTuple):
-    """What a guest plays, and why there is none; neither while it is being made."""
+    """A guest's playable file, and the reason for none; neither while it is being made."""
 
     sha256: str | None
     refusal: str | None
 
 
 def playable(session: Session, shared: Collection[SharedTake], *, has_beeps: bool) -> dict[int, Playable]:
-    """Return what guests play of each sound, by its place."""
+    """Return the guests' file of each sound, by its place."""
     keys = {one.place: copy_key(one.take, one.picture, has_beeps=has_beeps) for one in shared if one.picture}
     copies = queries.copies_of(session, {one.take.studio_id for one in shared}, [key for key in keys.values() if key])
     found = {}

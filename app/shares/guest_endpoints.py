@@ -83,7 +83,7 @@ def open_guest_link(
 
 @router.get("/guest-visits/{secret}", responses=problems(GuestVisitOver))
 def get_guest_room(secret: str, session: DbSession, _actor: Actor = ANYONE) -> GuestRoom:
-    """Return what a visit shows: names, lengths and shapes of the shared sounds, and nothing of those who made them."""
+    """Return a visit's content: names, lengths and shapes of the shared sounds, and nothing of those who made them."""
     return guests.room_of(session, secret)
 
 

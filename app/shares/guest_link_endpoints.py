@@ -89,7 +89,7 @@ def get_guest_link_address(
 def list_guest_visits(
     guest_link_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = TEAM
 ) -> Page[GuestVisitRead]:
-    """Return who opened a link, when, and which sounds they played how often, newest first."""
+    """Return the visits by a link: person, time, and plays of each sound, newest first."""
     found = guest_links.visits_of(session, actor, guest_link_id, before=uuid_cursor(cursor), limit=PAGE + 1)
     return Page(items=found[:PAGE], next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None)
 

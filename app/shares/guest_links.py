@@ -29,7 +29,7 @@ from app.shares.schemas import GuestLinkAdd, GuestLinkRead, GuestVisitRead, Soun
 def make_link(
     session: Session, actor: Actor, project_id: UUID, body: GuestLinkAdd, *, server_key: str
 ) -> tuple[GuestLinkRead, str]:
-    """Share what the body names as it is now; return the link and the secret of its address."""
+    """Share the body's sounds as they are now; return the link and the secret of its address."""
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()
     if body.expires_at is not None and body.expires_at <= clock.now():
@@ -144,7 +144,7 @@ def secret_of(session: Session, actor: Actor, link_id: UUID, *, server_key: str)
 def visits_of(
     session: Session, actor: Actor, link_id: UUID, *, before: UUID | None, limit: int
 ) -> list[GuestVisitRead]:
-    """Return who opened a link, when, and what they played how often, newest first."""
+    """Return the visits by a link: person, time, and plays of each sound, newest first."""
     _link_for(session, actor, link_id)
     visits = queries.visits_of(session, link_id, before=before, limit=limit)
     played: dict[UUID, list[SoundPlayed]] = {visit.id: [] for visit in visits}

@@ -1,4 +1,4 @@
-"""What guests do by a link, without an account: open it, hear its sounds, comment on them."""
+"""Actions of guests by a link, without an account: open it, hear its sounds, comment on them."""
 
 import unicodedata
 from typing import NamedTuple
@@ -77,7 +77,7 @@ def open_link(session: Session, secret: str, guest_name: str) -> Opened:
 
 
 def room_of(session: Session, visit_secret: str) -> GuestRoom:
-    """Return what a visit shows; raise GuestVisitOver when it is over."""
+    """Return the content of a visit; raise GuestVisitOver when it is over."""
     with bypass_row_policies(session):  # nobody is signed in
         visit = _visit(session, visit_secret)
         return _room(session, visit.link, visit)

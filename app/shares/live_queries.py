@@ -19,7 +19,7 @@ def live_session(session: Session, playlist_id: UUID, *, locked: bool = False) -
 
 
 def listeners_of(session: Session, playlist_id: UUID) -> Sequence[LiveListener]:
-    """Return who ever was in the session of a playlist and did not leave it, in order of their names."""
+    """Return the people ever in the session of a playlist who did not leave it, in order of their names."""
     query = select(LiveListener).where(LiveListener.playlist_id == playlist_id).options(joinedload(LiveListener.person))
     return sorted(session.scalars(query.execution_options(populate_existing=True)), key=lambda one: one.person.name)
 

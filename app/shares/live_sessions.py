@@ -19,7 +19,7 @@ from app.shares.rules import holder_now, is_elsewhere, playhead_s, present_now
 
 
 def live_read(session: Session, actor: Actor, playlist_id: UUID, page_id: UUID | None) -> LiveRead:
-    """Return what everyone in a session hears now, to one of the caller's pages."""
+    """Return the common playback of a session now, to one of the caller's pages."""
     playlist_of_team(session, actor, playlist_id)
     return _read(session, actor, playlist_id, page_id, clock.now())
 

@@ -72,7 +72,7 @@ class GuestVisit(Base):
 
 
 class GuestPlay(Base):
-    """How often a sound was played in one visit."""
+    """The number of plays of a sound in one visit."""
 
     __tablename__ = "shares_guest_plays"
 
@@ -131,7 +131,7 @@ class PlaylistEntry(Base):
 
 
 class PlaylistPosition(Base):
-    """Where a person stopped in a playlist."""
+    """The place where a person stopped in a playlist."""
 
     __tablename__ = "shares_playlist_positions"
 
@@ -144,7 +144,7 @@ class PlaylistPosition(Base):
 
 
 class LiveSession(Base):
-    """What everyone in the session of a playlist hears: the playhead, as its holder last set it."""
+    """The common playback in the session of a playlist: the playhead, as its holder last set it."""
 
     __tablename__ = "shares_live_sessions"
 

@@ -77,7 +77,7 @@ def remove_playlist(playlist_id: UUID, session: DbSession, actor: Actor = TEAM) 
     responses=problems(PlaylistNotFound, PlaylistInvalid),
 )
 def save_playlist_position(playlist_id: UUID, body: PositionSet, session: DbSession, actor: Actor = PROJECT) -> None:
-    """Keep where the caller stopped."""
+    """Keep the caller's stopping place."""
     playlists.save_position(session, actor, playlist_id, body)
 
 
@@ -85,7 +85,7 @@ def save_playlist_position(playlist_id: UUID, body: PositionSet, session: DbSess
 def get_live_session(
     playlist_id: UUID, session: DbSession, page_id: UUID | None = None, actor: Actor = TEAM
 ) -> LiveRead:
-    """Return what everyone in the session of a playlist hears now, who is in it, and who has control."""
+    """Return the playback in the session of a playlist now, the people in it, and the one in control."""
     return live_sessions.live_read(session, actor, playlist_id, page_id)
 
 

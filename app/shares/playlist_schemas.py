@@ -30,7 +30,7 @@ class PlaylistAdd(Schema):
 
 
 class PlaylistChange(Schema):
-    """What changes of a playlist; fields that are left out stay."""
+    """The changes of a playlist; fields that are left out stay."""
 
     edition: Number = Field(description="As it was read; a playlist that changed since is answered 409.")
     name: Title = ""
@@ -64,7 +64,7 @@ class PlaylistTake(SoundBrief):
 
 
 class PositionSet(Schema):
-    """Where the caller stopped."""
+    """The caller's stopping place."""
 
     take_id: UUID
     at_s: PlaceS
@@ -93,7 +93,7 @@ PageId = Annotated[
 
 
 class LiveRead(Schema):
-    """What everyone in a session hears."""
+    """The common playback in a session."""
 
     sequence: int
     holder: PersonBrief | None = Field(description="Who has control; null while it is free.")
@@ -107,7 +107,7 @@ class LiveRead(Schema):
 
 
 class LiveMove(Schema):
-    """What the holder does: play, pause, seek or go to another take."""
+    """The holder's move: play, pause, seek or go to another take."""
 
     sequence: Number = Field(description="As it was read; a playhead that moved since is answered 409.")
     take_id: UUID

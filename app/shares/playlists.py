@@ -106,7 +106,7 @@ def remove_playlist(session: Session, actor: Actor, playlist_id: UUID) -> None:
 
 
 def save_position(session: Session, actor: Actor, playlist_id: UUID, body: PositionSet) -> None:
-    """Keep where the caller stopped."""
+    """Keep the caller's stopping place."""
     access, playlist = playlist_for(session, actor, playlist_id)
     if body.take_id not in {one.take.id for one in _takes_heard(session, access, playlist)}:
         raise _invalid("take_id", "this version is not in the playlist")

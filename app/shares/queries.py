@@ -79,13 +79,13 @@ def _links() -> Select[GuestLink]:
 
 
 def sound_counts(session: Session, link_ids: Collection[UUID]) -> dict[UUID, int]:
-    """Return how many sounds links share."""
+    """Return the numbers of sounds that links share."""
     query = select(GuestSound.link_id, func.count()).where(in_array(GuestSound.link_id, link_ids))
     return dict(session.execute(query.group_by(GuestSound.link_id)).all())
 
 
 def play_counts(session: Session, link_ids: Collection[UUID]) -> dict[UUID, int]:
-    """Return how often sounds of links were played."""
+    """Return the numbers of plays of sounds of links."""
     query = (
         select(GuestVisit.link_id, func.sum(GuestPlay.plays))
         .join(GuestPlay, GuestPlay.visit_id == GuestVisit.id)
@@ -144,7 +144,7 @@ def visits_of(session: Session, link_id: UUID, *, before: UUID | None, limit: in
 
 
 def plays_of_visits(session: Session, link_id: UUID, visit_ids: Collection[UUID]) -> Sequence[Row[GuestPlay, str, int]]:
-    """Return what was played in visits, with the cue's name and the variation."""
+    """Return the plays of visits, with the cue's name and the variation."""
     return session.execute(
         select(GuestPlay, Cue.name, Take.variation)
         .join(GuestSound, and_(GuestSound.link_id == link_id, GuestSound.place == GuestPlay.place))
@@ -156,7 +156,7 @@ def plays_of_visits(session: Session, link_id: UUID, visit_ids: Collection[UUID]
 
 
 def play_in(session: Session, visit_id: UUID, place: int) -> GuestPlay | None:
-    """Return how often a sound was played in a visit."""
+    """Return the count of a sound's plays in a visit."""
     return session.get(GuestPlay, (visit_id, place))
 
 
@@ -214,7 +214,7 @@ def open_links_by(session: Session, studio_id: UUID, person_id: UUID) -> Sequenc
 
 
 def maker_of(session: Session, playlist: Playlist) -> Person:
-    """Return who made a playlist."""
+    """Return the maker of a playlist."""
     return session.get_one(Person, playlist.made_by)
 
 
@@ -231,7 +231,7 @@ def playable(session: Session, project_id: UUID, take_ids: Collection[UUID]) -> 
 
 
 def position_of(session: Session, playlist_id: UUID, person_id: UUID) -> PlaylistPosition | None:
-    """Return where a person stopped in a playlist."""
+    """Return a person's stopping place in a playlist."""
     return session.get(PlaylistPosition, (playlist_id, person_id))
 
 

@@ -1,4 +1,4 @@
-"""What a guest link opens and when, whose keys a session has, and where its playhead stands: without a database."""
+"""A guest link's contents and times, a session's person in control and its playhead: without a database."""
 
 import base64
 import hashlib
@@ -19,7 +19,7 @@ MAX_VIEWS = 50  # of one person in one project
 
 
 class SharedKind(StrEnum):
-    """What a guest link was made of."""
+    """The source of a guest link."""
 
     CUES = "cues"  # one cue, or those that a filter gave
     PALETTE = "palette"  # approved sounds of the palette
@@ -93,12 +93,12 @@ def heard_takes(candidates: Iterable[Candidate]) -> list[UUID]:
 
 
 def holder_now(now: datetime, holder_id: UUID | None, seen: Sequence[tuple[UUID, datetime]]) -> UUID | None:
-    """Return who has control: nobody once the holder's page has not reported for ten seconds."""
+    """Return the person in control: nobody once the holder's page has not reported for ten seconds."""
     return holder_id if holder_id in present_now(now, seen) else None
 
 
 def present_now(now: datetime, seen: Sequence[tuple[UUID, datetime]]) -> Collection[UUID]:
-    """Return who is in a session, by when their pages last reported."""
+    """Return the people in a session, by the last reports of their pages."""
     return {person_id for person_id, seen_at in seen if now - seen_at < KEYS_FALL_AFTER}
 
 
@@ -108,5 +108,5 @@ def is_elsewhere(now: datetime, page_id: UUID | None, playing_page_id: UUID | No
 
 
 def playhead_s(now: datetime, position_s: float, set_at: datetime, *, is_playing: bool) -> float:
-    """Return where the playhead of a session stands."""
+    """Return the position of a session's playhead."""
     return position_s + (now - set_at).total_seconds() if is_playing else position_s

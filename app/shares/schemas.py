@@ -35,7 +35,7 @@ class GuestLinkAdd(Schema):
 
 
 class GuestLinkChange(Schema):
-    """What changes of a guest link; fields that are left out stay."""
+    """Changes to a guest link; fields that are left out stay."""
 
     expires_at: datetime | None = None
     max_openings: Openings | None = None
@@ -77,7 +77,7 @@ class GuestLinkMade(Schema):
 
 
 class SoundPlayed(Schema):
-    """How often one sound was played in a visit."""
+    """The number of plays of one sound in a visit."""
 
     place: int
     cue_name: str
@@ -96,7 +96,7 @@ class GuestVisitRead(Schema):
 
 
 class GuestAccess(Schema):
-    """What a guest sees before the sounds: whether a password is asked for."""
+    """A guest's view before the sounds: whether a password is asked for."""
 
     needs_password: bool
 

@@ -269,7 +269,7 @@ def compare_revisions(
     last: Annotated[int, Query(alias="to", ge=0, le=LARGEST_NUMBER)],
     actor: Actor = allows(Audience.PROJECT),
 ) -> ListComparison:
-    """Return what was added, changed and cut between two revisions; `from=0` is the empty list."""
+    """Return the additions, changes and cuts between two revisions; `from=0` is the empty list."""
     return revisions.compare_revisions(session, project_access(session, actor, project_id), first, last)
 
 
@@ -320,7 +320,7 @@ def preview_invitation(
     session: DbSession,
     actor: Actor = allows(Audience.ANYONE),  # noqa: ARG001  the link is the credential
 ) -> InvitationPreview:
-    """Show what a mailed link invites to: the project and, unless an NDA comes first, its list and its spec."""
+    """Show the invitation of a mailed link: the project and, unless an NDA comes first, its list and its spec."""
     invitation = invitation_by_secret(session, secret)
     project = invitation.project
     closed = project.nda_needed and invitation.kind is not EngagementKind.IN_HOUSE

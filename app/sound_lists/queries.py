@@ -102,7 +102,7 @@ def _stems() -> Select[UUID, int, str]:
 def requests(
     session: Session, project_id: UUID
 ) -> Sequence[Row[UUID, str, str, str, str, bool, float | None, list[str]]]:
-    """Return what the clarity check reads of each cue that is not cut, in list order."""
+    """Return the clarity check's input from each cue that is not cut, in list order."""
     return session.execute(
         select(Cue.id, Cue.name, Cue.category, Cue.description, Cue.use, Cue.loop, Cue.duration_s, Cue.dismissed_facts)
         .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
@@ -133,7 +133,7 @@ def cues_by_id(session: Session, project_id: UUID, ids: Collection[UUID]) -> dic
 
 
 def matchable_cues(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, str, str, str, int]]:
-    """Return what files are matched by, of the cues that are still wanted, in list order; cheaper than whole cues."""
+    """Return the match keys for files, of the cues that are still wanted, in list order; cheaper than whole cues."""
     return session.execute(
         select(Cue.id, Cue.number, Cue.name, Cue.file_name, Cue.category, Cue.variations)
         .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
@@ -155,7 +155,7 @@ def _of_stem() -> Select[Cue, int]:
 
 
 def stem_owners(session: Session, project_id: UUID, wanted: Collection[str]) -> dict[str, tuple[UUID, int, str]]:
-    """Return who owns the folded stems asked for: cue id, cue number and the stem itself."""
+    """Return the owners of the folded stems asked for: cue id, cue number and the stem itself."""
     query = (
         select(Stem.folded, Stem.cue_id, Cue.number, Stem.stem)
         .join(Cue, Cue.id == Stem.cue_id)
@@ -199,7 +199,7 @@ def newest_revision(session: Session, project_id: UUID) -> Revision | None:
 
 
 def changes_of(session: Session, revision_id: UUID) -> Sequence[CueChange]:
-    """Return what one revision changed."""
+    """Return the changes of one revision."""
     return session.scalars(select(CueChange).where(CueChange.revision_id == revision_id)).all()
 
 
@@ -214,7 +214,7 @@ def revisions_of(session: Session, project_id: UUID, *, before: int | None, limi
 
 
 def changes_between(session: Session, project_id: UUID, first: int, last: int) -> Sequence[tuple[CueChange, Cue]]:
-    """Return what the revisions after `first` up to `last` did to each cue, the oldest first."""
+    """Return the changes to each cue by the revisions after `first` up to `last`, the oldest first."""
     return session.execute(
         select(CueChange, Cue)
         .join(Revision, Revision.id == CueChange.revision_id)
@@ -225,7 +225,7 @@ def changes_between(session: Session, project_id: UUID, first: int, last: int) -
 
 
 def open_question_counts(session: Session, project_id: UUID) -> dict[UUID, int]:
-    """Return how many unanswered questions each cue has."""
+    """Return the number of unanswered questions of each cue."""
     counts = session.execute(
         select(Question.cue_id, func.count())
         .where(Question.project_id == project_id, Question.answered_at.is_(None))
@@ -269,7 +269,7 @@ def question_by_id(session: Session, question_id: UUID) -> Question | None:
 
 
 def spoken_placeholder(session: Session, cue_id: UUID) -> SpokenPlaceholder | None:
-    """Return what was said for a cue, with the person who said it."""
+    """Return a cue's spoken placeholder, with the person who said it."""
     of_cue = select(SpokenPlaceholder).where(SpokenPlaceholder.cue_id == cue_id)
     return session.scalar(of_cue.options(joinedload(SpokenPlaceholder.speaker)))
 

@@ -16,7 +16,7 @@ from app.sound_lists.schemas import CueDifference, FieldChange, ListComparison
 
 
 def compare_revisions(session: Session, access: ProjectAccess, first: int, last: int) -> ListComparison:
-    """Return what was added, changed and cut after revision `first`, up to revision `last`."""
+    """Return the additions, changes and cuts after revision `first`, up to revision `last`."""
     newest = queries.revision_number(session, access.project.id)
     for number in (first, last):
         if not 0 <= number <= newest:

@@ -12,7 +12,7 @@ from app.core.spreadsheets import FORMULA_STARTS
 
 
 class CueState(StrEnum):
-    """How final a cue is."""
+    """The finality of a cue."""
 
     CONCEPT = "concept"
     PROTOTYPE = "prototype"
@@ -29,7 +29,7 @@ class Reverb(StrEnum):
 
 
 class Need(StrEnum):
-    """How much the game needs a cue: without a "must" it cannot ship."""
+    """The game's need for a cue: without a "must" it cannot ship."""
 
     MUST = "must"
     SHOULD = "should"
@@ -106,7 +106,7 @@ def read_label(cue_prefix: str, text: str) -> int | None:
 
 
 def folded(stem: str) -> str:
-    """Return what two stems share that some disks cannot hold side by side: case and composition do not count."""
+    """Return the one key of two stems that some disks cannot hold side by side: case and composition do not count."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", stem).casefold())
 
 
@@ -138,7 +138,7 @@ def tidy(facts: Mapping[str, Any]) -> Facts:
 
 
 def validation_errors(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Yield what is wrong with the facts of one cue: the field, and the fault in words."""
+    """Yield the faults in the facts of one cue: the field, and the fault in words."""
     if not facts["name"]:
         yield "name", "enter a name for the cue"
     elif not audio_checks.stems_of(facts["name"], facts["file_name"], 1):
@@ -191,7 +191,7 @@ def spreadsheet_safe(text: str) -> str:
 
 
 def typed_text(cell: str) -> str:
-    """Return what was typed into a cell that was made safe."""
+    """Return the text typed into a cell that was made safe."""
     return cell[1:] if cell.startswith("'") and _is_like_formula(cell[1:]) else cell
 
 

@@ -99,7 +99,7 @@ def with_fitted_values(session: Session, project: Project, edits: Sequence[Edit]
 
 
 def row_faults(session: Session, project: Project, edits: Sequence[Edit]) -> list[RowFault]:
-    """Return what is wrong with rows, by themselves, with each other and with the rest of the list."""
+    """Return the faults of rows, by themselves, with each other and with the rest of the list."""
     faults = [RowFault(edit.row, field, message) for edit in edits for field, message in validation_errors(edit.facts)]
     wrong = {fault.row for fault in faults}
     sound = [edit for edit in edits if edit.row not in wrong]

@@ -19,7 +19,7 @@ Figure = Annotated[float, Field(allow_inf_nan=False)]
 
 
 class NameRefusalRead(Schema):
-    """What the delivery spec says against the file name of a cue."""
+    """The delivery spec's objection to the file name of a cue."""
 
     stem: str = Field(description="The file name without its ending; that of the first variation.")
     rule: Literal["pattern", "tokens", "ucs", "not-portable", "reserved"]
@@ -373,7 +373,7 @@ class PatternOffer(Schema):
 
 
 class RefusedNames(Schema):
-    """Where the list contradicts the delivery spec, and what would resolve it on either side."""
+    """Contradictions between the list and the delivery spec, and possible solutions on either side."""
 
     names: list[RefusedName]
     patterns: list[PatternOffer]
@@ -386,13 +386,13 @@ class SpecSaved(SpecRead):
 
 
 class RefusedRename(Schema):
-    """Which cues get the proposed file names."""
+    """The cues that get the proposed file names."""
 
     cue_ids: list[UUID] | None = Field(None, max_length=20_000, description="Null for all that have a proposal.")
 
 
 class PatternAdmit(Schema):
-    """Which pattern of the spec is to admit the names of the list."""
+    """The pattern of the spec that is to admit the names of the list."""
 
     category: str | None = Field(None, max_length=60, description="As in the offer.")
 
@@ -508,7 +508,7 @@ class UnclearCue(Schema):
 
 
 class ClarityRead(Schema):
-    """What the clarity check says of a list."""
+    """The clarity check's result for a list."""
 
     unclear: list[UnclearCue]
 

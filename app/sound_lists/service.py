@@ -75,7 +75,7 @@ def preview_cues(cues: Sequence[Cue], cue_prefix: str) -> list[PreviewCue]:
 
 
 def cue_facts(cue: Cue) -> audio_checks.CueFacts:
-    """Return what checks and renders need to know of a cue."""
+    """Return the facts of a cue that checks and renders need."""
     return audio_checks.CueFacts(
         number=str(cue.number),
         name=cue.name,

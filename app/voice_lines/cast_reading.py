@@ -1,4 +1,4 @@
-"""What holds for the whole script, as it is shown: languages, characters, and who speaks them."""
+"""Facts of the whole script, as it is shown: languages, characters, and their performers."""
 
 from collections import Counter, defaultdict
 from uuid import UUID

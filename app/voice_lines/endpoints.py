@@ -171,7 +171,7 @@ def list_pick_ups(
     character: OfCharacter = None,
     actor: Actor = MAY_SEE,
 ) -> PickUpsRead:
-    """Return what the next session records, and why: no take yet, returned, change requested, or the text changed."""
+    """Return the next session's pick-ups and reasons: no take yet, returned, change requested, or the text changed."""
     return _pick_ups(session, actor, project_id, language, character)
 
 
@@ -236,7 +236,7 @@ def change_voice_line(voice_line_id: UUID, body: VoiceLineChange, session: DbSes
 def change_voice_text(
     voice_line_id: UUID, language: str, body: VoiceTextChange, session: DbSession, actor: Actor = TEAM
 ) -> None:
-    """Change what is spoken; takes that exist become stale, unless they are said to fit."""
+    """Change the spoken text; takes that exist become stale, unless they are said to fit."""
     service.change_text(
         session,
         actor,
@@ -252,7 +252,7 @@ def change_voice_text(
 def change_voice_character(
     voice_character_id: UUID, body: CharacterChange, session: DbSession, actor: Actor = TEAM
 ) -> VoiceScriptRead:
-    """Say how the voice of a character is meant."""
+    """Describe the intended voice of a character."""
     return read_script(session, service.change_character(session, actor, voice_character_id, body.notes))
 
 
@@ -263,7 +263,7 @@ def change_voice_character(
 def cast_voice_character(
     voice_character_id: UUID, language: str, body: CastingChange, session: DbSession, actor: Actor = TEAM
 ) -> VoiceScriptRead:
-    """Name who speaks a character in a language, who directs the session, and who casts."""
+    """Name a character's performer in a language, the session director, and the person who casts."""
     tag = service.tag_of(language)
     return read_script(session, service.cast(session, actor, voice_character_id, tag, **body.model_dump()))
 

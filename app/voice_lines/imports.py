@@ -40,7 +40,7 @@ class NewText:
 
 @dataclass
 class LinePlan:
-    """What a row of the script does: adds a line, or changes one."""
+    """The effect of a script's row: a new line, or changes to one."""
 
     spoken: SpokenRow
     line: VoiceLine | None
@@ -58,7 +58,7 @@ def import_script(
     *,
     language: str,
 ) -> ScriptRead:
-    """Return what a script changes, and apply its rows without errors if it is not a dry run."""
+    """Return the changes of a script, and apply its rows without errors if it is not a dry run."""
     access = project_access(session, actor, project_id)
     access.ensure_may_speak()
     project = access.project
@@ -159,7 +159,7 @@ def _cue_facts(one: NewText, stem: str) -> dict[str, str]:
 
 
 class _Writer:
-    """Writes what was planned; the list is locked."""
+    """The writer of a plan; the list is locked."""
 
     def __init__(self, session: Session, project: Project, person_id: UUID) -> None:
         self._session = session

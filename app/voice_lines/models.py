@@ -14,7 +14,7 @@ from app.voice_lines.rules import DEFAULT_TOLERANCE_PERCENT, SyntheticUse
 
 
 class VoiceSettings(Base):
-    """What holds for all voice lines of a project; a project without it has the defaults."""
+    """Settings for all voice lines of a project; a project without it has the defaults."""
 
     __tablename__ = "voice_lines_settings"
     __table_args__ = (
@@ -57,7 +57,7 @@ class Performer(Base):
 
 
 class Casting(Base):
-    """Who speaks a character in one language, who directs the session, and who casts."""
+    """A character's performer in one language, the session director, and the person who casts."""
 
     __tablename__ = "voice_lines_castings"
     __table_args__ = (UniqueConstraint("character_id", "language"),)

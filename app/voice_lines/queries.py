@@ -43,13 +43,13 @@ def character_by_id(session: Session, character_id: UUID) -> Character | None:
 
 
 def castings_of(session: Session, project_id: UUID) -> Sequence[Casting]:
-    """Return who speaks which character in which language, with the performers."""
+    """Return the castings of characters by language, with the performers."""
     of_project = select(Casting).where(Casting.project_id == project_id).options(joinedload(Casting.performer))
     return session.scalars(of_project.order_by(Casting.language)).all()
 
 
 def casting_of(session: Session, character_id: UUID, language: str) -> Casting | None:
-    """Return who speaks a character in a language; None where nobody is named."""
+    """Return the casting of a character in a language; None where nobody is named."""
     wanted = (Casting.character_id == character_id, Casting.language == language)
     return session.scalar(select(Casting).where(*wanted).options(joinedload(Casting.performer)))
 
@@ -130,7 +130,7 @@ def newest_version(session: Session, text: VoiceText) -> VoiceTextVersion:
 
 
 def versions_of(session: Session, text_ids: Collection[UUID]) -> dict[UUID, list[TextFrom]]:
-    """Return what texts said from when on, the oldest first."""
+    """Return versions of texts with their starts, the oldest first."""
     version = VoiceTextVersion
     said = select(version.text_id, version.text, version.written_at, version.takes_fit_at.is_not(None))
     found: dict[UUID, list[TextFrom]] = defaultdict(list)

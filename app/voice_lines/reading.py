@@ -145,7 +145,7 @@ class ScriptReader:
         return all(word in searched for word in words)
 
     def pick_ups(self, language: str | None, character_id: UUID | None) -> PickUpsRead:
-        """Return what the next session records: by language, then character, in the order of the script."""
+        """Return the pick-ups of the next session: by language, then character, in the order of the script."""
         languages = [language] if language else self.languages
         found: list[VoiceLineRead] = []
         for each in languages:
@@ -177,7 +177,7 @@ class ScriptReader:
 
     @cached_property
     def _original_lengths(self) -> dict[UUID, float | None]:
-        """How long the approved take of each line is in the original language, by any designer."""
+        """Return the length of each line's approved take in the original language, by any designer."""
         cues = [text.cue_id for text in self._original.values()]
         takes = queries.takes_of(self._session, self._project.id, cues, None)
         return {line_id: approved_duration_s(takes[text.cue_id]) for line_id, text in self._original.items()}

@@ -110,7 +110,7 @@ def releases_read(session: Session, access: ProjectAccess) -> ReleasesRead:
 
 
 def _approved_lines(session: Session, access: ProjectAccess) -> Counter[tuple[UUID, str]]:
-    """Return how many lines are approved, by character and language."""
+    """Return the number of approved lines, by character and language."""
     reader = ScriptReader(session, access)
     every = (line for language in reader.languages for line in reader.in_language(language))
     return Counter((line.character.id, line.language) for line in every if line.state is LineState.APPROVED)

@@ -60,7 +60,7 @@ Place = TypeVar("Place", bound=Hashable)
 
 
 class SyntheticUse(StrEnum):
-    """What a release says of a digital replica of the voice."""
+    """A release's statement on a digital replica of the voice."""
 
     YES = "yes"
     NO = "no"
@@ -68,7 +68,7 @@ class SyntheticUse(StrEnum):
 
 
 class LineState(StrEnum):
-    """What a line in one language has come to."""
+    """The state of a line in one language."""
 
     NO_TEXT = "no_text"  # not translated yet
     NO_TAKE = "no_take"
@@ -85,7 +85,7 @@ PICK_UPS = (LineState.STALE, LineState.CHANGE_REQUESTED, LineState.RETURNED, Lin
 
 @dataclass(frozen=True)
 class TakeFacts:
-    """What the state of a line depends on, of one of its takes."""
+    """The facts of one take that its line's state depends on."""
 
     id: UUID
     number: int
@@ -182,7 +182,7 @@ _STATES = {
 
 
 def reason_of(status: LineStatus, *, requested: str, error: str) -> str:
-    """Return why a line must be recorded, or recorded again; empty where it need not.
+    """Return the reason to record a line, or record it again; empty where there is none.
 
     `requested` is the change that was requested for the take, `error` what the checks found in it.
     """

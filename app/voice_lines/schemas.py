@@ -65,7 +65,7 @@ class ScriptColumn(Schema):
 
 
 class LineChange(Schema):
-    """What an import changes of a line."""
+    """An import's changes to a line."""
 
     field: str = Field(description="`character`, `scene`, `direction`, or the language of the text.")
     before: str
@@ -176,7 +176,7 @@ class VoiceLineRead(Schema):
 
 
 class StateCount(Schema):
-    """How many lines are in a state."""
+    """The number of lines in a state."""
 
     state: LineState
     lines: int
@@ -194,14 +194,14 @@ class VoiceLines(Schema):
 
 
 class PickUpsRead(Schema):
-    """What the next session records, by language and character."""
+    """The pick-ups of the next session, by language and character."""
 
     lines: list[VoiceLineRead]
     languages: list[str] = Field(description="With something to record.")
 
 
 class CastingRead(Schema):
-    """Who speaks a character in one language."""
+    """A character's performer in one language."""
 
     language: str
     performer: str | None
@@ -220,7 +220,7 @@ class CharacterRead(Schema):
 
 
 class VoiceScriptRead(Schema):
-    """What holds for the whole script."""
+    """Facts of the whole script."""
 
     original_language: str
     length_tolerance_percent: int
@@ -238,13 +238,13 @@ class VoiceSettingsChange(Schema):
 
 
 class CharacterChange(Schema):
-    """How a voice is meant."""
+    """Notes on the intended voice."""
 
     notes: Note
 
 
 class CastingChange(Schema):
-    """Who speaks, who directs the session, and who casts; an empty name is nobody."""
+    """Performer, session director and the person who casts; an empty name is nobody."""
 
     performer: Name = ""
     directed_by: Name = ""
@@ -252,7 +252,7 @@ class CastingChange(Schema):
 
 
 class VoiceLineChange(Schema):
-    """What changes of a line; fields that are left out stay."""
+    """Changes to a line; fields that are left out stay."""
 
     scene: Scene = ""
     direction: Direction = ""

@@ -24,7 +24,7 @@ _BEFORE = re.compile(rf"(.{{2,40}}?)[\s:_-]{{1,3}}(?:{_TEXT_WORDS})", re.IGNOREC
 
 
 class ScriptField(StrEnum):
-    """What a column can be read as, besides a language."""
+    """A possible meaning of a column, besides a language."""
 
     KEY = "key"
     CHARACTER = "character"
@@ -59,5 +59,5 @@ def meaning_of(head: str) -> str | None:
 
 
 def script_heads_in(cells: Sequence[str]) -> int:
-    """Return how many cells of a row are heads that we know, each meaning counted once."""
+    """Return the number of known heads in a row's cells, each meaning counted once."""
     return len({meaning for cell in cells if (meaning := meaning_of(cell))})

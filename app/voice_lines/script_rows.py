@@ -61,7 +61,7 @@ class SpokenRow:
 
 @dataclass(frozen=True)
 class KnownLines:
-    """What is looked up in the lines that the project has: their names by folded id, and their ids by their words."""
+    """Look-ups of the lines that the project has: their names by folded id, and their ids by their words."""
 
     file_names: Mapping[str, str] = field(default_factory=dict)
     by_words: Mapping[Words, Sequence[str]] = field(default_factory=dict)
@@ -70,7 +70,7 @@ class KnownLines:
 def columns_of(
     sheet: Sheet, language: str, mapping: Mapping[str, str], languages: Collection[str] = ()
 ) -> list[Column]:
-    """Return what each column is read as; raise ScriptUnreadable where a mapping cannot be.
+    """Return the reading of each column; raise ScriptUnreadable for an impossible mapping.
 
     `languages` are those that the project has: a column that is called like one of them is one, however rare.
     """
@@ -195,7 +195,7 @@ class _Keys:
         )
 
     def faults_of(self, spoken: SpokenRow) -> Iterator[RowFault]:
-        """Yield what is wrong with the id of a row."""
+        """Yield the faults of a row's id."""
         key = folded(spoken.key)
         if self._rows.setdefault(key, spoken.row) != spoken.row:
             yield RowFault(spoken.row, ScriptField.KEY, f'row {self._rows[key]} has the id "{spoken.key}" already')

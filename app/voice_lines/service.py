@@ -79,7 +79,7 @@ def change_text(
 
 
 def change_character(session: Session, actor: Actor, character_id: UUID, notes: str) -> ProjectAccess:
-    """Say how a voice is meant."""
+    """Describe an intended voice."""
     access, character = _character_to_change(session, actor, character_id)
     character.notes = tidy_text(notes)
     session.flush()
@@ -89,7 +89,7 @@ def change_character(session: Session, actor: Actor, character_id: UUID, notes: 
 def cast(
     session: Session, actor: Actor, character_id: UUID, language: str, *, performer: str, directed_by: str, cast_by: str
 ) -> ProjectAccess:
-    """Name who speaks a character in a language, who directs the session, and who casts."""
+    """Name a character's performer in a language, the session director, and the person who casts."""
     access, character = _character_to_change(session, actor, character_id)
     lock_list(session, access.project.id)
     casting = queries.casting_of(session, character_id, language)

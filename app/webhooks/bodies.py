@@ -13,7 +13,7 @@ MAX_TEXT_CHARS = 1_500  # Discord takes 2,000 with the link
 
 @dataclass(frozen=True)
 class Message:
-    """What happened, in one or more lines, with the page that it is about."""
+    """An event, in one or more lines, with the page that it is about."""
 
     event: WebhookEvent
     text: str

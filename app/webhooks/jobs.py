@@ -27,6 +27,6 @@ def send_call(runtime: Runtime, payload: Payload) -> None:
 
 @job("webhooks.delete_old_calls")
 def delete_old_calls(runtime: Runtime, _payload: Payload) -> None:
-    """Delete what was sent long ago from the log."""
+    """Delete calls sent long ago from the log."""
     with runtime.database.writing() as session:
         service.delete_old_calls(session, clock.now())

@@ -1,4 +1,4 @@
-"""What a webhook says of an event: read from the database when it is written, a moment after the event."""
+"""A webhook's message on an event: read from the database when it is written, a moment after the event."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple

@@ -27,7 +27,7 @@ def enabled_webhooks_by(session: Session, studio_id: UUID, person_id: UUID) -> S
 
 
 def webhooks_count(session: Session, studio_id: UUID) -> int:
-    """Return how many webhooks a studio has."""
+    """Return the number of a studio's webhooks."""
     return session.scalar(select(func.count()).select_from(Webhook).where(Webhook.studio_id == studio_id)) or 0
 
 

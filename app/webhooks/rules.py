@@ -12,7 +12,7 @@ from enum import StrEnum
 
 
 class WebhookEvent(StrEnum):
-    """What a webhook may be called for."""
+    """A possible reason for a webhook's call."""
 
     TAKE_IN_REVIEW = "take.in_review"
     TAKE_RETURNED = "take.returned"
@@ -31,7 +31,7 @@ class WebhookEvent(StrEnum):
 
 
 class WebhookForm(StrEnum):
-    """How a message is written: our own JSON, or what a chat takes."""
+    """The form of a message: our own JSON, or a form that a chat takes."""
 
     JSON = "json"
     SLACK = "slack"
@@ -40,7 +40,7 @@ class WebhookForm(StrEnum):
 
 
 class CallState(StrEnum):
-    """Where a call is."""
+    """The state of a call."""
 
     WAITING = "waiting"
     DELIVERED = "delivered"

@@ -1,4 +1,4 @@
-"""What this room takes and answers."""
+"""Requests and answers of this room."""
 
 from datetime import datetime
 from typing import Annotated
@@ -27,7 +27,7 @@ class WebhookAdd(Schema):
 
 
 class WebhookChange(Schema):
-    """What changes of a webhook; fields that are left out stay."""
+    """Changes to a webhook; fields that are left out stay."""
 
     url: Address | None = None
     events: Events | None = None

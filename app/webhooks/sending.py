@@ -22,7 +22,7 @@ AGENT = "Soundlist-Webhooks/1"
 
 @dataclass(frozen=True)
 class Outcome:
-    """What happened to an attempt."""
+    """The outcome of an attempt."""
 
     took_ms: int
     answer: Answer | None = None

@@ -262,7 +262,7 @@ def schedule(session: Session, call: WebhookCall, *, delay_s: float) -> None:
 
 
 def delete_old_calls(session: Session, now: datetime) -> None:
-    """Delete what was sent long ago from the log."""
+    """Delete calls sent long ago from the log."""
     is_old = WebhookCall.created_at < now - CALLS_KEPT_FOR
     session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(is_old)))
     session.execute(delete(WebhookCall).where(is_old))

@@ -36,7 +36,7 @@ class DryStem(NamedTuple):
 
 @dataclass(frozen=True)
 class Facts:
-    """What a file is.
+    """The facts of a file.
 
     Attributes
     ----------
@@ -154,12 +154,12 @@ class AudioFile:
 
     @property
     def warnings(self) -> tuple[wav.StructureWarning, ...]:
-        """What is odd about the structure, and harmless."""
+        """Return harmless oddities of the structure."""
         return self.layout.warnings
 
     @cached_property
     def facts(self) -> Facts:
-        """What the header says; only `effective_bits` streams the file."""
+        """Return the header's facts; only `effective_bits` streams the file."""
         layout, flac, coded = self.layout, self._sound.flac, self._sound.coded
         return Facts(
             container=coded.container if coded else "flac" if flac else layout.container,
@@ -203,7 +203,7 @@ class AudioFile:
         return wav.blocks(self._file, self.layout)
 
     def prepare(self, figures: Iterable[str]) -> None:
-        """Say which figures will be asked for, before the first one is; without this, all are measured."""
+        """Name the figures to be asked for, before the first one is; without this, all are measured."""
         wanted = self._wanted or set()
         for figure in figures:
             if figure not in FAMILIES:
@@ -218,7 +218,7 @@ class AudioFile:
 
     @property
     def errors(self) -> dict[str, Exception]:
-        """Why figures could not be measured, by figure; empty unless the tool has a bug. Streams the file once."""
+        """Return errors of unmeasured figures, by figure; empty unless the tool has a bug. Streams the file once."""
         self._hashed()
         return dict(self._errors)
 
@@ -234,7 +234,7 @@ class AudioFile:
         return self._figures[name]
 
     def cached(self, key: Hashable, compute: Callable[[], T]) -> T:
-        """Return what `compute` returned for this key the first time it was asked for."""
+        """Return the result of `compute` for this key from the first time it was asked for."""
         if key not in self._cached:
             self._cached[key] = compute()
         value: T = self._cached[key]

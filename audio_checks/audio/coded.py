@@ -37,7 +37,7 @@ EXPORT_AGAIN = "encode it again from its WAV"
 
 @dataclass(frozen=True)
 class Coded:
-    """What a coded file is.
+    """The facts of a coded file.
 
     Attributes
     ----------
@@ -136,7 +136,7 @@ def decode(path: str, out: str) -> tuple[str, str, float, dict[str, str]]:
 
 
 def whole_frames(path: str, announced: int) -> int:
-    """Return how many frames of an MP3 decode: often a few less than announced, where its encoder said no delay."""
+    """Return an MP3's number of decoded frames: often a few less than announced, where its encoder said no delay."""
     import soundfile
 
     with soundfile.SoundFile(path) as sound:

@@ -116,7 +116,7 @@ FAMILIES = {figure: family for family, figures in FIGURES.items() for figure in 
 def _makers(
     layout: wav.WavLayout, families: Iterable[str]
 ) -> Iterator[tuple[tuple[str, ...], Callable[[], Accumulator]]]:
-    """Yield what makes each accumulator, with the families that it measures."""
+    """Yield the maker of each accumulator, with the families that it measures."""
     survey = Survey()
     wanted = sorted(families)
     for family in wanted:

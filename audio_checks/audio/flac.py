@@ -47,7 +47,7 @@ EXPORT_AGAIN = "export it again from your audio editor as FLAC or WAV"
 
 @dataclass(frozen=True)
 class FlacLayout:
-    """What the header of a FLAC file says, once it was found to be valid.
+    """The facts of a FLAC file's header, once it was found to be valid.
 
     Attributes
     ----------

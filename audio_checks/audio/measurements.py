@@ -39,7 +39,7 @@ CUT_OFF_WITHIN_DB = 0.1  # of the highest sample: flat tops that low are what se
 
 
 class Measured(Protocol):
-    """What measures figures by name while its samples stream by, as `AudioFile` does."""
+    """An object that measures figures by name while its samples stream by, as `AudioFile` does."""
 
     def figure(self, name: str) -> Any:
         """Return one figure, measured when it is first asked for."""
@@ -70,7 +70,7 @@ class Measurements:
 
     @property
     def sample_peak_s(self) -> float:
-        """When the largest sample comes first, in seconds; 0 for silence."""
+        """Return the time of the first largest sample, in seconds; 0 for silence."""
         return float(self._file.figure("sample_peak_s"))
 
     @property
@@ -80,7 +80,7 @@ class Measurements:
 
     @property
     def true_peak_s(self) -> float:
-        """When the curve is highest, in seconds; 0 for silence."""
+        """Return the curve's peak time, in seconds; 0 for silence."""
         return float(self._file.figure("true_peak_s"))
 
     @property
@@ -200,13 +200,13 @@ class Measurements:
 
     @property
     def start_edge(self) -> Edge | None:
-        """How the sound starts; None for silence."""
+        """Return the start of the sound; None for silence."""
         edge: Edge | None = self._file.figure("start_edge")
         return edge
 
     @property
     def end_edge(self) -> Edge | None:
-        """How the sound ends; None for silence."""
+        """Return the end of the sound; None for silence."""
         edge: Edge | None = self._file.figure("end_edge")
         return edge
 
@@ -236,7 +236,7 @@ class Measurements:
 
     @property
     def mono_loss_db(self) -> float | None:
-        """How much quieter left + right is than the channels, in dB, 120 where nothing is left; None but for stereo."""
+        """Return the loss of the channels in left + right, in dB, 120 where nothing is left; None but for stereo."""
         value = self._file.figure("mono_loss_db")
         return None if value is None else float(value)
 
@@ -247,7 +247,7 @@ class Measurements:
         return None if value is None else float(value)
 
     def mono_loss_spans(self, limit_db: float) -> list[tuple[float, float]]:
-        """Return where a stereo sound loses more than a limit in mono: starts and ends in seconds."""
+        """Return the spans where a stereo sound loses more than a limit in mono: starts and ends in seconds."""
         spans = self._file.figure("mono_loss_spans")
         return [] if spans is None else list(spans(limit_db))
 
@@ -259,7 +259,7 @@ class Measurements:
 
     @property
     def likeness_print(self) -> str | None:
-        """What nearly equal sounds are known by, as text; None for silence, and where it was not asked for."""
+        """Return the print of nearly equal sounds, as text; None for silence, and where it was not asked for."""
         value = self._file.measured().get("likeness_print")
         return None if value is None else str(value)
 
@@ -302,7 +302,7 @@ class Measurements:
 
     @property
     def codec_traces(self) -> tuple[Trace, ...]:
-        """How silent the lines of lossy codecs are on the codecs' frames, one figure for each codec and rate."""
+        """Return the silence of lossy codecs' lines on the codecs' frames, one figure for each codec and rate."""
         traces: tuple[Trace, ...] = self._file.figure("codec_traces")
         return traces
 

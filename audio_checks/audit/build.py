@@ -51,7 +51,7 @@ def fingerprint_files(
 def audit_build(
     approved: Sequence[FingerprintedFile], built: Sequence[FingerprintedFile], *, by_ends: bool = False
 ) -> Audit:
-    """Return how each file of a build compares with its approved sound, and which approved ones are missing.
+    """Return the comparison of each file of a build with its approved sound, and the missing approved ones.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def _stem(path: str) -> str:
 
 
 def _places(approved: Sequence[FingerprintedFile]) -> dict[str, int]:
-    """Return where in the list each approved sound stands, by its path and by its path without the ending."""
+    """Return each approved sound's place in the list, by its path and by its path without the ending."""
     stems: dict[str, int] = {}
     for place, one in enumerate(approved):
         stems.setdefault(_stem(one.path), place)
@@ -211,7 +211,7 @@ def _matches(approved: Sequence[FingerprintedFile], alike: Mapping[int, Likeness
 def _in_place(
     one: FingerprintedFile, own: FingerprintedFile, like: Likeness | None, matches: tuple[Match, ...]
 ) -> Entry:
-    """Say what happened to the approved sound whose place a file has."""
+    """Report the fate of the approved sound whose place a file has."""
     if (entry := _unreadable(one)) is not None:
         return replace(entry, approved=own.path)
     entry = Entry(one.path, "changed", matches=matches, approved=own.path)
@@ -235,7 +235,7 @@ def _in_place(
 def _elsewhere(
     one: FingerprintedFile, approved: Sequence[FingerprintedFile], alike: Mapping[int, Likeness], held: dict[int, str]
 ) -> Entry:
-    """Say what a file is whose path no approved sound has."""
+    """Report the status of a file whose path no approved sound has."""
     if (entry := _unreadable(one)) is not None:
         return entry
     matches = _matches(approved, alike)
@@ -272,7 +272,7 @@ def _unreadable(one: FingerprintedFile) -> Entry | None:
 
 
 def _why_undecided(one: FingerprintedFile, own: FingerprintedFile | None, like: Likeness | None) -> str:
-    """Return why the sound of a file cannot be compared; empty where it can."""
+    """Return the obstacle to a comparison of a file's sound; empty without one."""
     if one.sample_peak_dbfs is None and (own is None or own.sample_peak_dbfs is None):
         return "there is nothing but silence in it"
     for what, fingerprinted in (("it", one), ("the approved one", own)):

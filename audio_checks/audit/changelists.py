@@ -1,4 +1,4 @@
-"""Which change set a property of a project, as Git or Perforce knows it: id, day and subject, and no person."""
+"""The change that set a property of a project, as Git or Perforce knows it: id, day and subject, and no person."""
 
 from __future__ import annotations
 

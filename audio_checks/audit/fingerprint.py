@@ -1,4 +1,4 @@
-"""What a sound is known by: its wave between 60 Hz and 3.8 kHz, at 8 kHz and four bits a sample.
+"""The fingerprint of a sound: its wave between 60 Hz and 3.8 kHz, at 8 kHz and four bits a sample.
 
 The wave itself distinguishes one recording from another of the same thing, which levels of bands do not: two
 footsteps have the same bands, and waves that have nothing to do with each other. What games do to a
@@ -81,7 +81,7 @@ def wave_of(packed: bytes) -> Wave:
 
 
 def pieces_of(frames: int, sample_rate_hz: int) -> int:
-    """Return how many pieces the fingerprint of a sound has, by its length."""
+    """Return the number of pieces of a sound's fingerprint, by the sound's length."""
     listened = min(frames, FINGERPRINTED_S * sample_rate_hz)
     return -(-_frames_at_8_khz(listened, sample_rate_hz) // PIECE)
 

@@ -72,7 +72,7 @@ class FingerprintedFile:
 
     @property
     def duration_s(self) -> float:
-        """How long it is."""
+        """Return its length."""
         return self.frames / self.sample_rate_hz if self.sample_rate_hz else 0.0
 
 

@@ -137,7 +137,7 @@ def _powers(spectrum: Spectrum) -> NDArray[np.float64]:
 
 
 def _best_place(approved: Waves, built: Waves) -> tuple[int, float] | None:
-    """Return where in the approved sound the build's begins: in whole samples, and a fraction of one."""
+    """Return the start of the build's sound in the approved one: in whole samples, and a fraction of one."""
     mine, theirs = len(approved.wave), len(built.wave)
     length = next_fast_len(mine + theirs)
     halves = np.abs(np.fft.irfft(approved.spectrum(length) * np.conj(built.spectrum(length)), 2 * length)) * 2
@@ -188,7 +188,7 @@ def _by_bands(
 
 
 def _shape_db(mine: Wave, theirs: Wave) -> float:
-    """Return how unsteady the gain is from one 10 ms to the next, weighted towards what is loud."""
+    """Return the unsteadiness of the gain from one 10 ms to the next, weighted towards loud parts."""
     cells = max(1, len(mine) // CELL)
     one, other = (
         np.add.reduceat(part.astype(np.float64) ** 2, np.arange(cells) * (len(part) // cells))

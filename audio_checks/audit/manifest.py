@@ -65,7 +65,7 @@ def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:
 
 
 def manifest_entry(one: FingerprintedFile) -> dict[str, Any]:
-    """Return what a manifest says of one approved sound, in plain values; None for levels of silence."""
+    """Return a manifest's entry for one approved sound, in plain values; None for levels of silence."""
     plays = {} if one.plays is None else {"plays": [_play_entry(play) for play in one.plays]}
     return {
         "path": one.path,

@@ -37,7 +37,7 @@ def moments_of(wave: Wave) -> bytes:
 
 
 def candidates(wave: Wave, moments: Sequence[bytes]) -> list[int]:
-    """Return which of many sounds may hold the same sound, the likeliest first; twelve at most.
+    """Return those of many sounds that may hold the same sound, the likeliest first; twelve at most.
 
     Parameters
     ----------

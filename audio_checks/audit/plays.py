@@ -15,7 +15,7 @@ LEAST_DB = 0.05  # of a part that has moved; factors are written with some digit
 
 @dataclass(frozen=True)
 class ApprovedPlayback:
-    """How one object played a sound when it was approved.
+    """One object's playback of a sound when it was approved.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class MovedPart:
 
     @property
     def by_db(self) -> float:
-        """By how much it is louder now."""
+        """Return its present rise in level."""
         return self.gain_db - self.approved_db
 
     def to_dict(self) -> dict[str, Any]:
@@ -81,7 +81,7 @@ class Play:
 
     @property
     def drift_db(self) -> float | None:
-        """By how much the game plays it louder than approved; None where that is not known."""
+        """Return the excess of the game's level over the approved one; None where that is not known."""
         gain_db = self.sound.gain_db
         return None if gain_db is None or self.approved_db is None else gain_db - self.approved_db
 
@@ -104,7 +104,7 @@ class Play:
 
 
 def approved_plays(sounds: Iterable[PlayedSound]) -> tuple[ApprovedPlayback, ...]:
-    """Return how a sound is played now, to be kept as approved; ways that nothing begins are left out."""
+    """Return the present playbacks of a sound, to be kept as approved; those that nothing begins are left out."""
     return tuple(
         ApprovedPlayback(
             sound.object_path,

@@ -1,4 +1,4 @@
-"""What an audit found: an entry for each file, and the JSON that others read."""
+"""Results of an audit: an entry for each file, and the JSON that others read."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Match:
 
 @dataclass(frozen=True)
 class Entry:
-    """What is said of one file of the build, or of one approved sound that is missing.
+    """The report on one file of the build, or on one approved sound that is missing.
 
     Attributes
     ----------
@@ -91,19 +91,19 @@ class Entry:
 
 @dataclass(frozen=True)
 class Audit:
-    """What an audit found; `project` is None where the files alone were compared."""
+    """The result of an audit; `project` is None where the files alone were compared."""
 
     entries: tuple[Entry, ...]
     project: Project | None = None
 
     @property
     def summary(self) -> dict[str, int]:
-        """How many files are what."""
+        """Return file counts by status."""
         counts = Counter(entry.status for entry in self.entries)
         return {"files": len(self.entries), **{status: counts[status] for status in STATUSES}}
 
     def drifted(self, allowed: tuple[str, ...] = ()) -> tuple[Entry, ...]:
-        """Return what is neither the same nor of a status that is allowed."""
+        """Return the entries neither the same nor of a status that is allowed."""
         return tuple(entry for entry in self.entries if entry.has_drifted(allowed))
 
     def to_dict(self) -> dict[str, Any]:

@@ -16,7 +16,7 @@ TRIMMED_S = 0.005  # as `audit` says it
 
 @dataclass(frozen=True)
 class SoundSignature:
-    """What a file is recognised by.
+    """A file's marks of recognition.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class SoundSignature:
 
 @dataclass(frozen=True)
 class Difference:
-    """How one sound differs from another that holds the same.
+    """The difference of one sound from another that holds the same.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Difference:
 
 
 def sound_signature(path: str) -> SoundSignature:
-    """Return what a file is recognised by; Unreadable where it cannot be read.
+    """Return a file's marks of recognition; Unreadable where it cannot be read.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def likely_sounds(fingerprint: bytes, moments: list[bytes]) -> list[int]:
 
 
 def difference_of(first: bytes, second: bytes) -> Difference | None:
-    """Return how two fingerprints of the same sound differ; None if they are of different sounds.
+    """Return the difference of two fingerprints of the same sound; None if they are of different sounds.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Finds which of many approved sounds a build's may be, by its loudest moments, before they are compared."""
+"""Search of many approved sounds for a build's, by its loudest moments, before they are compared."""
 
 from __future__ import annotations
 

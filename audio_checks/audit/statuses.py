@@ -36,7 +36,7 @@ MOVED_CODED_S = 0.06  # codecs add silence up to whole frames
 
 @dataclass(frozen=True)
 class Comparison:
-    """How a sound of a build compares with the approved one.
+    """The comparison of a build's sound with the approved one.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class Comparison:
 
 
 def compare(approved: FingerprintedFile, built: FingerprintedFile, like: Likeness) -> Comparison:
-    """Return how a build's sound with other samples compares with the approved one.
+    """Return the comparison of a build's sound of other samples with the approved one.
 
     Where several hold, the word is the first of: trimmed (an end has moved), re-encoded by an equaliser (the
     gain is not the same in all bands), gain, re-encoded (codec, depth, channels), resampled, re-encoded by whatever

@@ -89,7 +89,7 @@ class Check:
 
     @property
     def label(self) -> str:
-        """What forms and lists call it."""
+        """Return its name in forms and lists."""
         label: str = getattr(self.module, "LABEL", self.name.replace("-", " ").capitalize())
         return label
 
@@ -116,23 +116,23 @@ class Check:
 
     @property
     def not_fixed(self) -> str | None:
-        """Why no fix is offered for what it finds; None where it does not say."""
+        """Return its reason for offering no fix; None where it does not say."""
         why: str | None = getattr(self.module, "NOT_FIXED", None)
         return why
 
     @property
     def summary(self) -> str:
-        """What holds when it finds nothing, in one line."""
+        """Return the meaning of no findings, in one line."""
         return self.parts["summary"]
 
     @property
     def why(self) -> str:
-        """Why it is there."""
+        """Return its purpose."""
         return self.parts["why"]
 
     @property
     def how_to_fix(self) -> str:
-        """How to put right what it finds."""
+        """Return the remedy for its findings."""
         return self.parts["how to fix"]
 
     @property
@@ -146,7 +146,7 @@ class Check:
         return ask is None or bool(ask(spec, cue))
 
     def run(self, file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
-        """Yield what it finds in one file."""
+        """Yield its findings in one file."""
         if not hasattr(self.module, "check"):
             return iter(())
         wants_cue = self.module.check.__code__.co_argcount == 3
@@ -159,7 +159,7 @@ class Check:
         return hasattr(self.module, "check_set")
 
     def run_set(self, files: Sequence["JudgedFile"]) -> Iterator[tuple[int, Finding]]:
-        """Yield what it finds over files together, each with the place of its file."""
+        """Yield its findings over files together, each with the place of its file."""
         found: Iterator[tuple[int, Finding]] = self.module.check_set(files)
         return found
 

@@ -28,7 +28,7 @@ JUDGEMENT = "reverb"
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec names reverb or this check or the cue is to be dry, and not for a designed tail."""
+    """Apply only where the spec names reverb or this check or the cue is to be dry, and not for a designed tail."""
     return spec.asks_for_dry_sound(cue)
 
 

@@ -22,7 +22,7 @@ FIGURES = ()
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec lists depths."""
+    """Apply only where the spec lists depths."""
     return spec.accept.bit_depths is not None
 
 

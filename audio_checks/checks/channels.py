@@ -32,7 +32,7 @@ COUNTS = {1: "mono", 2: "stereo"}
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec lists numbers of channels, or layouts."""
+    """Apply only where the spec lists numbers of channels, or layouts."""
     return spec.accept.channels is not None or spec.accept.layouts is not None
 
 

@@ -22,7 +22,7 @@ FIGURES = ()
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec lists containers."""
+    """Apply only where the spec lists containers."""
     return spec.accept.containers is not None
 
 

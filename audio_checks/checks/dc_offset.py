@@ -23,7 +23,7 @@ FIGURES = ("dc_offset_percent",)
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec limits the offset."""
+    """Apply only where the spec limits the offset."""
     return spec.limits.dc_offset_percent is not None
 
 

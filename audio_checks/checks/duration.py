@@ -29,7 +29,7 @@ SPREAD = Fraction(1, 4)  # of the length asked for, either way
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Where the spec bounds lengths, or the cue asks for one."""
+    """Apply where the spec bounds lengths, or the cue asks for one."""
     return bool(spec.accept.duration_s) or (cue is not None and cue.duration_s is not None)
 
 

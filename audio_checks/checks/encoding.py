@@ -26,7 +26,7 @@ CODECS = ("vorbis", "opus", "mp3")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec lists encodings, or bounds bit rates."""
+    """Apply only where the spec lists encodings, or bounds bit rates."""
     return spec.accept.encodings is not None or bool(spec.accept.bit_rate_kbps)
 
 

@@ -25,7 +25,7 @@ FIGURES = ("sample_peak_dbfs", "head_silence_ms")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec limits it, and not for a loop."""
+    """Apply only where the spec limits it, and not for a loop."""
     return spec.limits.head_silence_ms is not None and not (cue is not None and cue.loop)
 
 

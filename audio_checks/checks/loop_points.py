@@ -35,7 +35,7 @@ FIX = "move the loop's end so that wave and slope meet, or fade across the seam"
 
 
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
-    """Yield what is wrong with the loops of a file.
+    """Yield the faults of a file's loops.
 
     `loop-points:outside` for loops beyond the file, `loop-points:unwanted` where the list asks for no loop,
     `loop-points:one-frame`, and `loop-points:step` or `:bend` for a seam that is heard.

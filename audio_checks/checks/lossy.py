@@ -26,7 +26,7 @@ JUDGEMENT = "lossy"
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec names this check."""
+    """Apply only where the spec names this check."""
     return "lossy" in spec.checks
 
 

@@ -26,7 +26,7 @@ ONE_BLOCK_S = 0.4  # a gating block of BS.1770: below, integrated loudness is no
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec bounds loudness."""
+    """Apply only where the spec bounds loudness."""
     return bool(spec.limits.loudness_lufs)
 
 

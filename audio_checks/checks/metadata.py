@@ -25,7 +25,7 @@ FIGURES = ()
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec requires fields."""
+    """Apply only where the spec requires fields."""
     return bool(spec.required_metadata)
 
 

@@ -39,14 +39,14 @@ MOST_BYTES = 255  # of a name, in UTF-8
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Where the spec says how names are made; a render is never named as an alternate."""
+    """Apply where the spec has a rule for names; a render is never named as an alternate."""
     naming = spec.naming
     rule = naming.pattern is not None or naming.tokens or naming.grammar is not None or naming.extension is not None
     return bool(rule) or naming.portable or spec.target is not None
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield what is wrong with one name.
+    """Yield the faults of one name.
 
     `naming:pattern`, `naming:tokens` or `naming:ucs` for the rule it breaks, `naming:extension`, `naming:reserved`
     and `naming:not-portable`, and for renders `naming:alternate`.
@@ -55,7 +55,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
 
 
 def of_name(name: str, spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield what is wrong with one name; no file is needed for it."""
+    """Yield the faults of one name; no file is needed for it."""
     stem, alternate, _, extension = parse_file_name(name)
     broken = list(_against_rule(stem, extension, spec))
     yield from broken

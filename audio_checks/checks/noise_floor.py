@@ -26,7 +26,7 @@ FIGURES = ("noise_floor_dbfs",)
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec limits it."""
+    """Apply only where the spec limits it."""
     return spec.limits.noise_floor_dbfs is not None
 
 

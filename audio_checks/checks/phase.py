@@ -29,7 +29,7 @@ NOTHING_LEFT_DB = 90.0
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec limits it."""
+    """Apply only where the spec limits it."""
     return spec.limits.mono_loss_db is not None
 
 

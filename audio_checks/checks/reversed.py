@@ -24,7 +24,7 @@ JUDGEMENT = "reversed"
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec names this check, and not for a loop, which has no beginning."""
+    """Apply only where the spec names this check, and not for a loop, which has no beginning."""
     return "reversed" in spec.checks and not (cue is not None and cue.loop)
 
 

@@ -22,7 +22,7 @@ FIGURES = ("sample_peak_dbfs", "sample_peak_s", "clipped_spans")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec limits sample peaks."""
+    """Apply only where the spec limits sample peaks."""
     return spec.limits.sample_peak_dbfs is not None
 
 

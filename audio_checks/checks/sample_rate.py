@@ -27,7 +27,7 @@ FIGURES = ()
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec lists rates."""
+    """Apply only where the spec lists rates."""
     return spec.accept.sample_rates_hz is not None
 
 

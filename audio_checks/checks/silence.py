@@ -23,7 +23,7 @@ FIGURES = ("sample_peak_dbfs", "channel_peaks_dbfs")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec says what silence is."""
+    """Apply only where the spec defines silence."""
     return spec.limits.silence_below_dbfs is not None
 
 

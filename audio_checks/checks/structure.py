@@ -21,7 +21,7 @@ FIGURES = ()
 
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield what the reader tolerated; what it cannot tolerate makes a file unreadable, and no check is called."""
+    """Yield faults that the reader tolerated; one that it cannot makes a file unreadable, and no check is called."""
     for warning in file.warnings:
         yield Finding(code=warning.code, message=warning.message, fix=warning.fix, severity="warning")
     used, said = file.facts.effective_bits, file.facts.bit_depth

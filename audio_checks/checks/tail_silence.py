@@ -30,7 +30,7 @@ LEAST_SHARE = 0.05  # of the file's length
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec limits it, and not for a loop."""
+    """Apply only where the spec limits it, and not for a loop."""
     return spec.limits.tail_silence_ms is not None and not (cue is not None and cue.loop)
 
 

@@ -22,7 +22,7 @@ FIGURES = ("true_peak_dbtp", "true_peak_s", "sample_peak_dbfs", "clipped_spans")
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec limits true peaks."""
+    """Apply only where the spec limits true peaks."""
     return spec.limits.true_peak_dbtp is not None
 
 

@@ -25,7 +25,7 @@ JUDGEMENT = "upsampled"
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Only where the spec names this check."""
+    """Apply only where the spec names this check."""
     return "upsampled" in spec.checks
 
 

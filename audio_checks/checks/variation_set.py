@@ -50,7 +50,7 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 
 def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
-    """Yield what stands out of its set once all variations are there.
+    """Yield the outliers of a set once all variations are there.
 
     `variation-set:level` for loudness, `variation-set:length` for length, `variation-set:alike` for the later one
     of two that are nearly the same. An alternate is held against the set, and moves nothing in it.
@@ -67,7 +67,7 @@ def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
 
 
 def offset_from_set_lu(files: "Sequence[JudgedFile]") -> list[float | None]:
-    """Return how much louder each file of one cue is than the other variations that are there, in LU.
+    """Return the excess loudness of each file of one cue over the other variations that are there, in LU.
 
     None for a file without others to compare with, and for silence.
     """
@@ -115,7 +115,7 @@ def _duration_s(one: "JudgedFile") -> float:
 def _off(
     figures: Mapping[int, float], files: "Sequence[JudgedFile]", places: Sequence[int], chosen: Set
 ) -> dict[int, float]:
-    """Return how far each file's figure is from the middle of the other variations'."""
+    """Return the distance of each file's figure from the middle of the other variations'."""
     far: dict[int, float] = {}
     for place in places:
         others = [other for variation, other in chosen.items() if variation != files[place].variation]
@@ -126,7 +126,7 @@ def _off(
 
 
 def _limit_lu(spec: DeliverySpec, levels: Sequence[float]) -> float:
-    """Return how far one variation's level may lie from those of the others, in LU."""
+    """Return the limit on one variation's distance in level from the others, in LU."""
     stated = spec.limits.variation_level_lu
     if stated is not None:
         return stated
@@ -205,7 +205,7 @@ def _two_alike(apart_db: float, before: "JudgedFile", same: "JudgedFile") -> Fin
 
 
 def _apart(one: "JudgedFile", other: "JudgedFile") -> float | None:
-    """Return how unlike two sounds are; None if it cannot be decided, or the duplicate check reports it."""
+    """Return the unlikeness of two sounds; None if it cannot be decided, or the duplicate check reports it."""
     first, second = one.report.likeness_print, other.report.likeness_print
     if first is None or second is None or one.report.pcm_sha256 == other.report.pcm_sha256:
         return None

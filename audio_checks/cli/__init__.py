@@ -41,7 +41,7 @@ FORMER_NAMES = {"mend": "fix"}
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        """Say what is wrong without repeating raw control characters, and leave."""
+        """State the error without repeating raw control characters, and leave."""
         if "ignored explicit argument" in message:
             message += "; a name that begins with - comes after --"
         if unknown := re.match(r"argument COMMAND: invalid choice: '(.*?)' \(", message):

@@ -37,7 +37,7 @@ def add_spec(parser: argparse.ArgumentParser) -> None:
 
 
 def add_run(parser: argparse.ArgumentParser, formats: Sequence[str] = (), *, jobs: bool = True) -> None:
-    """Take what every command over files takes: formats, the number of processes, and how much it says."""
+    """Take the options of every command over files: formats, the number of processes, and its verbosity."""
     shown = parser.add_argument_group("how it runs, and what is shown")
     if formats:
         shown.add_argument("--format", metavar="F[:OUT]", action="append", help=FORMAT_HELP.format(", ".join(formats)))

@@ -32,7 +32,7 @@ COLOURS = {"same": GREEN, "resampled": YELLOW, "re-encoded": YELLOW, "duplicate"
 
 
 def in_words(audit: Audit, *, allowed: tuple[str, ...] = (), colour: bool = False) -> str:
-    """Return what differs, a line each, and how many files are what."""
+    """Return the differences, a line each, and the file counts by status."""
     ink = Ink(colour)
     lines = [
         f"{ink(printable(entry.path), BOLD)}  {ink(entry.status, COLOURS.get(entry.status, RED))}"

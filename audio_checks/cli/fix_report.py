@@ -1,4 +1,4 @@
-"""What `audio-checks fix` prints: for each file what was fixed, and what is left."""
+"""Output of `audio-checks fix`: for each file the fixes, and the findings left."""
 
 import os
 import textwrap
@@ -19,7 +19,7 @@ WORD_WIDTH = len("refused") + 2
 
 
 def report_text(run: FixRun, *, colour: bool, summary: bool = True) -> str:
-    """Return what was done to each file and what is left, with a line that sums up unless it is left out."""
+    """Return the fixes of each file and the findings left, with a line that sums up unless it is left out."""
     ink = Ink(colour)
     blocks = ["\n".join(_lines(file, ink)) + "\n" for file in run.files if file.state != "fine"]
     if not summary:

@@ -1,4 +1,4 @@
-"""Where a report goes: formats, each to a file or to stdout."""
+"""Destinations of a report: formats, each to a file or to stdout."""
 
 import sys
 from collections.abc import Callable, Sequence

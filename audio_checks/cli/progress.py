@@ -15,7 +15,7 @@ CLEAR = "\r\x1b[K"
 
 
 class Progress:
-    """Counts what is done of a number of files.
+    """A count of the files done, out of a number.
 
     The line is redrawn at most every 50 ms, and gone when the work is done or interrupted.
     """
@@ -47,7 +47,7 @@ class Progress:
             self._draw(path, now_s - self._began_s)
 
     def _draw(self, path: str, passed_s: float) -> None:
-        """Draw what fits of bar, count, time left and name; a line that breaks could not be taken back."""
+        """Draw the fitting part of bar, count, time left and name; a line that breaks could not be taken back."""
         counted = f"{self._done:>{len(str(self._total))}}/{self._total}"
         left_s = passed_s / self._done * (self._total - self._done)
         left = f"  {_time(left_s)} left" if passed_s > 1 else ""

@@ -1,4 +1,4 @@
-"""What is said on stderr, and whether a stream is shown in colour."""
+"""Messages on stderr, and the choice of colour for a stream."""
 
 import os
 import shutil
@@ -33,7 +33,7 @@ def set_quiet(quiet: bool) -> None:
 
 
 def note(message: str) -> None:
-    """Print what is worth knowing and no fault, as `say` does; nothing when the run is quiet."""
+    """Print a fact worth knowing and no fault, as `say` does; nothing when the run is quiet."""
     if not _quiet.get():
         say(message)
 

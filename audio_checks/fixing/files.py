@@ -31,7 +31,7 @@ class FixedFile:
     refusal: FixRefused | None = None
 
     def left(self, severity: Severity) -> int:
-        """Return how many findings of one severity are left; a refusal counts as an error."""
+        """Return the number of findings left of one severity; a refusal counts as an error."""
         if self.fixed is None:
             return int(severity == "error")
         return sum(one.finding.severity == severity for one in self.fixed.left)
@@ -138,7 +138,7 @@ class FixRun:
         }
 
     def counts(self) -> dict[str, int]:
-        """Return how many files are in each state."""
+        """Return the number of files in each state."""
         return {state: sum(file.state == state for file in self.files) for state in STATES}
 
 

@@ -33,7 +33,7 @@ PIECE_BYTES = 1 << 20
 
 
 class Corrected(NamedTuple):
-    """What was put right in a header, in words, and how many bytes after the sound's file were left out.
+    """Corrections of a header, in words, and the number of bytes left out after the sound's file.
 
     No words for a header that was right: its copy is the same byte for byte.
     """
@@ -78,7 +78,7 @@ class _Patch:
 
 
 class _Sizes:
-    """What the sizes in a header should be, going by the chunks that are there."""
+    """The right sizes in a header, going by the chunks that are there."""
 
     def __init__(self, file: BinaryIO) -> None:
         self._file = file
@@ -127,7 +127,7 @@ class _Sizes:
         return self._file.read(count) or b""
 
     def _walk(self, declared: int) -> int:
-        """Return where the last chunk ends, pad byte included."""
+        """Return the end of the last chunk, pad byte included."""
         position, seen_data, odd = 12, False, False
         # The declared end is believed only where a chunk ends there; some writers leave the last pad byte uncounted.
         while position + 8 <= self._size and not (seen_data and position - declared - 8 in (0, 1)):

@@ -48,7 +48,7 @@ class CannotFixInPlace(AudioChecksError):
 
 @dataclass(frozen=True)
 class Change:
-    """What is fixed in one file: its path before and after, and the changes to its header, in words."""
+    """The fixes in one file: its path before and after, and the changes to its header, in words."""
 
     path: str
     new_path: str
@@ -74,7 +74,7 @@ class Repairs:
         self._given: set[str] = set()
 
     def planned(self, task: "Task", entry: FileReport) -> Change | None:
-        """Return what would be put right in a file; None when nothing found in it can be.
+        """Return the planned fixes of a file; None when nothing found in it can be fixed.
 
         Raises
         ------
@@ -124,12 +124,12 @@ class Repairs:
 
 
 def _spelling(stem: str) -> str:
-    """Return what two spellings of one stem share: `DoorWoodClose-1_48k24` is that of `door_wood_close_01`."""
+    """Return the shared key of two spellings of one stem: `DoorWoodClose-1_48k24` is that of `door_wood_close_01`."""
     return f" {key_of(tokens_of(plain(without_format_suffix(stem))))}"  # the space keeps it apart from slugs
 
 
 def fix_in_place(change: Change) -> None:
-    """Do what was planned for one file.
+    """Apply the plan for one file.
 
     Raises
     ------

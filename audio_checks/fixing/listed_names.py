@@ -25,7 +25,7 @@ class NameRefusal:
 
 
 def refused_name(name: str, file_name: str, variations: int, spec: DeliverySpec) -> NameRefusal | None:
-    """Return why a spec refuses the names of a cue, None where it accepts them.
+    """Return a spec's refusal of the names of a cue, None where it accepts them.
 
     Parameters
     ----------

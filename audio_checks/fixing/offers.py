@@ -1,4 +1,4 @@
-"""Which findings a fix can put right, and why no fix answers the others.
+"""Findings that a fix can put right, and the reasons for no fix of the others.
 
 A fix changes as little as the finding asks: it moves the level, takes out a constant offset, cuts
 silence, renames, writes the header, or lowers the depth. It never makes up what was not recorded, and never filters,
@@ -26,7 +26,7 @@ MOST_FIXED_BITS = 24  # what integers of a converter hold; the mantissa of a 32-
 
 @dataclass(frozen=True)
 class Offer:
-    """What a fix does about one finding, or why no fix can.
+    """A fix's answer to one finding, or the reason for none.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Offer:
 
 
 def fix_offer(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
-    """Say what a fix does about one finding of a report, or why no fix can.
+    """State a fix's answer to one finding of a report, or the reason for none.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def _not_fixed(name: str) -> str | None:
 
 
 def fix_in_words(offers: Iterable[Offer]) -> str:
-    """Return what a fix does, as in "trims 407.0 ms from the start and lowers the level by 1.70 dB"; "" for nothing.
+    """Return a fix's effects, as in "trims 407.0 ms from the start and lowers the level by 1.70 dB"; "" for nothing.
 
     Of several findings about the level, the one that lowers it most counts: the level is changed once.
     """
@@ -103,7 +103,7 @@ def excess_db(finding: Finding) -> float:
 
 
 def frames_over(finding: Finding, report: FileReport) -> int:
-    """Return how many frames of silence are to go, so that the limit is kept to the frame."""
+    """Return the number of frames of silence to go, so that the limit is kept to the frame."""
     if finding.measured is None or finding.limit is None or report.facts is None:
         return 0
     rate = int(report.facts["sample_rate_hz"])

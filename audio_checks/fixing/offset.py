@@ -26,7 +26,7 @@ LOOPED = (
 
 @dataclass(frozen=True)
 class Offset:
-    """What is taken out of each channel between two frames.
+    """The amount taken out of each channel between two frames.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Offset:
         return not self.head and not self.tail
 
     def at(self, places: NDArray[np.int64]) -> NDArray[np.float64]:
-        """Return what is taken out at these frames of the master, shape (frames, channels)."""
+        """Return the amounts taken out at these frames of the master, shape (frames, channels)."""
         share = rise(places - self.first, self.head) * rise(self.end - 1 - places, self.tail)
         return np.asarray(share * self.values)
 
@@ -87,7 +87,7 @@ def offset_of(file: BinaryIO, layout: wav.WavLayout, first: int, end: int) -> Of
 
 
 def why_not(file: BinaryIO, layout: wav.WavLayout, limit_percent: float) -> str | None:
-    """Return why the offset of a sound cannot be taken out safely, in a sentence; None where it can.
+    """Return the obstacle to safe removal of a sound's offset, in a sentence; None without one.
 
     No stretch of the sound may end up further from zero than it is, or than the limit.
     """

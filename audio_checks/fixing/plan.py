@@ -1,4 +1,4 @@
-"""What is done to a master, and for which of its findings."""
+"""The changes to a master, and the findings that they answer."""
 
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -12,7 +12,7 @@ from audio_checks.spec.delivery_spec import DeliverySpec
 
 @dataclass(frozen=True)
 class Plan:
-    """What is done to the sound, and for which findings."""
+    """Changes to the sound, and the findings that they answer."""
 
     name: str
     gain_db: float = 0.0

@@ -16,7 +16,7 @@ FADE_MS = 5.0
 
 
 def fades_of(file: BinaryIO, layout: wav.WavLayout, plan: Plan, offset: Offset | None) -> tuple[int, int]:
-    """Return how many frames are faded at start and end: none where the cut would not be heard."""
+    """Return the numbers of frames faded at start and end: none where the cut would not be heard."""
     most = round(FADE_MS * layout.sample_rate_hz / 1000)
     last = layout.frames - plan.cut_tail - 1
     head = min(most, plan.silent_head) if plan.cut_head and _clicks(file, layout, plan.cut_head, offset) else 0
@@ -38,7 +38,7 @@ def _centred(block: NDArray[np.float64], places: NDArray[np.int64], offset: Offs
 def fixed_sound(
     file: BinaryIO, layout: wav.WavLayout, plan: Plan, fades: tuple[int, int], offset: Offset | None
 ) -> Iterator[NDArray[np.float64]]:
-    """Yield what stays of the sound, without its offset, moved in level, with its fades."""
+    """Yield the kept part of the sound, without its offset, moved in level, with its fades."""
     first, end = plan.cut_head, layout.frames - plan.cut_tail
     factor = 10 ** (plan.gain_db / 20)
     start = first

@@ -31,7 +31,7 @@ CANNOT_TELL = "cannot tell"
 
 @dataclass(frozen=True)
 class Judgement:
-    """What is judged of one sound.
+    """The judgement of one sound.
 
     Parameters
     ----------

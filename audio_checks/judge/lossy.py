@@ -60,21 +60,21 @@ def verdict_of(score: float, low_pass_hz: float | None) -> str:
 
 
 def low_pass_of(cliff: Cliff | None) -> float | None:
-    """Return where a spectrum ends, in Hz, if it does so as steeply and where a codec's might; else None."""
+    """Return the end of a spectrum, in Hz, if it is as steep and placed as a codec's might be; else None."""
     if cliff is None or cliff.drop_db < STEEP_DB or not LOW_PASS_HZ[0] <= cliff.edge_hz <= LOW_PASS_HZ[1]:
         return None
     return cliff.edge_hz
 
 
 def score_of(contrast: float) -> float:
-    """Return how certainly a sound was coded, 0..1, by how far the best place for a codec's frames stands out."""
+    """Return the certainty that a sound was coded, 0..1, by the prominence of the best place for a codec's frames."""
     offset, slope = weights()["score"]
     return 1 / (1 + math.exp(-min(offset + slope * contrast, 30.0)))
 
 
 @cache
 def weights() -> dict[str, Any]:
-    """Return what was learned: offset and slope of the score, and the threshold."""
+    """Return the learned values: offset and slope of the score, and the threshold."""
     learned: dict[str, Any] = json.loads(WEIGHTS.read_text(encoding="ascii"))
     return learned
 

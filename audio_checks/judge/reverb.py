@@ -58,14 +58,14 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
 
 
 class Limits(NamedTuple):
-    """Under which score a sound is dry, from which on it likely has reverb, and from which on it has."""
+    """Scores under which a sound is dry, from which on it likely has reverb, and from which on it has."""
 
     dry_below: float
     likely_from: float
     reverb_from: float
 
     def verdict(self, score: float) -> str:
-        """Return what a score, 0..1, says."""
+        """Return the meaning of a score, 0..1."""
         if score >= self.reverb_from:
             return REVERB
         if score >= self.likely_from:
@@ -83,7 +83,7 @@ def limits_of(kind: str | None, layout: str, rt60_s: float) -> Limits:
 
 
 def score_of(features: NDArray[np.float64]) -> float:
-    """Return how certainly a sound of these features has reverb, 0..1."""
+    """Return the certainty that a sound of these features has reverb, 0..1."""
     first = logit_by(_trees("reverb"), _nets(), weights()["nets_share"], features)
     return score_on_top(_trees("recorded"), weights()["recorded_share"], first, features)
 
@@ -114,13 +114,13 @@ def rt60_by(trees: Trees, features: NDArray[np.float64]) -> float:
 
 
 def evidence_of(decay: DecayFigures) -> dict[str, Any]:
-    """Return what a picture shows: energy decay curves by octave, their decay times, the likeness of left and right."""
+    """Return a picture's content: energy decay curves by octave, their decay times, the likeness of left and right."""
     return {"decay": decay_curves(decay), "coherence": likeness_of_sides(decay)}
 
 
 @cache
 def weights() -> dict[str, Any]:
-    """Return what was learned: trees, nets and thresholds."""
+    """Return the learned values: trees, nets and thresholds."""
     learned: dict[str, Any] = json.loads(WEIGHTS.read_text(encoding="ascii"))
     return learned
 

@@ -49,13 +49,13 @@ def judge_decay(decay: DecayFigures, kind: str | None) -> Judgement:
 
 
 def score_of(features: NDArray[np.float64]) -> float:
-    """Return how certainly a sound of these features plays backwards, 0..1."""
+    """Return the certainty that a sound of these features plays backwards, 0..1."""
     return 1 / (1 + math.exp(-_trees().sum(features)))
 
 
 @cache
 def weights() -> dict[str, Any]:
-    """Return what was learned: trees and thresholds."""
+    """Return the learned values: trees and thresholds."""
     learned: dict[str, Any] = json.loads(WEIGHTS.read_text(encoding="ascii"))
     return learned
 

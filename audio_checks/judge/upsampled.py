@@ -51,13 +51,13 @@ def judge_spectrum(spectrum: MeanSpectrum) -> Judgement:
 
 
 def score_of(features: NDArray[np.float64]) -> float:
-    """Return how certainly a spectrum with a cliff of these features was brought up, 0..1."""
+    """Return the certainty that a spectrum with a cliff of these features was brought up, 0..1."""
     return 1 / (1 + math.exp(-_trees().sum(features)))
 
 
 @cache
 def weights() -> dict[str, Any]:
-    """Return what was learned: trees and the threshold."""
+    """Return the learned values: trees and the threshold."""
     learned: dict[str, Any] = json.loads(WEIGHTS.read_text(encoding="ascii"))
     return learned
 

@@ -1,4 +1,4 @@
-"""What the kernel was made from, so that one made from other sources is found out; `setup.py` runs this file alone."""
+"""Sources of the kernel, so that one made from others is found out; `setup.py` runs this file alone."""
 
 import hashlib
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What a folder of shipped files becomes: cues with categories and sets, and what is unusual about the files.
+"""Adoption of a folder of shipped files: cues with categories and sets, and the files' oddities.
 
 The names stay: a cue is named after its file, and another name is given only where a list cannot hold the file's own.
 """
@@ -93,7 +93,7 @@ class SkippedFile(NamedTuple):
 
 @dataclass(frozen=True)
 class AdoptionPlan:
-    """What adopting a folder does.
+    """The effects of adopting a folder.
 
     Attributes
     ----------
@@ -127,7 +127,7 @@ def plan_adoption(
     categories: Collection[str] = (),
     project: Project | None = None,
 ) -> AdoptionPlan:
-    """Return what a folder of shipped files becomes; the same for the same files in any order.
+    """Return the plan for a folder of shipped files; the same for the same files in any order.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def plan_adoption(
 
 
 def folded_stem(stem: str) -> str:
-    """Return what two stems share that some disks cannot hold side by side: case and composition do not count."""
+    """Return the one key of two stems that some disks cannot hold side by side: case and composition do not count."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", stem).casefold())
 
 
@@ -302,7 +302,7 @@ def _with_categories(
 
 
 def _shared_folders(folders: Sequence[tuple[str, ...]]) -> int:
-    """Return how many outermost folders all files are in."""
+    """Return the count of outermost folders that all files are in."""
     if not folders:
         return 0
     first, last = min(folders), max(folders)

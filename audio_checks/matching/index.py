@@ -25,7 +25,7 @@ SHARED_FROM = 5  # cues at least
 
 @dataclass(frozen=True)
 class ListedCue:
-    """What a name is matched by: a cue's identity, its names and how many variations it has.
+    """The basis for matching a name: a cue's identity, its names and the number of its variations.
 
     Attributes
     ----------
@@ -254,7 +254,7 @@ class NameIndex:
         prefixes: frozenset[str],
         labelled: tuple[ListedCue, frozenset[int]] | None,
     ) -> _Slot:
-        """Return which variation a hit is, and what of the name it leaves unexplained."""
+        """Return a hit's variation, and the part of the name that it leaves unexplained."""
         aside = labelled[1] - hit.places if labelled and labelled[0].key == hit.cue.key else frozenset()
         cut_markers = {read.groups[place] for place in hit.places if place in read.groups}
         left = [
@@ -303,7 +303,7 @@ class NameIndex:
         hits: Sequence[_Hit],
         labelled: tuple[ListedCue, frozenset[int]] | None,
     ) -> str:
-        """Return why the one slot that explains the name may be wrong; empty where nothing is as near."""
+        """Return the doubt about the one slot that explains the name; empty where nothing is as near."""
         hit = chosen.hit
         if labelled and labelled[0].key != hit.cue.key:
             return f"the name fits, and it has the number {labelled[0].label} of another cue"

@@ -1,4 +1,4 @@
-"""Which cues a name is like, where it is none's: words that both have, and letters in threes for mistakes in typing."""
+"""Cues that a name is like, where it is none's: words that both have, and letters in threes for mistakes in typing."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _IRREGULAR = {
 
 
 def likeness_key(token: Token) -> str:
-    """Return what the singular and the plural of a word share: door and doors, fly and flies, box and boxes."""
+    """Return the common key of a word's singular and plural: door and doors, fly and flies, box and boxes."""
     if token.is_number:
         return token.key
     word = _IRREGULAR.get(token.text, token.text)

@@ -1,4 +1,4 @@
-"""What a game's project says of the files of a folder: categories, random sets, loops and events."""
+"""A game project's facts on the files of a folder: categories, random sets, loops and events."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ EVENTS_SHOWN = 20
 
 
 class PlayedFile(NamedTuple):
-    """What a project says of one file.
+    """A project's facts on one file.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class PlayedFile(NamedTuple):
 
 
 def played_files(project: Project, paths: Iterable[str]) -> dict[str, PlayedFile]:
-    """Return what a project says of each file that it plays, by the file's path."""
+    """Return a project's facts on each file that it plays, by the file's path."""
     return {path: _played(project.engine, sounds) for path, sounds in sounds_by_path(project, paths).items()}
 
 

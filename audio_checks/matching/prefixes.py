@@ -1,4 +1,4 @@
-"""What may stand before or behind the name of a sound: project, designer, category, blocks of the UCS."""
+"""Possible parts before or behind the name of a sound: project, designer, category, blocks of the UCS."""
 
 from __future__ import annotations
 

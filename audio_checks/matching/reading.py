@@ -80,7 +80,7 @@ class Token:
 
     @property
     def key(self) -> str:
-        """What it adds to the key of a name: numbers are marked, so that `1 2` is not `12`."""
+        """Return its part of the key of a name: numbers are marked, so that `1 2` is not `12`."""
         return f"#{self.text}" if self.is_number else self.text
 
 
@@ -151,7 +151,7 @@ def _pieces(chunk: re.Match[str], text: str) -> list[tuple[int, str]]:
 
 
 def key_of(tokens: Sequence[Token]) -> str:
-    """Return what two spellings of one name share: the letters and numbers in their order."""
+    """Return the shared key of two spellings of one name: the letters and numbers in their order."""
     return "".join(token.key for token in tokens)
 
 
@@ -299,7 +299,7 @@ def _mark_number(stem: str, tokens: Sequence[Token], place: int, marks: _Marks) 
 
 
 def _alternate(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:
-    """Return which alternate a name says from this place on, and the place where it has said so."""
+    """Return the alternate that a name says from this place on, and the place where it has said so."""
     text = tokens[place].text
     if len(text) == 4 and text.startswith("alt") and text[3].isascii():  # altb
         return ord(text[3]) - ord("a") + 1, place

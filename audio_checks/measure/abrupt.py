@@ -26,7 +26,7 @@ GRAIN, STEPS = 4e-6, 4.0  # of full scale, and of the bit depth, as dither steps
 
 
 def edge(samples: NDArray[np.float64], rate_hz: int, step: float, least: float, *, start: bool) -> tuple[float, int]:
-    """Return how high a sound jumps from rest, within so few samples that no ear hears it rise, and where.
+    """Return the height and place of a sound's jump from rest, within so few samples that no ear hears it rise.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def edge(samples: NDArray[np.float64], rate_hz: int, step: float, least: float, 
 
 
 def _answer(samples: NDArray[np.float64], rate_hz: int, step: float) -> tuple[int, float]:
-    """Return how long a low cut's smooth answer goes on after the edge, and how high it is there; else 0 and 0."""
+    """Return the length of a low cut's smooth answer after the edge, and its height there; else 0 and 0."""
     ramp, grain = max(1, round(PASSED_S * rate_hz)), max(GRAIN, STEPS * step)
     outer = samples[: 4 * ramp : ramp].tolist()
     if len(samples) <= 4 * ramp or any(abs(deeper) < abs(one) - grain for one, deeper in pairwise(outer)):

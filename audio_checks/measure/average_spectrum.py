@@ -1,4 +1,4 @@
-"""How the energy of a whole sound is spread over frequency, in bands of equal pitch, for drawing."""
+"""The spread of a whole sound's energy over frequency, in bands of equal pitch, for drawing."""
 
 from __future__ import annotations
 

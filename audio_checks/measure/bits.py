@@ -1,4 +1,4 @@
-"""How many of its bits a file makes use of."""
+"""The number of its bits that a file makes use of."""
 
 from __future__ import annotations
 

@@ -40,7 +40,7 @@ class Cells(NamedTuple):
 
 
 def cell_frames(sample_rate_hz: int) -> int:
-    """Return how many frames a cell has, at least one: half a millisecond, rounded."""
+    """Return the number of frames of a cell, at least one: half a millisecond, rounded."""
     return max(1, round(sample_rate_hz / CELLS_PER_S))
 
 
@@ -69,7 +69,7 @@ class CellStream:
         self._figures[:, self._first - kept : self._first] = 0.0
 
     def room(self, count: int) -> NDArray[np.float64]:
-        """Return where the figures of so many new cells go, shape (5 * channels, count)."""
+        """Return the room for the figures of so many new cells, shape (5 * channels, count)."""
         return self._figures[:, self._first : self._first + count]
 
     def measure(self, samples: NDArray[np.float64], first: int) -> int:

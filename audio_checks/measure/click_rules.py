@@ -1,4 +1,4 @@
-"""How badly a click is predicted by its surroundings, and the cells where one may be."""
+"""The prediction error of a click from its surroundings, and the cells where one may be."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ GLIDE_HARDER = 2.0  # times as badly as the sound on either side is enough in a 
 
 
 class Rule(NamedTuple):
-    """How a click is predicted that may be in a cell: what is looked at there, and how badly it must be predicted.
+    """The prediction of a click that may be in a cell: the data looked at there, and the error required.
 
     The cells before the one, and how many in all; how many times as badly as the sound beside them, and both ways as
     any other place around; whether without the highs; and from how many times as high as others on it is looked at.

@@ -173,7 +173,7 @@ class Clicks:
             self._new.add((cell, channel, height, power))
 
     def _scan(self, cells: Cells, before: int, channel: int, start: int) -> None:
-        """Keep what stands out of the cells from one on, and mark what may.
+        """Keep the outliers of the cells from one on, and mark possible ones.
 
         `before` is the cell that the first of `cells` is.
         """
@@ -199,7 +199,7 @@ class Clicks:
         self._find_bursts(cells, before, channel, first)
 
     def _find_bursts(self, cells: Cells, before: int, channel: int, first: int) -> None:
-        """Mark what stands out of all but a few cells beside it, where the sound beyond those goes on."""
+        """Mark the outliers from all but a few cells beside them, where the sound beyond those goes on."""
         found = kernel.bursts(
             cells.sharpness[channel, first:],
             cells.squares[channel, first:],
@@ -221,7 +221,7 @@ class Clicks:
     def _check_candidates(
         self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
     ) -> None:
-        """Keep what can be predicted neither way of where a click may be, once all that it is compared with is known.
+        """Keep the candidates that can be predicted neither way, once all that they are compared with is known.
 
         Cell 0 starts at frame `origin`, `before` is the cell that the first of `cells` is, `total` the next to come.
         """
@@ -239,7 +239,7 @@ class Clicks:
                     self._keep(cell, channel, _sharpest(sharpness, cell - before), power)
 
     def _clicks_by(self, rule: Rule, samples: NDArray[np.float64], frames: NDArray[np.int64], dull: int) -> list[int]:
-        """Return which of the cells that start at some frames are clicks by a rule; `dull` frames are one by such."""
+        """Return the clicks by a rule among cells that start at some frames; `dull` frames are one by such."""
         thin = dull if rule.without_highs else 1
         size = round(self._cell / thin)
         starts = frames - rule.before * self._cell
@@ -262,7 +262,7 @@ class Clicks:
         return places
 
     def _around(self, thin: int) -> int:
-        """Return how many frames before a place are looked at, and as many after it, where so many are taken as one."""
+        """Return the count of frames looked at before a place, and as many after it, where so many are taken as one."""
         return (REACH * round(self._cell / thin) + ORDER) * thin
 
     def _check_steady(self, cells: Cells, before: int, count: int, samples: NDArray[np.float64], at: int) -> None:
@@ -298,7 +298,7 @@ class Clicks:
         samples: NDArray[np.float64],
         origin: int,
     ) -> None:
-        """Keep what stands out of what cannot be predicted of a channel's segments from each of `starts` on.
+        """Keep the outliers of the unpredictable part of a channel's segments from each of `starts` on.
 
         Cell 0 starts at frame `origin`.
         """
@@ -318,7 +318,7 @@ class Clicks:
         samples: NDArray[np.float64],
         origin: int,
     ) -> None:
-        """Mark what may stand out of what cannot be predicted of a channel's segments, little by little."""
+        """Mark possible outliers of the unpredictable part of a channel's segments, little by little."""
         parts = (starts[:, np.newaxis] + np.arange(0, SEGMENT, GLIDED)).ravel()
         heights, parts = self._unforeseen(samples, parts, origin, GLIDED, GLIDED, GLIDE_DOUBTFUL, self._least)
         outstanding = self._outstanding(
@@ -337,7 +337,7 @@ class Clicks:
         times: float,
         least: float,
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Return what cannot be predicted of `count` cells and `reach` on either side, and the first cell of each row.
+        """Return the unpredictable part of `count` cells and `reach` on either side, and the first cell of each row.
 
         The cells start at `starts`; only rows are returned in which something may stand out.
         """

@@ -1,4 +1,4 @@
-"""Where a spectrum ends, and how steeply: features of a sound that was upsampled."""
+"""The end of a spectrum, and its steepness: features of a sound that was upsampled."""
 
 from __future__ import annotations
 
@@ -134,6 +134,6 @@ def _half_way(levels: Floats, place: int, gap: int, middle_db: float) -> int:
 
 
 def _off_a_rate(edge_hz: float, sample_rate_hz: int) -> float:
-    """Return how far an edge lies from 0.95 of the nearest lower Nyquist frequency, as a share."""
+    """Return the distance of an edge from 0.95 of the nearest lower Nyquist frequency, as a share."""
     lower = [rate / 2 for rate in RATES_HZ if rate < sample_rate_hz * 0.95]
     return min((abs(edge_hz / nyquist - 0.95) for nyquist in lower), default=1.0)

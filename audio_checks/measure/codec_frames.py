@@ -34,7 +34,7 @@ BESIDE_FRAMES = 4  # next to the best place lines are nearly as silent
 
 @dataclass(frozen=True)
 class Trace:
-    """How silent a codec's lines are on its frames, at the best of all places for these to begin.
+    """The silence of a codec's lines on its frames, at the best of all places for these to begin.
 
     Attributes
     ----------

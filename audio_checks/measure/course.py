@@ -1,4 +1,4 @@
-"""How loud a sound is from row to row, and which rows are its head and which its tail."""
+"""The loudness of a sound from row to row, and the rows of its head and of its tail."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WIDE = len(OCTAVES_HZ)  # the place of the whole range after the octaves
 
 @dataclass(frozen=True)
 class Course:
-    """How loud a sound is in each row and band, and which rows are head and which tail.
+    """The loudness of a sound in each row and band, and the rows of head and of tail.
 
     Attributes
     ----------

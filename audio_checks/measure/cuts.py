@@ -28,7 +28,7 @@ SHARP_HZ = 48_000  # at higher rates edges are no sharper than at this one
 
 
 class Edge(NamedTuple):
-    """How a sound starts or ends: where, at which level, in which channel (1 is the first), and whether it is cut."""
+    """The start or end of a sound: its place, level and channel (1 is the first), and whether it is cut."""
 
     at_s: float
     level_dbfs: float
@@ -37,7 +37,7 @@ class Edge(NamedTuple):
 
 
 class Cuts:
-    """Remembers how a sound starts and ends; digital silence around it does not belong to it.
+    """A memory of a sound's start and end; digital silence around it does not belong to it.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def _jumps(samples: NDArray[np.float64], least: float) -> bool:
 
 
 def _after_ringing(samples: NDArray[np.float64], rate_hz: int) -> float:
-    """Return how high the edge is that a wave jumps to after it rang, as a steep filter rings before a step; else 0."""
+    """Return the height of the edge a wave jumps to after it rang, as a steep filter rings before a step; else 0."""
     sizes = np.abs(samples)
     spread = max(1.0, rate_hz / SHARP_HZ)
     begins = int((sizes >= EDGE_SHARE * sizes.max()).argmax())

@@ -1,4 +1,4 @@
-"""How a sound rises and dies away: energy by octave band every 5 ms, and what its parts are made of."""
+"""The rise and decay of a sound: energy by octave band every 5 ms, and the make-up of its parts."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ COLUMNS = np.cumsum((7, FINE_BANDS, 7, 7, 2, 4 * 7))  # where each figure of the
 
 @dataclass(frozen=True, eq=False)
 class DecayFigures:
-    """What a sound does every 5 ms. Powers are mean squares, full scale ±1.0, the mean over all channels.
+    """The course of a sound every 5 ms. Powers are mean squares, full scale ±1.0, the mean over all channels.
 
     Attributes
     ----------

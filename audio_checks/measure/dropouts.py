@@ -144,7 +144,7 @@ class Dropouts:
 
 
 def _sides(start: int, end: int) -> tuple[slice, slice]:
-    """Return where the sound is on either side of a hole, the nearest cell first; a cell of both is left out."""
+    """Return the places of sound on either side of a hole, the nearest cell first; a cell of both is left out."""
     return slice(start - 2, start - REACH - 1, -1), slice(end + 1, end + REACH)
 
 

@@ -97,7 +97,7 @@ class Edges:
     def _records(
         self, rows: NDArray[np.float64], loudest: float, room: NDArray[np.uint8], *, backward: bool
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Return what is louder than `loudest` and than all on its way, rising, with its frames."""
+        """Return the values louder than `loudest` and than all on their way, rising, with their frames."""
         half = len(room) // 2
         levels, places = room[:half].view(np.float64), room[half:].view(np.int64)
         count = kernel.records(rows, loudest, CEILING, 1 + GRAIN, backward, levels, places)

@@ -106,7 +106,7 @@ class Faults:
         return self._history + self._stretch - self._end
 
     def piece_frames(self) -> int:
-        """Return how many frames are best decoded together: whole rows and cells that lie in a near cache."""
+        """Return the best number of frames to decode together: whole rows and cells that lie in a near cache."""
         unit = math.lcm(self._cell, UNIT_FRAMES)
         return min(max(PIECE_SAMPLES // len(self._samples) // unit, 1) * unit, self._stretch)
 

@@ -1,4 +1,4 @@
-"""How the tail of a sound differs from its head: in noise, spectrum, modulation and width."""
+"""Differences of a sound's tail from its head: in noise, spectrum, modulation and width."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SPAN_ROWS = 8  # over which left and right are compared
 
 
 def materials(decay: DecayFigures, course: Course) -> list[float]:
-    """Return how noisy head and tail are, and how they differ."""
+    """Return the noisiness of head and tail, and their difference."""
     found: list[float] = []
     weights = np.sqrt(np.nan_to_num(decay.energies))
     weights /= weights.sum(axis=1, keepdims=True) + TINY
@@ -47,7 +47,7 @@ def _kurtosis(edges: Floats) -> float:
 
 
 def spectra(decay: DecayFigures, course: Course) -> list[float]:
-    """Return how alike the spectra of head and tail are, which is higher, and how rough each is."""
+    """Return the likeness of the spectra of head and tail, the higher one, and the roughness of each."""
     head, tail = (_spectrum(decay.fine, rows) for rows in (course.head, course.tail))
     if head is None or tail is None:
         return [math.nan] * 6
@@ -71,7 +71,7 @@ def _spectrum(fine: Floats, rows: Rows) -> Floats | None:
 
 
 def modulation(course: Course) -> list[float]:
-    """Return how deep and how fast the level moves, and how much faster it rises than falls."""
+    """Return the depth and speed of the level's moves, and the extra speed of rises over falls."""
     wide, top = course.smooth[:, WIDE], float(course.smooth[:, WIDE].max())
     level = np.maximum(wide[: course.end + 1], top - 50)
     size = max(512, 1 << (len(level) - 1).bit_length())
@@ -89,7 +89,7 @@ def modulation(course: Course) -> list[float]:
 
 
 def sides(decay: DecayFigures, course: Course) -> list[float]:
-    """Return how alike left and right are in head, tail and last fall, and how much of each is side."""
+    """Return the likeness of left and right in head, tail and last fall, and the share of side in each."""
     if decay.sides is None:
         return [math.nan] * 24
     fading = course.active[:, WIDE].copy()

@@ -21,7 +21,7 @@ FAINTEST = 1e-5  # in power, 50 dB under the strongest line: what is fainter may
 
 
 class Lines(NamedTuple):
-    """Which multiples of a frequency are there, rising, and their power together: 0.5 for a sine at full scale."""
+    """Multiples of a frequency that are there, rising, and their power together: 0.5 for a sine at full scale."""
 
     multiples: tuple[int, ...]
     power: float

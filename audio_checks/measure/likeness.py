@@ -73,7 +73,7 @@ class Likeness:
 
 @lru_cache(maxsize=8)
 def slice_starts_s() -> NDArray[np.float64]:
-    """Return when the slices begin, in seconds: close together at first, later ever farther apart."""
+    """Return the starts of the slices, in seconds: close together at first, later ever farther apart."""
     close = SLICE_S * np.arange(CLOSE_SLICES)
     far = SLICE_S * CLOSE_SLICES * SPACING ** np.arange(FAR_SLICES)
     return np.concatenate((close, far))
@@ -88,7 +88,7 @@ def _analysis(sample_rate_hz: int, length: int) -> tuple[NDArray[np.float64], ND
 
 
 def unlikeness_db(one: str, other: str) -> float | None:
-    """Return how far two sounds differ cell by cell once their levels are matched, in dB.
+    """Return the difference of two sounds cell by cell once their levels are matched, in dB.
 
     Parameters
     ----------

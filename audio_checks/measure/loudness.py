@@ -33,7 +33,7 @@ REAR_WEIGHT = 10**0.15  # +1.5 dB
 
 @lru_cache(maxsize=64)
 def channel_weights(channels: int, mask: int | None = None) -> NDArray[np.float64]:
-    """Return how much each channel counts: 1 in front, 1.41 at the sides, 0 for the LFE.
+    """Return the weight of each channel: 1 in front, 1.41 at the sides, 0 for the LFE.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def k_weighting(sample_rate_hz: int) -> tuple[NDArray[np.float64], NDArray[np.fl
 
 @lru_cache(maxsize=16)
 def _recursion(sample_rate_hz: int) -> NDArray[np.float64]:
-    """Return what the kernel filters by: b0, b1, b2, a1, a2 of the shelf, a1, a2 of the highpass (b is 1, -2, 1)."""
+    """Return the kernel's coefficients: b0, b1, b2, a1, a2 of the shelf, a1, a2 of the highpass (b is 1, -2, 1)."""
     numerators, denominators = k_weighting(sample_rate_hz)
     return np.concatenate((numerators[0] * numerators[1, 0], denominators[0, 1:], denominators[1, 1:]))
 

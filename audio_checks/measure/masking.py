@@ -36,7 +36,7 @@ BANDS = len(CENTRES_HZ)
 
 
 class Excitation:
-    """Accumulates how far a sound excites each band of the ear, block by block.
+    """An accumulator of a sound's excitation of each band of the ear, block by block.
 
     Windows are Hann's, 80 ms long and 40 ms apart, the first centred on the first frame. Channels are averaged as
     powers. What a browser plays in 30 s takes 0.3 s of one processor and 3 MB.
@@ -83,7 +83,7 @@ class Excitation:
 
 @dataclass(frozen=True)
 class Masking:
-    """How much of a sound is heard among others.
+    """The audible share of a sound among others.
 
     Attributes
     ----------
@@ -115,7 +115,7 @@ class Masking:
 
 
 def masking(sound: NDArray[np.float64], others: Sequence[NDArray[np.float64]]) -> Masking:
-    """Return how much of a sound is heard among others that sound at the same time.
+    """Return the audible share of a sound among others that sound at the same time.
 
     The figure is of simultaneous masking alone. It leaves out that a loud sound covers what follows it for up to
     0.2 s, that a sound from another direction is heard better, and the threshold of hearing in quiet. All levels
@@ -171,7 +171,7 @@ def _mean_db(power: NDArray[np.float64], part: NDArray[np.bool_]) -> NDArray[np.
 
 @lru_cache(maxsize=8)  # 8 ms each
 def _weights(sample_rate_hz: int, length: int) -> NDArray[np.float64]:
-    """Return what each bin of a window adds to each band, shape (bins, bands): the filters of the ear."""
+    """Return the weight of each bin of a window in each band, shape (bins, bands): the filters of the ear."""
     bins_hz = np.arange(length // 2 + 1)[:, np.newaxis] * (sample_rate_hz / length)
     bandwidths_hz = 24.7 * (4.37 * CENTRES_HZ / 1_000 + 1)
     slopes = 4 * CENTRES_HZ / bandwidths_hz

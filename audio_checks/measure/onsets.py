@@ -71,7 +71,7 @@ class Heights:
             )
 
     def reaching(self, level_db: float, channel: int) -> int:
-        """Return how many moments of a channel are about as sharp as a level, or sharper."""
+        """Return the number of moments of a channel about as sharp as a level, or sharper."""
         first = min(max(0, round(level_db) - self.LOWEST_DB), self.COUNT - 1)
         return int(self._counts[channel, first:].sum())
 

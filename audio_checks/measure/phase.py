@@ -1,4 +1,4 @@
-"""How alike the channels are, and what happens to a stereo sound in mono."""
+"""The likeness of the channels, and the fate of a stereo sound in mono."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is found of each block of samples once, for all that look at it."""
+"""The findings on each block of samples, made once, for all that look at it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 
 
 class StereoHops:
-    """What two channels have in common, hop by hop.
+    """The common part of two channels, hop by hop.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class StereoHops:
 
 
 class Room(NamedTuple):
-    """Where a block goes while it is decoded.
+    """The place of a block while it is decoded.
 
     Attributes
     ----------

@@ -91,7 +91,7 @@ def decay_curves(decay: DecayFigures) -> dict[str, Any] | None:
 
 
 def likeness_of_sides(decay: DecayFigures) -> list[dict[str, float | None]] | None:
-    """Return how alike left and right are in head and tail, by octave.
+    """Return the likeness of left and right in head and tail, by octave.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def energy_decay_db(levels: Floats) -> Floats:
 
 
 def _slopes(course: Course) -> list[float]:
-    """Return how fast the bands fall and rise, over windows of three lengths: quantiles, and how often they fall."""
+    """Return the bands' speeds of fall and rise, over windows of three lengths: quantiles, and incidence of falls."""
     found: list[float] = []
     held = np.maximum(course.levels, course.floors - 3).T.copy()
     active = course.active.T
@@ -169,7 +169,7 @@ def _drops(course: Course) -> list[float]:
 
 
 def _last_falls(course: Course) -> list[float]:
-    """Return how each band dies away after it was last loud: its decay times, its bend, how straight it falls."""
+    """Return the decay of each band after it was last loud: its decay times, its bend, its straightness."""
     table = np.full((WIDE + 1, 7), np.nan)
     for band in range(WIDE + 1):
         start, stop = course.last_fall(band)

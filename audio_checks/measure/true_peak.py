@@ -50,7 +50,7 @@ def middle_taps() -> NDArray[np.float64]:
 
 
 def _delays(taps: int, oversampling: int, band: float, outer_weight: float) -> NDArray[np.float64]:
-    """Return what delays by parts of a sample, shape (oversampling - 1, taps).
+    """Return filters that delay by parts of a sample, shape (oversampling - 1, taps).
 
     Notes
     -----
@@ -71,7 +71,7 @@ def _delays(taps: int, oversampling: int, band: float, outer_weight: float) -> N
 
 @cache
 def _plan() -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return what the kernel goes by: its taps, phases in even and odd parts, and the bounds of its sieves."""
+    """Return the kernel's plan: its taps, phases in even and odd parts, and the bounds of its sieves."""
     gain = float(np.abs(phases()).sum(axis=1).max())
     outwards = np.ascontiguousarray(middle_taps()[MIDDLE_TAPS // 2 :])
     return _parts(phases()), outwards, _parts(half_phases()), np.array([gain, BEND, KINK, MISSED])

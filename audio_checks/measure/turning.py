@@ -1,4 +1,4 @@
-"""How differently a sound rises and falls: features of a sound that is played backwards."""
+"""The difference of a sound's rise and fall: features of a sound that is played backwards."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def _steps(levels: Floats, lag: int) -> Floats:
 
 
 def _leans_of(levels: Floats) -> Floats:
-    """Return how each band rises against how it falls, and its position in time, shape (bands, _EACH)."""
+    """Return the rise of each band against its fall, and its position in time, shape (bands, _EACH)."""
     found: list[Floats] = []
     for lag in LAGS:
         steps = _steps(levels, lag)
@@ -128,7 +128,7 @@ def _leans_of(levels: Floats) -> Floats:
 
 
 def _between(levels: Floats) -> list[float]:
-    """Return what the octaves do together: who starts and ends at once, and where the highs lie in time."""
+    """Return the octaves' joint course: starts and ends at once, and the place of the highs in time."""
     known = [place for place in range(_WIDE) if not np.isnan(levels[0, place])]
     if len(known) < 2:
         return [math.nan] * 2

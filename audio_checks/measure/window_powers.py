@@ -15,7 +15,7 @@ PRIMES = (2, 3, 5, 7, 11)  # of which the kernel's transforms are made
 
 
 class PitchRows(NamedTuple):
-    """Which bins of a spectrum make each of some rows.
+    """The bins of a spectrum that make each of some rows.
 
     Attributes
     ----------

@@ -28,7 +28,7 @@ SHOWN_FIELDS, SHOWN_CHARACTERS, SHOWN_POINTS = 128, 256, 256  # in a report
 
 @dataclass(frozen=True)
 class Metadata:
-    """What a file says of itself.
+    """A file's statements on itself.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Metadata:
     damaged: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what a report shows of it: bounded, and only what there is."""
+        """Return its values for a report: bounded, and only those that exist."""
         shown: dict[str, Any] = {}
         if self.fields:
             some = list(self.fields.items())[:SHOWN_FIELDS]
@@ -68,7 +68,7 @@ class Metadata:
 
 
 def read_metadata(chunks: Iterable[tuple[str, bytes]]) -> Metadata:
-    """Return what the chunks of a file say.
+    """Return the content of a file's chunks.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ class _Reading:
         self.damaged: dict[str, None] = {}
 
     def first(self, kind: str, read: Callable[[bytes], T]) -> T | None:
-        """Return what the first chunk of a kind says that says something."""
+        """Return the content of the first chunk of a kind that says something."""
         for name, payload in self._chunks:
             if name == kind:
                 try:

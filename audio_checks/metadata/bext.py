@@ -75,7 +75,7 @@ def _hundredths(level: float | None) -> int:
 
 
 def coding_history_line(sample_rate_hz: int, bit_depth: int, channels: int) -> str:
-    """Return what EBU R 98 asks of each step of a sound's way, without the end of the line."""
+    """Return the line that EBU R 98 asks of each step of a sound's way, without its end."""
     mode = {1: ",M=mono", 2: ",M=stereo"}.get(channels, "")
     return f"A=PCM,F={sample_rate_hz},W={bit_depth}{mode}"
 

@@ -36,5 +36,5 @@ class Gathering:
                 kept.extend(piece[max(start - position, 0) : stop - position])
 
     def read(self) -> Metadata:
-        """Return what the kept payloads say."""
+        """Return the metadata of the kept payloads."""
         return read_metadata([(name, bytes(kept)) for name, _, _, kept in self._kept])

@@ -42,7 +42,7 @@ Points = tuple[int, int]
 
 @dataclass(frozen=True)
 class Move:
-    """What happens to the sound.
+    """The changes to the sound.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ class Move:
         return min(self.at_new_rate(max(frame - self.cut, 0)), self.frames - 1)
 
     def length(self, frame: int, length: int) -> int:
-        """Return how much of a region of the master is left in the copy."""
+        """Return the length left in the copy of a region of the master."""
         first, end = self.at_new_rate(max(frame - self.cut, 0)), self.at_new_rate(max(frame + length - self.cut, 0))
         return min(end, self.frames) - min(first, self.frames)
 
@@ -99,7 +99,7 @@ class Move:
 
 
 def bytes_outside_data(layout: wav.WavLayout) -> int:
-    """Return how many bytes a file carries besides its sound; above `MOST_BYTES` they are not carried."""
+    """Return the number of bytes in a file besides its sound; above `MOST_BYTES` they are not carried."""
     return sum(chunk.size for chunk in layout.chunks if chunk.id not in REWRITTEN)
 
 

@@ -25,7 +25,7 @@ class CuePoint:
 
 @dataclass(frozen=True)
 class Instrument:
-    """How a sampler plays the sound; a figure that no chunk gives is None.
+    """A sampler's settings for the sound; a figure that no chunk gives is None.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ def read_smpl(payload: bytes) -> Instrument:
 
 
 def read_inst(payload: bytes) -> Instrument:
-    """Return what an `inst` chunk says.
+    """Return the content of an `inst` chunk.
 
     Raises
     ------

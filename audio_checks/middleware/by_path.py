@@ -1,4 +1,4 @@
-"""Which sounds of a project the files of another folder are."""
+"""Identification of another folder's files as sounds of a project."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NOT_PLAYED = {
 
 
 def sounds_by_path(project: Project, paths: Iterable[str]) -> dict[str, list[PlayedSound]]:
-    """Return what a project plays by the paths of a build's files.
+    """Return a project's played sounds by the paths of a build's files.
 
     Parameters
     ----------

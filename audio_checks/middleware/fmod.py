@@ -43,7 +43,7 @@ class _Object:
 
 
 def read_fmod(project: Path, texts: Mapping[str, str] | None = None) -> Project:
-    """Return what an FMOD Studio project says of its sounds.
+    """Return an FMOD Studio project's facts on its sounds.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ class _Reading:
         )  # fmt: skip
 
     def _random_set(self, route: tuple[_Object, ...]) -> str:
-        """Return where the instrument is that plays one of its sounds: the event, where it is alone there."""
+        """Return the place of the instrument that plays one of its sounds: the event, where it is alone there."""
         multi = next((one for one in route if one.kind == "MultiSound"), None)
         event = self._events.get(multi.file) if multi is not None else None
         if multi is None or event is None:
@@ -203,7 +203,7 @@ class _Reading:
         return [self._objects[id_] for id_ in ids if id_ in self._objects]
 
     def _place(self, one: _Object, asset: _Object) -> str:
-        """Return where an object is, for people."""
+        """Return an object's place, for people."""
         name = one.properties.get("name", "")
         if one.kind == "Event":
             return self._event_path(one)

@@ -64,7 +64,7 @@ class _Scene:
 
 
 def read_godot(root: Path, texts: Mapping[str, str] | None = None) -> Project:
-    """Return what a Godot project says of its sounds.
+    """Return a Godot project's facts on its sounds.
 
     Parameters
     ----------
@@ -339,7 +339,7 @@ def _over(base: _Node, node: _Node) -> _Node:
 
 
 def _animated(section: Section) -> Iterator[str]:
-    """Yield what an animation moves, where that is a volume."""
+    """Yield the volumes that an animation moves."""
     for key, text in section.properties.items():
         if key.startswith("tracks/") and key.endswith("/path"):
             path = text_of(text.partition("(")[2].rpartition(")")[0])

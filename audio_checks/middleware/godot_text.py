@@ -64,7 +64,7 @@ def sections(text: str) -> Iterator[Section]:
 
 
 def _structure(line: str, open_: int, in_string: bool) -> tuple[int, bool]:
-    """Return how many brackets are open after a line, and whether it ends within a string."""
+    """Return the number of brackets open after a line, and whether it ends within a string."""
     if in_string:
         end = _STRING_END.match(line)
         if end is None:

@@ -1,4 +1,4 @@
-"""Finds which engine or middleware a project is of, and reads it."""
+"""Detection of a project's engine or middleware, and its reading."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WANTED = (
 
 
 def read_project(path: str | Path) -> Project:
-    """Return which sound files a game plays, and at which gain.
+    """Return the sound files that a game plays, with their gain.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def read_project(path: str | Path) -> Project:
 
 
 def read_project_texts(path: str, texts: Mapping[str, str]) -> Project:
-    """Return what `read_project` does, of a project whose texts were sent; nothing is read from a disk.
+    """Return the result of `read_project` for a project whose texts were sent; nothing is read from a disk.
 
     Parameters
     ----------

@@ -64,7 +64,7 @@ class _Holder:
 
 
 def read_unity(root: Path, texts: Mapping[str, str] | None = None) -> Project:
-    """Return what a Unity project says of its sounds.
+    """Return a Unity project's facts on its sounds.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ class Document:
     _modifications: dict[tuple[str, str], list[Change]] | None = field(default=None, repr=False)
 
     def modifications(self) -> dict[tuple[str, str], list[Change]]:
-        """Return what an instance of a prefab changes, by the object's id and the prefab's guid."""
+        """Return the changes of an instance of a prefab, by the object's id and the prefab's guid."""
         if self._modifications is None:
             self._modifications = {}
             for found in _MODIFICATION.finditer(self.text):

@@ -1,4 +1,4 @@
-"""Reads what `integrations/unreal/export_sounds.py` writes in the Unreal editor: sounds, cues, classes and submixes.
+"""Reader of `integrations/unreal/export_sounds.py`'s output in the Unreal editor: sounds, cues, classes, submixes.
 
 Assets of Unreal are binary, so a script in the editor names their values. Volumes of waves, cues, nodes and classes are
 factors, that of a submix is in dB.
@@ -42,7 +42,7 @@ ON: dict[str, DependsOn] = {"SoundNodeAttenuation": "distance", "SoundNodeModula
 
 
 def read_unreal(export: Path, texts: Mapping[str, str] | None = None) -> Project:
-    """Return what an export of an Unreal project says of its sounds.
+    """Return an Unreal export's facts on the project's sounds.
 
     Parameters
     ----------

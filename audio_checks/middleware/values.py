@@ -1,4 +1,4 @@
-"""What a project says of the sounds that the game plays, in plain values."""
+"""A project's facts on the sounds that the game plays, in plain values."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Dependency:
-    """What else changes the level while the game runs.
+    """Another cause of level changes while the game runs.
 
     Attributes
     ----------
@@ -159,7 +159,7 @@ class Unread:
 
 @dataclass(frozen=True, slots=True)
 class Project:
-    """What a project says.
+    """The facts of a project.
 
     Attributes
     ----------

@@ -70,7 +70,7 @@ class _Source:
 
 
 def read_wwise(project: Path, texts: Mapping[str, str] | None = None) -> Project:
-    """Return what a Wwise project says of its sounds.
+    """Return a Wwise project's facts on its sounds.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What single elements of a Wwise work unit say: properties, their values, and what moves them."""
+"""The content of single elements of a Wwise work unit: properties, their values, and influences on them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def value_of(property_: ET.Element) -> str:
 
 
 def changes_of(name: str, property_: ET.Element) -> list[Dependency]:
-    """Return what moves a property away from its value."""
+    """Return influences that move a property away from its value."""
     found = []
     for rtpc in property_.iterfind("RTPCList/RTPC"):
         meant = rtpc.find("ReferenceList/Reference[@Name='ControlInput']/ObjectRef")

@@ -190,7 +190,7 @@ def _ensure_free(path: Path) -> None:
 
 @dataclass(frozen=True)
 class _Form:
-    """What the file is to be."""
+    """The intended form of the file."""
 
     sample_rate_hz: int
     bit_depth: int

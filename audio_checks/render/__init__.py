@@ -1,1 +1,1 @@
-"""How game files are made from masters: rate, channels, depth, peaks, and previews for the ear."""
+"""The making of game files from masters: rate, channels, depth, peaks, and previews for the ear."""

@@ -70,7 +70,7 @@ class Attempt:
             yield written
 
     def watch_decoded(self, blocks: Iterator[NDArray[np.float64]], wanted: Iterator[NDArray[np.float64]]) -> None:
-        """Measure what a coded file decodes to, and how far that is from what was given to the encoder."""
+        """Measure the decoded sound of a coded file, and its distance from the encoder's input."""
         self._is_decoded = True
         for block, meant in zip(blocks, wanted, strict=True):
             self.noise.add(block - meant)

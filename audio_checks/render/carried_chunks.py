@@ -77,7 +77,7 @@ def carried_chunks(
 
 
 def comments_of(file: BinaryIO, layout: wav.WavLayout, master: OpenSound, *, all_chunks: bool) -> Comments:
-    """Return what a coded game file says of itself in Vorbis comments, from the WAV file of its sound.
+    """Return the Vorbis comments of a coded game file on itself, from the WAV file of its sound.
 
     The mark of a placeholder and the first loop (`LOOPSTART` and `LOOPLENGTH`, in frames) always; who and what
     the master names only where everything goes along.
@@ -121,7 +121,7 @@ def update_loudness(sound: OpenSound, path: Path, figures: Mapping[str, float | 
 
 
 def metadata_of(file: BinaryIO, layout: wav.WavLayout) -> Metadata:
-    """Return what a WAV file says of itself."""
+    """Return a WAV file's statements on itself."""
     chunks = [chunk for chunk in layout.chunks if chunk.id in CHUNKS][:MOST_CHUNKS]
     return read_metadata(
         (chunk.id, wav.chunk_payload(file, replace(chunk, size=min(chunk.size, MOST_READ_BYTES)))) for chunk in chunks

@@ -28,7 +28,7 @@ FLAC_LEVEL = 1.0  # the smallest files
 
 @dataclass(frozen=True)
 class Coder:
-    """How files are encoded: by which codec, and at which quality (0 to 1; nothing for FLAC)."""
+    """The encoding of files: its codec and quality (0 to 1; nothing for FLAC)."""
 
     encoding: str
     quality: float = 0.0

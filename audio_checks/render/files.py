@@ -73,7 +73,7 @@ class RenderRun:
         return outcomes
 
     def _order(self, task: Task, relative: str) -> _Order:
-        """Return where a render goes, or why it may not; what was planned before has taken its place."""
+        """Return a render's destination, or the reason for none; earlier plans have taken their places."""
         if task.spec is None or task.spec.target is None:
             raise ValueError("a render needs a target")
         out = self._place(task.spec.target, relative)
@@ -85,7 +85,7 @@ class RenderRun:
         return _Order(task, out, self._replaces)
 
     def _place(self, target: Target, relative: str) -> Path:
-        """Return where a render goes: the master's place, under the name without the mark of an alternate."""
+        """Return a render's destination: the master's place, under the name without the mark of an alternate."""
         name = parse_file_name(relative)
         return self._folder / target.name / Path(relative).parent / f"{name.stem}{target.ending()}"
 
@@ -112,7 +112,7 @@ class _Order:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What happened to one render.
+    """The outcome of one render.
 
     Attributes
     ----------
@@ -189,7 +189,7 @@ def _is_placeholder(path: Path) -> bool:
 
 
 def in_words(rendered: Rendered) -> str:
-    """Return what was made, and what it cost, in one line."""
+    """Return the file made, and its cost, in one line."""
     channels = {1: "mono", 2: "stereo"}.get(rendered.channels, f"{rendered.channels} channels")
     coding = CODINGS.get(rendered.encoding)
     if coding:

@@ -1,4 +1,4 @@
-"""What a browser needs of a sound: a file that all of them play, and its shape.
+"""Browsers' needs of a sound: a file that all of them play, and its shape.
 
 Masters are read, and game files that a codec keeps, under names that end so.
 """
@@ -154,7 +154,7 @@ def wave_shapes(
 
 
 def average_spectrum(path: str | os.PathLike[str]) -> BandLevels:
-    """Return how the energy of a sound is spread over frequency, streaming it once; see `AverageSpectrum`.
+    """Return the spread of a sound's energy over frequency, streaming it once; see `AverageSpectrum`.
 
     Windows last as long at every rate, as those of `Loss.spectra` do.
 
@@ -196,7 +196,7 @@ def spectrogram(path: str | os.PathLike[str]) -> NDArray[np.float64]:
 
 
 def excitation(path: str | os.PathLike[str], *, max_s: float) -> NDArray[np.float64]:
-    """Return how far a sound excites each band of the ear, streaming it up to `max_s` seconds; see `Excitation`.
+    """Return a sound's excitation of each band of the ear, streaming it up to `max_s` seconds; see `Excitation`.
 
     Returns
     -------

@@ -29,7 +29,7 @@ HEADER = b'<?xml version="1.0" encoding="UTF-8"?>\n'
 
 @dataclass(frozen=True)
 class Provenance:
-    """What is known of a master; what is empty is left as the file has it.
+    """The known facts of a master; an empty one is left as the file has it.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What is to be done with a master, once its header is known."""
+"""The treatment of a master, once its header is known."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -17,7 +17,7 @@ MONO_LOSS_LIMIT_DB = 6.0
 
 @dataclass(frozen=True)
 class Recipe:
-    """What to do with a master, once its header is known."""
+    """The treatment of a master, once its header is known."""
 
     sample_rate_hz: int
     bit_depth: int
@@ -41,7 +41,7 @@ class Recipe:
 
     @property
     def coder(self) -> Coder | None:
-        """What encodes the file; None where it is plain samples in a WAV file."""
+        """Return the encoder of the file; None where it is plain samples in a WAV file."""
         return Coder(self.encoding, self.quality or 0.0) if self.encoding in CODINGS else None
 
     @property

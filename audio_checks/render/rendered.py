@@ -1,4 +1,4 @@
-"""What happened to a master on its way to a game file: the file's facts, and what was lost."""
+"""The record of a master's way to a game file: the file's facts, and the losses."""
 
 import math
 from dataclasses import dataclass, is_dataclass
@@ -39,7 +39,7 @@ class Spectra:
 
 @dataclass(frozen=True)
 class Loss:
-    """What a render cost.
+    """The cost of a render.
 
     Attributes
     ----------

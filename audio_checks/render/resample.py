@@ -278,7 +278,7 @@ def _moved(
     offsets: NDArray[np.float64],
     span: slice,
 ) -> NDArray[np.float64]:
-    """Return what a shift of each new frame by its own small offset adds, by Taylor's series."""
+    """Return the addition from a shift of each new frame by its own small offset, by Taylor's series."""
     turn = 2 * math.pi / plan.block_out * np.arange(real.shape[1])  # at most π per new frame
     bound = math.pi * float(np.abs(offsets).max(initial=0.0))
     added = np.zeros((len(real), len(offsets)))

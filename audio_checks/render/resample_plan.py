@@ -35,7 +35,7 @@ class Plan:
 
     @property
     def block_out(self) -> int:
-        """How many new frames a block becomes."""
+        """Return a block's number of new frames."""
         return self.block_in // self.down * self.up
 
 
@@ -64,7 +64,7 @@ def _kaiser(width: float, cutoff: float, attenuation_db: float) -> NDArray[np.fl
 
 
 def plan_for(sample_rate_hz: int, to_hz: int, samples: int, shelf: float = 1.0) -> Plan:
-    """Return how to lay blocks; a short sound gets short ones, so that it fills the windows of one transform."""
+    """Return the plan of blocks; a short sound gets short ones, so that it fills the windows of one transform."""
     taps = len(_lowpass(sample_rate_hz, to_hz))
     fitting = 1 << (max(samples // WINDOWS, 2 * taps) - 1).bit_length()
     return _laid_plan(sample_rate_hz, to_hz, min(BLOCK_FILTERS * taps, fitting), shelf)
@@ -101,7 +101,7 @@ def _laid_plan(sample_rate_hz: int, to_hz: int, hop_wanted: int, shelf: float) -
 
 
 def _grid(sample_rate_hz: int, to_hz: int) -> tuple[int, int]:
-    """Return how many new frames fall on how many of the master: the ratio itself where its factors are small.
+    """Return the numbers of new and of master frames that match: the ratio itself where its factors are small.
 
     Else the nearest such ratio: the rest is made up by moving each frame.
     """

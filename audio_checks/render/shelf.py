@@ -1,4 +1,4 @@
-"""How much the top octave must be lifted to weigh as much as the highs that a lower rate loses."""
+"""The lift that the top octave needs to weigh as much as the highs that a lower rate loses."""
 
 import math
 from collections.abc import Iterable

@@ -1,4 +1,4 @@
-"""What a render must know of its master beforehand, and what its report says of it: one pass over the file."""
+"""Facts of a master that a render needs beforehand, and those in its report: one pass over the file."""
 
 import math
 from typing import Any, BinaryIO, Protocol
@@ -25,11 +25,11 @@ class Accumulator(Protocol):
         """Take the next samples, shape (n, channels)."""
 
     def result(self) -> Any:
-        """Return what was measured."""
+        """Return the measurements."""
 
 
 class Survey:
-    """What is asked of a master before it is rendered, measured in one pass."""
+    """The figures asked of a master before it is rendered, measured in one pass."""
 
     def __init__(
         self, file: BinaryIO, layout: wav.WavLayout, *, to_mono: bool, trims: bool, measures_loss: bool
@@ -59,7 +59,7 @@ class Survey:
         return (head, tail) if head + tail < self._frames else (0, 0)
 
     def mono_loss_db(self) -> float | None:
-        """Return what the sound loses where stereo becomes mono; None where it does not, and for silence."""
+        """Return the sound's loss where stereo becomes mono; None where it does not, and for silence."""
         return None if self._phase is None else self._phase.result()["mono_loss_db"]
 
     def mono_warnings(self, limit_db: float) -> tuple[Finding, ...]:
@@ -101,7 +101,7 @@ class Survey:
 
 
 def seam_of(file: BinaryIO, layout: wav.WavLayout, points: tuple[tuple[int, int], ...]) -> SeamFigures:
-    """Return how a file's first loop, or all of it, goes over its seam."""
+    """Return the seam figures of a file's first loop, or of all of it."""
     seam = Seam(layout.sample_rate_hz, layout.channels, layout.frames, loops=[(*points[0], False)] if points else ())
     for block in wav.blocks(file, layout):
         seam.add(block)

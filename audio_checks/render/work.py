@@ -163,7 +163,7 @@ class Work:
                     attempt.seam = seam_of(decoded.file, decoded.layout, self._new_points)
 
     def describe(self, scratch: Path, out_path: Path, attempt: Attempt, lowered_db: float) -> Rendered:
-        """Return what is known of the file that an attempt wrote, with its loss where the recipe measures it."""
+        """Return the facts of the file that an attempt wrote, with its loss where the recipe measures it."""
         sha256, pcm_sha256 = _digests(scratch, attempt.pcm_sha256)
         rendered = Rendered(
             path=out_path,
@@ -289,7 +289,7 @@ class Work:
         return [one for one, kind in zip(self._fitted, kinds, strict=False) if kind == "forward"]
 
     def _move(self, bit_depth: int, dither: Dither, lowered_db: float) -> Move:
-        """Return what happens to the sound, for what points into it."""
+        """Return the changes to the sound, for all that points into it."""
         recipe, layout = self._recipe, self._layout
         exact = recipe.samples == layout.encoding and bit_depth >= layout.bit_depth and dither == "none"
         fitted = self._frames * layout.sample_rate_hz / (layout.frames * recipe.sample_rate_hz)

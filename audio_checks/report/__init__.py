@@ -1,1 +1,1 @@
-"""What a run says of files: findings, reports, and the verdicts in them."""
+"""A run's statements on files: findings, reports, and the verdicts in them."""

@@ -1,4 +1,4 @@
-"""What a check found, what is said of one file, and the report over many: the JSON that others read."""
+"""A check's finding, one file's report, and the report over many: the JSON that others read."""
 
 import json
 import math
@@ -176,7 +176,7 @@ _FILE_FIELDS = frozenset(FileReport.__dataclass_fields__)
 
 @dataclass(frozen=True)
 class SpecRef:
-    """Which spec a report was judged by."""
+    """The spec that a report was judged by."""
 
     name: str
     sha256: str
@@ -371,7 +371,7 @@ def schema() -> dict[str, Any]:
 
 
 def lowering_advice(excess_db: float, *, is_cut_off: bool) -> str:
-    """Return how a peak over its limit is put right, by what happened to the tops."""
+    """Return the remedy for a peak over its limit, by the fate of the tops."""
     lower = f"lower the level by {excess_db:.2f} dB"
     if not is_cut_off:
         return f"{lower} or more"

@@ -34,7 +34,7 @@ class JudgedFile:
 
     @property
     def path(self) -> str:
-        """Where it is, as the report has it."""
+        """Return its place, as the report has it."""
         return self.report.path
 
     @property

@@ -56,7 +56,7 @@ class _Print(NamedTuple):
 
 
 def default_folder() -> Path:
-    """Return where verdicts are kept: AUDIO_CHECKS_CACHE_DIR, or the user's folder for such things."""
+    """Return the folder for verdicts: AUDIO_CHECKS_CACHE_DIR, or the user's folder for such things."""
     if named := os.environ.get("AUDIO_CHECKS_CACHE_DIR"):
         return Path(named)
     if sys.platform == "win32":
@@ -93,7 +93,7 @@ class VerdictCache:
         return self._database is not None
 
     def recall(self, tasks: Sequence[Task]) -> list[FileReport | None]:
-        """Return what was said of each file under the same spec; None for those that must be judged."""
+        """Return the report on each file under the same spec; None for those that must be judged."""
         if self._database is None:
             return [None] * len(tasks)
         try:
@@ -103,7 +103,7 @@ class VerdictCache:
             return [None] * len(tasks)
 
     def remember(self, tasks: Sequence[Task], entries: Sequence[FileReport]) -> None:
-        """Keep what was said of files that `recall` did not know."""
+        """Keep the reports on files that `recall` did not know."""
         if self._database is None:
             return
         try:
@@ -174,7 +174,7 @@ class VerdictCache:
         return recalled
 
     def _place(self, path: str) -> bytes:
-        """Return where a file stands, whatever folder it was named from."""
+        """Return a file's place, whatever folder it was named from."""
         folder, name = os.path.split(path)
         if folder not in self._folders:
             self._folders[folder] = os.path.abspath(folder)
@@ -213,7 +213,7 @@ class VerdictCache:
         self._note(database, kept)
 
     def _note(self, database: sqlite3.Connection, paths: Sequence[str]) -> None:
-        """Note which bytes stand where, of files that have been left alone for a moment."""
+        """Note the bytes and places of files that have been left alone for a moment."""
         now = time.time_ns()
         rows = [
             (self._place(path), *self._prints[path], self._hashes[path])

@@ -1,4 +1,4 @@
-"""Which files a change touches, as Git knows it: what differs from where a branch left off, and what is new."""
+"""Files that a change touches, as Git knows it: differences from the branching point, and new ones."""
 
 import os
 import shutil
@@ -240,7 +240,7 @@ def _copy_of_index(root: str) -> Iterator[str | None]:
 
 
 def _git(folder: str, *arguments: str, index: str | None = None) -> bytes | None:
-    """Return what Git says in a folder; None when it refuses."""
+    """Return Git's answer in a folder; None when it refuses."""
     git = installed_program("git")
     if git is None:
         raise NoHistory("git is not installed, so what has changed is not known")

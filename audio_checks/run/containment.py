@@ -17,7 +17,7 @@ from audio_checks.spec.delivery_spec import CueFacts, DeliverySpec
 def run_checks(
     checks: Iterable[Check], file: AudioFile, spec: DeliverySpec, cue: CueFacts | None
 ) -> tuple[list[Finding], list[Finding]]:
-    """Return what the checks found, and which of them broke; one whose figure could not be measured is among them."""
+    """Return the findings, and the checks that broke; one whose figure could not be measured is among them."""
     found: list[Finding] = []
     crashed: list[Finding] = []
     errors = file.errors

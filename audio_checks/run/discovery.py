@@ -119,7 +119,7 @@ class _Walk:
 
 
 def _identity(folder: str) -> tuple[int, int]:
-    """Return what tells a folder from every other, whatever path leads to it."""
+    """Return the mark that tells a folder from every other, whatever path leads to it."""
     try:
         at = os.stat(folder)
     except OSError as error:

@@ -1,4 +1,4 @@
-"""What the game files of a target take in memory: counted from files that are there, forecast from the sound list."""
+"""Memory use of a target's game files: counted from files that are there, forecast from the sound list."""
 
 import math
 from collections.abc import Iterable
@@ -36,7 +36,7 @@ class SoundSize:
 
 @dataclass(frozen=True)
 class MemoryUse:
-    """What some of a target's files take.
+    """Memory use of some of a target's files.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class MemoryUse:
 
     @property
     def over_bytes(self) -> int | None:
-        """By how much the budget is exceeded; negative is room left, None without a budget."""
+        """Return the excess over the budget; negative is room left, None without a budget."""
         return None if self.budget_bytes is None else self.memory_bytes - self.budget_bytes
 
     def to_dict(self) -> dict[str, Any]:
@@ -74,7 +74,7 @@ class MemoryUse:
 
 @dataclass(frozen=True)
 class Memory:
-    """What a target takes: all of it, and by category in the order of first appearance."""
+    """A target's memory use: all of it, and by category in the order of first appearance."""
 
     target: str
     total: MemoryUse
@@ -92,7 +92,7 @@ def requested_sizes(cues: Iterable[CueFacts]) -> list[SoundSize]:
 
 
 def memory_use(spec: DeliverySpec, target: str, sounds: Iterable[SoundSize]) -> Memory:
-    """Count what sounds take in memory once they are game files of a target.
+    """Count the memory that sounds take once they are game files of a target.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What is found in a file's name alone, before there is a file."""
+"""The findings in a file's name alone, before there is a file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ NAMING_RULES = frozenset({"naming:pattern", "naming:tokens", "naming:ucs"})
 
 
 def check_name(name: str, spec: DeliverySpec, cue: CueFacts | None = None) -> tuple[Finding, ...]:
-    """Return what `naming` finds in a name, each with its severity, as the report on a file of this name has it.
+    """Return `naming`'s findings in a name, each with its severity, as the report on a file of this name has it.
 
     Parameters
     ----------

@@ -82,7 +82,7 @@ def in_processes(
 
 
 def _shares(places: list[int], workers: int) -> Iterator[list[int]]:
-    """Yield what processes take at a time: several tasks at first, and few at the end, which they reach together."""
+    """Yield processes' shares at a time: several tasks at first, and few at the end, which they reach together."""
     at = 0
     while at < len(places):
         count = max(1, min(MOST_AT_ONCE, (len(places) - at) // (workers * 4)))

@@ -1,4 +1,4 @@
-"""What a server of throw-away children does once, so that no child has to load it: modules, tables, weights."""
+"""One-time work of a server of throw-away children, so that no child has to load it: modules, tables, weights."""
 
 from __future__ import annotations
 

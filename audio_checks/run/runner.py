@@ -243,7 +243,7 @@ def task_for(
 
 
 def with_set_checks(tasks: Sequence[Task], entries: Sequence[FileReport]) -> list[FileReport]:
-    """Return what is said of files, with what is found over all of them together."""
+    """Return the reports on files, with the findings over all of them together."""
     judged = {
         place: JudgedFile(entry, task.spec, task.cue, task.variation, is_alternate=_is_alternate(task))
         for place, (task, entry) in enumerate(zip(tasks, entries, strict=True))

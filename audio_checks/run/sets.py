@@ -42,7 +42,7 @@ def set_findings(files: Sequence[JudgedFile]) -> list[tuple[Finding, ...]]:
 
 
 def offset_from_set_lu(files: Sequence[JudgedFile]) -> list[float | None]:
-    """Return how much louder each file of one cue is than its other variations, in LU; None where it is not known."""
+    """Return the excess loudness of each file of one cue over its other variations, in LU; None where not known."""
     readable = [file for file in files if file.was_read]
     off = iter(variation_set.offset_from_set_lu(readable))
     return [next(off) if file.was_read else None for file in files]

@@ -1,4 +1,4 @@
-"""How grave a finding is: the spec's word first, then the check's, then the default."""
+"""The gravity of a finding: the spec's word first, then the check's, then the default."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How many processes some files are worth."""
+"""The number of processes that some files are worth."""
 
 import os
 from collections.abc import Sequence
@@ -9,7 +9,7 @@ MANY_FILES = 200
 
 
 def size_of(path: str) -> int:
-    """Return how large a file is, in bytes; 0 for what is none."""
+    """Return the size of a file, in bytes; 0 for anything that is none."""
     try:
         return os.stat(path).st_size
     except (OSError, ValueError):
@@ -17,7 +17,7 @@ def size_of(path: str) -> int:
 
 
 def process_count(paths: Sequence[str]) -> int:
-    """Return how many processes some files are worth: one a core when they are many or large, else one."""
+    """Return the number of processes that some files are worth: one a core when they are many or large, else one."""
     if len(paths) < 2:
         return 1
     size = sum(os.path.getsize(path) for path in paths if os.path.isfile(path))

@@ -33,7 +33,7 @@ STATED = re.compile(r"^(SEVERITY|OVER_FILES|LIMITS) = (.+?)(?:  #.*)?$", re.MULT
 
 @cache
 def _stated() -> dict[str, dict[str, Any]]:
-    """Return what each module of `checks` states, by the name of its check; a module without a severity is none."""
+    """Return each `checks` module's statements, by the name of its check; a module without a severity is none."""
     found: dict[str, dict[str, Any]] = {}
     for module in pkgutil.iter_modules([str(CHECKS)]):
         source = (CHECKS / f"{module.name}.py").read_text(encoding="utf-8")

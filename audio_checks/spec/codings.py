@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Coding:
-    """How game files of one encoding are kept.
+    """The storage of game files of one encoding.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ def label_of(encoding: str) -> str:
 
 
 def ending_of(encoding: str) -> str:
-    """Return what names of game files of an encoding end in."""
+    """Return the ending of names of game files of an encoding."""
     if encoding == MP3:
         return ".mp3"
     return CODINGS[encoding].ending if encoding in CODINGS else ".wav"

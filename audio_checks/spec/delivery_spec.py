@@ -100,7 +100,7 @@ class DeliverySpec:
 
     @property
     def ending(self) -> str:
-        """What names of files end in: of deliveries, or of the target's game files."""
+        """Return the ending of file names: of deliveries, or of the target's game files."""
         if self.target is not None:
             return self.target.ending(self.naming.extension)
         return self.naming.extension or WAV_ENDING

@@ -24,7 +24,7 @@ def has_spec(path: Path) -> bool:
 
 
 def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
-    """Return what a file says, put on what it extends; `seen` are the files that led here.
+    """Return a file's tables, put on those that it extends; `seen` are the files that led here.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
 
 
 def read_tables(text: str, where: str, *, pyproject: bool = False) -> Tables:
-    """Return what a TOML text says; of a pyproject.toml only its table for audio-checks.
+    """Return the tables of a TOML text; of a pyproject.toml only its table for audio-checks.
 
     Raises
     ------

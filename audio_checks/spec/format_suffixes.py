@@ -26,7 +26,7 @@ _PATTERNS = tuple(
 
 
 def format_spans(stem: str) -> list[tuple[int, int]]:
-    """Return where a name without its ending says a sample rate, a bit depth or a layout of channels.
+    """Return the places of a sample rate, a bit depth or a layout of channels in a name without its ending.
 
     A bare number counts only as a rate in Hz (`48000`), or as a rate beside a depth (`48_24`, `4416`).
     """

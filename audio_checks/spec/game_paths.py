@@ -1,4 +1,4 @@
-"""Where files of voice lines stand: one rule for sound lists, packs, placeholders and checks.
+"""The place of voice lines' files: one rule for sound lists, packs, placeholders and checks.
 
 A cue that is a line in one language owns a name that begins with the language (`en_captain_010`), so that no two
 cues own one name. In the game every language has a folder, and the line has one name in all of them
@@ -12,7 +12,7 @@ def stem_in_language(language: str, stem: str) -> str:
 
 
 def game_path(language: str | None, path: str) -> str:
-    """Return where the file of a cue stands in the game.
+    """Return the place of a cue's file in the game.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ MOST_ERRORS = 20  # that are named at once
 
 
 class Kind(Protocol):
-    """What a key may hold."""
+    """A key's possible values."""
 
     def read(self, value: object, where: str) -> Any:
         """Return the value in its plain form, or raise SpecError naming the place."""

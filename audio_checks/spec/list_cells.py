@@ -215,7 +215,7 @@ _WITH_UNIT = re.compile(r"(.*[0-9.,])\s*([^\W\d_]+)\.?")
 
 @dataclass(frozen=True)
 class CellContext:
-    """What a cell does not say itself."""
+    """Facts that a cell does not say itself."""
 
     unit_s: float = 1.0  # seconds in the unit of the column's head
     counted: str = ""  # "frames" or "samples" where the head counts those

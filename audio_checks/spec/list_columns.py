@@ -1,4 +1,4 @@
-"""What the columns of a sound list are read as, by their heads and their cells, and the names that its rows give."""
+"""The reading of a sound list's columns, by their heads and their cells, and the names that its rows give."""
 
 import re
 import unicodedata
@@ -35,7 +35,7 @@ FIELD_WORDS = {
 
 @dataclass(frozen=True)
 class ColumnGuess:
-    """What a column is read as."""
+    """The reading of a column."""
 
     field: str | None  # None: nothing that a list has a field for
     context: CellContext = PLAIN
@@ -44,7 +44,7 @@ class ColumnGuess:
 
 
 def guess_column(name: str, cells: Sequence[str], rates: CellContext, *, has_rate_column: bool = False) -> ColumnGuess:
-    """Return what a column is read as.
+    """Return the reading of a column.
 
     Parameters
     ----------

@@ -218,5 +218,5 @@ def _is_length(words: Sequence[str]) -> bool:
 
 
 def known_heads_in(cells: Sequence[str]) -> int:
-    """Return how many cells of a row are heads that we know, each field counted once."""
+    """Return the number of known heads in a row's cells, each field counted once."""
     return len({head.field for cell in cells if cell.strip() and (head := head_of(cell)).field})

@@ -53,7 +53,7 @@ class RowWithoutCue:
 
 
 def separator_of(text: str, heads_in: HeadsIn = known_heads_in, *, pasted: bool = False) -> str:
-    """Return what stands between cells: what gives most known heads, then most cells in most rows."""
+    """Return the separator of cells: the one that gives most known heads, then most cells in most rows."""
     if pasted and "\t" in text:
         return "\t"
     start = "\n".join(text[:200_000].splitlines()[:60])
@@ -166,7 +166,7 @@ def rows_without_cue(
 
 
 class _Reader:
-    """Knows what the rows of cues look like, to tell other rows from them."""
+    """Knowledge of the look of cues' rows, to tell other rows from them."""
 
     def __init__(
         self, rows: Rows, columns: Sequence[str], fields: Mapping[int, str], merged_across: frozenset[int]

@@ -15,7 +15,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class LoudnessPreset:
-    """What a whole mix should measure.
+    """The target figures of a whole mix.
 
     Attributes
     ----------
@@ -33,7 +33,7 @@ class LoudnessPreset:
     meant_for: str
 
     def against(self, measurements: Mapping[str, Any]) -> dict[str, Any]:
-        """Return how a mix stands to it.
+        """Return a mix's relation to it.
 
         Parameters
         ----------
@@ -71,7 +71,7 @@ def _apart(level: float | None, wanted: float) -> float | None:
 
 
 def in_words(name: str, stands: Mapping[str, Any]) -> str:
-    """Return how a mix stands to a preset, as one line."""
+    """Return a mix's relation to a preset, as one line."""
     off, over = stands["loudness_off_lu"], stands["true_peak_over_db"]
     if off is None or over is None:
         return f"{name}: too short or too quiet to have a loudness as a mix"

@@ -50,7 +50,7 @@ class Token:
 
     @cached_property
     def wanted(self) -> str:
-        """What it may be, for a sentence."""
+        """Return its options, for a sentence."""
         if self.one_of:
             return " or ".join(self.one_of)
         if self.digits is not None:
@@ -67,7 +67,7 @@ class Token:
 
 
 def misfit(stem: str, tokens: Sequence[Token], separator: str) -> str | None:
-    """Return what in a name is not as its tokens have it, in words; None for a right name.
+    """Return the misfit of a name to its tokens, in words; None for a right name.
 
     Parameters
     ----------

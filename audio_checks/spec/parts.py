@@ -31,7 +31,7 @@ class Range:
 
 @dataclass(frozen=True)
 class Accept:
-    """What a file may be; None accepts anything that can be read."""
+    """Permitted forms of a file; None accepts anything that can be read."""
 
     containers: tuple[str, ...] | None = None
     encodings: tuple[str, ...] | None = None
@@ -73,7 +73,7 @@ DEPTHS = {"float": (32, 64), "flac": (16, 24)}  # of a target's files, by encodi
 
 @dataclass(frozen=True)
 class Naming:
-    """How files are named: by a pattern, by tokens, or by the grammar of the Universal Category System.
+    """The naming of files: by a pattern, by tokens, or by the grammar of the Universal Category System.
 
     Attributes
     ----------
@@ -96,14 +96,14 @@ class Naming:
 
 @dataclass(frozen=True)
 class Engine:
-    """What the game adds to a sound, so that its file must come without."""
+    """The game's additions to a sound, so that its file must come without."""
 
     adds: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Target:
-    """What renders are made to, and what the game may keep of them in memory.
+    """A goal for renders, and the game's memory budget for them.
 
     Attributes
     ----------
@@ -167,7 +167,7 @@ class Target:
 
     @property
     def coding(self) -> Coding | None:
-        """How files are kept that are not plain samples in a WAV file."""
+        """Return the storage of files that are not plain samples in a WAV file."""
         return CODINGS.get(self.encoding)
 
     @property
@@ -176,7 +176,7 @@ class Target:
         return self.coding is not None and self.coding.is_lossy
 
     def ending(self, of_wav: str | None = None) -> str:
-        """Return what names of files end in: that of the codec's container, or what a project calls WAV files."""
+        """Return the ending of file names: that of the codec's container, or a project's own for WAV files."""
         return self.coding.ending if self.coding else of_wav or WAV_ENDING
 
     def path_of(self, file_name: str, category: str | None, language: str | None = None) -> str:
@@ -190,7 +190,7 @@ class Target:
 
 @dataclass(frozen=True)
 class CueFacts:
-    """What the sound list says of one cue, as far as a check or a render needs it.
+    """The sound list's facts on one cue, as far as a check or a render needs them.
 
     `more` keeps the columns that no check reads (description, use, trigger, and any of the writer's own).
     `says_loop` is whether the list has a column for loops at all.
@@ -227,7 +227,7 @@ def loops_by_itself(loops: Sequence[object], cue: CueFacts | None) -> bool:
 
 
 def read_accept(table: Tables) -> Accept:
-    """Return what the table `accept` says."""
+    """Return the content of the table `accept`."""
     ranges = ("duration_s", "bit_rate_kbps")
     lists = {key: tuple(value) for key, value in stated(table).items() if key not in ranges}
     duration_s, bit_rate_kbps = (_range(table.get(key), f"accept.{key}") for key in ranges)
@@ -235,14 +235,14 @@ def read_accept(table: Tables) -> Accept:
 
 
 def read_limits(table: Tables) -> Limits:
-    """Return what the table `limits` says."""
+    """Return the content of the table `limits`."""
     plain = {key: value for key, value in stated(table).items() if key != "loudness_lufs"}
     others = {key: plain.pop(key) for key in LIMITS_OF_CHECKS if key in plain and not hasattr(NO_LIMITS, key)}
     return Limits(**plain, loudness_lufs=_range(table.get("loudness_lufs"), "limits.loudness_lufs"), others=others)
 
 
 def read_naming(table: Tables) -> Naming:
-    """Return what a table `naming` says; SpecError where it gives a name two rules."""
+    """Return the content of a table `naming`; SpecError where it gives a name two rules."""
     said = stated(table)
     rules = [key for key in ("pattern", "tokens", "grammar") if key in said]
     if len(rules) > 1:
@@ -311,7 +311,7 @@ def _ensure_codable(coding: Coding, rate_hz: int, where: str) -> None:
 
 
 def stated(table: Tables) -> Tables:
-    """Return what is limited: "any" lifts a limit, and is as good as absent."""
+    """Return the limits set: "any" lifts a limit, and is as good as absent."""
     return {key: value for key, value in table.items() if value != kinds.ANY}
 
 

@@ -23,7 +23,7 @@ MOST_LIST_BYTES = 4 << 20
 
 
 def misfit(stem: str, cat_ids: Collection[str]) -> str | None:
-    """Return what in a name is not as the system has it, in words; None for a right name.
+    """Return the misfit of a name to the system, in words; None for a right name.
 
     Parameters
     ----------

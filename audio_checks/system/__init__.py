@@ -1,1 +1,1 @@
-"""What the operating system asks for: paths, text files, isolated processes."""
+"""Demands of the operating system: paths, text files, isolated processes."""

@@ -112,7 +112,7 @@ def _is_mostly_utf_8(data: bytes) -> bool:
 
 
 def _wide_encoding(data: bytes) -> str | None:
-    """Return which UTF-16 the bytes are in, by their mark or by their zero bytes; None for another encoding."""
+    """Return the bytes' kind of UTF-16, by their mark or by their zero bytes; None for another encoding."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "utf-16"
     start = data[:400]
@@ -149,7 +149,7 @@ def _fitting(data: bytes, guessed: Iterable[str]) -> list[str]:
 
 
 def _western_score(text: str) -> float:
-    """Return how likely a text is, from 0 to 1 per character beyond ASCII; below 0 for one that is not likely."""
+    """Return a text's likelihood, from 0 to 1 per character beyond ASCII; below 0 for one that is not likely."""
     score = count = 0.0
     for before, letter, after in zip(f" {text[:-1]}", text, f"{text[1:]} ", strict=True):
         if letter.isascii():
@@ -180,7 +180,7 @@ def _stands_among_accents(before: str, after: str) -> bool:
 
 
 def _alphabet_score(text: str, alphabet: str) -> float:
-    """Return how likely a text is, as `_western_score` does, by letters of one alphabet that form whole words."""
+    """Return a text's likelihood, as `_western_score` does, by letters of one alphabet that form whole words."""
     score = count = 0.0
     for before, letter, after in zip(f" {text[:-1]}", text, f"{text[1:]} ", strict=True):
         if letter.isascii():
@@ -202,7 +202,7 @@ def _turns_to_capital(before: str, letter: str, after: str) -> bool:
 
 
 def _east_asian_score(text: str, encoding: str) -> float:
-    """Return how likely a text is, as `_western_score` does, by the characters that its language writes most."""
+    """Return a text's likelihood, as `_western_score` does, by the characters that its language writes most."""
     score = count = 0.0
     for before, letter, after in zip(f" {text[:-1]}", text, f"{text[1:]} ", strict=True):
         if letter.isascii():

@@ -19,7 +19,7 @@ MAX_BLOCK_BYTES = 4 << 20  # of float64, so that a header of many channels canno
 
 
 def frames_at_once(layout: WavLayout, most: int = BLOCK_FRAMES) -> int:
-    """Return how many frames are read together, so that memory stays bounded whatever the channels."""
+    """Return the number of frames to read together, so that memory stays bounded whatever the channels."""
     return max(1, min(most, MAX_BLOCK_BYTES // (8 * layout.channels)))
 
 

@@ -19,7 +19,7 @@ MAX_CHANNELS = 1_024  # also libsndfile's
 
 
 class Format(NamedTuple):
-    """How samples are stored; `bits` are the valid ones of `container_bits`."""
+    """The storage of samples; `bits` are the valid ones of `container_bits`."""
 
     tag: int
     extensible: bool

@@ -20,7 +20,7 @@ EXPORT_AGAIN = "export it again from your audio editor as WAV"
 
 
 class Sizes64(NamedTuple):
-    """What the `ds64` chunk of an RF64 file says."""
+    """The content of the `ds64` chunk of an RF64 file."""
 
     riff_size: int
     data_size: int

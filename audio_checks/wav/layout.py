@@ -1,4 +1,4 @@
-"""What the header of a WAV file says, and the names that its readers and writers share."""
+"""The content of a WAV file's header, and the names that its readers and writers share."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class SampleLoop:
 
 @dataclass(frozen=True)
 class WavLayout:
-    """What the header says, once it was found to be true.
+    """The content of the header, once it was found to be true.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What a file may hold in place of PCM in a WAV file, by its first bytes or by its codec's tag."""
+"""A file's possible content in place of PCM in a WAV file, by its first bytes or by its codec's tag."""
 
 EXPORT_WAV = "export it from your audio editor as WAV (PCM); renaming a file does not convert it"
 CODECS = {

@@ -191,7 +191,7 @@ class _Reading:
         return "wav" if start[:4] == b"RIFF" else "rf64"
 
     def ds64(self, start: bytes) -> Sizes64:
-        """Return what the ds64 chunk says that an RF64 file must begin with."""
+        """Return the content of the ds64 chunk that an RF64 file must begin with."""
         if start[12:16] != b"ds64":
             raise Unreadable(
                 "the file is RF64 but does not begin with a ds64 chunk, which carries its sizes",

@@ -1,1 +1,1 @@
-"""When studios work: their time zone and holidays."""
+"""Working times of studios: their time zone and holidays."""

@@ -1,4 +1,4 @@
-"""When studios work: their time zone, and their holidays besides Saturdays and Sundays."""
+"""Working times of studios: their time zone, and their holidays besides Saturdays and Sundays."""
 
 from collections.abc import Collection, Sequence
 from uuid import UUID

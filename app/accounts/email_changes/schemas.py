@@ -24,7 +24,7 @@ class EmailChangeRead(Schema):
 
 
 class EmailChangeShown(Schema):
-    """What the holder of a mailed link is shown of a change."""
+    """The view of a change for the holder of a mailed link."""
 
     new_email: str
     is_new_end: bool = Field(description="Whether the link was mailed to the new address.")

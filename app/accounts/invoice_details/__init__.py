@@ -1,1 +1,1 @@
-"""What invoices say of a person who sells and of a studio that buys."""
+"""The details on invoices of a person who sells and of a studio that buys."""

@@ -17,7 +17,7 @@ router = APIRouter(prefix="/v1", tags=["accounts"])
 
 @router.get("/me/invoice-details", response_model=InvoiceDetailsRead)
 def read_my_invoice_details(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> PartyDetails:
-    """Return what the caller's electronic invoices say of them."""
+    """Return the caller's details on electronic invoices."""
     return invoice_details.details_of_me(session, actor)
 
 
@@ -25,7 +25,7 @@ def read_my_invoice_details(session: DbSession, actor: Actor = allows(Audience.P
 def save_my_invoice_details(
     body: InvoiceDetailsSave, session: DbSession, actor: Actor = allows(Audience.PERSON)
 ) -> PartyDetails:
-    """Save what the caller's electronic invoices say of them; invoices that were complete before keep what they say."""
+    """Save the caller's details on electronic invoices; invoices that were complete before keep theirs."""
     return invoice_details.save_my_details(session, actor, PartyDetails(**body.model_dump()))
 
 
@@ -37,7 +37,7 @@ def save_my_invoice_details(
 def read_studio_invoice_details(
     studio_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> PartyDetails:
-    """Return what electronic invoices say of the studio."""
+    """Return the studio's details on electronic invoices."""
     return invoice_details.details_of_studio(session, actor, studio_id)
 
 
@@ -49,5 +49,5 @@ def read_studio_invoice_details(
 def save_studio_invoice_details(
     studio_id: UUID, body: InvoiceDetailsSave, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> PartyDetails:
-    """Save what electronic invoices say of the studio; invoices that were complete before keep what they say."""
+    """Save the studio's details on electronic invoices; invoices that were complete before keep theirs."""
     return invoice_details.save_studio_details(session, actor, studio_id, PartyDetails(**body.model_dump()))

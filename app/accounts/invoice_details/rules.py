@@ -1,4 +1,4 @@
-"""What invoices say of a party: an address, tax numbers, an account; and what of it an electronic invoice needs."""
+"""A party's details on invoices: an address, tax numbers, an account; and those that an electronic one needs."""
 
 import re
 from collections.abc import Iterator
@@ -22,7 +22,7 @@ IBAN = re.compile(r"[A-Z]{2}[0-9]{2}[A-Z0-9]{11,30}")
 
 @dataclass(frozen=True)
 class PartyDetails:
-    """What invoices say of one party; a field that was not filled in is empty."""
+    """The details of one party on invoices; a field that was not filled in is empty."""
 
     name: str = ""
     street: str = ""
@@ -61,7 +61,7 @@ def normalised_account(text: str) -> str:
 
 
 def faults_of_details(details: PartyDetails) -> Iterator[tuple[str, str]]:
-    """Yield what is wrong with details that were filled in: the field, and the fault in words."""
+    """Yield the faults of details that were filled in: the field, and the fault in words."""
     if details.country_code and details.country_code not in COUNTRY_CODES:
         yield (
             "country_code",

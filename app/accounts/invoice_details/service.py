@@ -17,23 +17,23 @@ from app.core.db import bypass_row_policies
 
 
 def details_of_me(session: Session, actor: Actor) -> PartyDetails:
-    """Return what invoices say of the caller."""
+    """Return the caller's details on invoices."""
     return newest(history_of_person(session, actor.person))
 
 
 def save_my_details(session: Session, actor: Actor, details: PartyDetails) -> PartyDetails:
-    """Save what invoices say of the caller from now on; raise BadInvoiceDetails."""
+    """Save the caller's details on invoices from now on; raise BadInvoiceDetails."""
     return _save(session, actor, details, person_id=actor.person)
 
 
 def details_of_studio(session: Session, actor: Actor, studio_id: UUID) -> PartyDetails:
-    """Return what invoices say of a studio, to its producers."""
+    """Return a studio's details on invoices, to its producers."""
     ensure_producer_of(session, actor, studio_id)
     return newest(history_of_studio(session, studio_id))
 
 
 def save_studio_details(session: Session, actor: Actor, studio_id: UUID, details: PartyDetails) -> PartyDetails:
-    """Save what invoices say of a studio from now on, as a producer; raise BadInvoiceDetails."""
+    """Save a studio's details on invoices from now on, as a producer; raise BadInvoiceDetails."""
     ensure_producer_of(session, actor, studio_id)
     return _save(session, actor, details, studio_id=studio_id)
 

@@ -11,7 +11,7 @@ from app.core.web.http import Schema
 
 
 class PasskeyOptions(Schema):
-    """What a browser needs to make or to ask for a passkey, as WebAuthn Level 3 writes it in JSON."""
+    """A browser's options to make or to ask for a passkey, as WebAuthn Level 3 writes them in JSON."""
 
     public_key: dict[str, Any] = Field(
         description="For `PublicKeyCredential.parseCreationOptionsFromJSON` or `parseRequestOptionsFromJSON`."

@@ -1,4 +1,4 @@
-"""What runs in the sandbox's child: a person's picture, decoded and drawn again as a small square."""
+"""The work of the sandbox's child: a person's picture, decoded and drawn again as a small square."""
 
 import re
 from io import BytesIO

@@ -1,4 +1,4 @@
-"""What OpenID Connect asks of a provider's documents, and what its answers must say, as plain functions."""
+"""OpenID Connect's demands on a provider's documents and on its answers, as plain functions."""
 
 import json
 from collections.abc import Mapping

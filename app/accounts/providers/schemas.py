@@ -54,7 +54,7 @@ class ProviderRedirect(Schema):
 
 
 class ProviderAnswer(Schema):
-    """What the provider's redirect carried."""
+    """The content of the provider's redirect."""
 
     code: AnswerText
     state: AnswerText

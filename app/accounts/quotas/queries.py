@@ -1,4 +1,4 @@
-"""What studios have of what is limited, and the limits that are their own."""
+"""Studios' use of limited things, and the limits that are their own."""
 
 from collections import defaultdict
 from datetime import datetime

@@ -108,7 +108,7 @@ def set_second_factor_requirement(
     session: DbSession,
     actor: Actor = allows(Audience.PRODUCER, recent_sign_in=True),
 ) -> SecondFactorRequirement:
-    """Set what the studio requires a second factor for."""
+    """Set the uses for which the studio requires a second factor."""
     uses = second_factor_requirements.set_requirement(session, actor, studio_id, body.required_for)
     return SecondFactorRequirement(required_for=uses)
 

@@ -1,4 +1,4 @@
-"""What studios require a second factor for."""
+"""The uses for which studios require a second factor."""
 
 from collections.abc import Collection
 from uuid import UUID
@@ -25,7 +25,7 @@ def requirement(session: Session, actor: Actor, studio_id: UUID) -> list[SecondF
 def set_requirement(
     session: Session, actor: Actor, studio_id: UUID, uses: Collection[SecondFactorUse]
 ) -> list[SecondFactorUse]:
-    """Set what a studio requires a second factor for, as a producer who has one."""
+    """Set the uses for which a studio requires a second factor, as a producer who has one."""
     studio = ensure_producer_of(session, actor, studio_id)
     if studio.is_demo:
         raise NotInDemo("the people of the demo have no second factor")

@@ -19,7 +19,7 @@ class SecondFactorsRead(Schema):
 
 
 class SecondFactorRequirement(Schema):
-    """What a studio requires a second factor for."""
+    """The uses for which a studio requires a second factor."""
 
     required_for: list[SecondFactorUse] = Field(
         max_length=len(SecondFactorUse),

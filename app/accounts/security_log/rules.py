@@ -20,7 +20,7 @@ ROLE_NAMES = {
 
 
 class SecurityEventKind(StrEnum):
-    """What a line of the security log is about."""
+    """The subject of a line of the security log."""
 
     SIGN_IN = "sign_in"
     EMAIL = "email"

@@ -34,7 +34,7 @@ def client_address(request: Request) -> str:
 
 
 def authenticate(request: Request, *, by_desk_token: bool = False) -> AuthResult:
-    """Return who is asking; raise NotSignedIn, or CsrfMismatch for a write that is not our page's."""
+    """Return the caller; raise NotSignedIn, or CsrfMismatch for a write that is not our page's."""
     runtime = runtime_of(request)
     return authentication.authenticate_request(
         runtime.database, runtime.settings, _credentials(request), by_desk_token=by_desk_token

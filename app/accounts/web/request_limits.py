@@ -1,4 +1,4 @@
-"""How often a caller may try: rate limits of requests."""
+"""Limits on a caller's tries: rate limits of requests."""
 
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractContextManager

@@ -1,4 +1,4 @@
-"""What a contract says of a silent studio: when a cue counts as accepted, and when its approver is reminded.
+"""A contract's rule on a silent studio: the times of a cue's acceptance and of its approver's reminder.
 
 A working day counts once it is over; the day on which a file began to wait is none of them. Which days are working
 days, and whether anything stops the count, is the contract's choice: the studio's own calendar, time zone and open
@@ -17,7 +17,7 @@ PausedBy = Literal["question", "change_order", "undecided_versions"]
 
 
 def working_days(after: date, upto: date) -> int:
-    """Return how many days from Monday to Friday lie after one day, up to another and with it; 0 if that is earlier."""
+    """Return the number of days from Monday to Friday after one day, up to and with another; 0 if that is earlier."""
     days = max((upto - after).days, 0)
     weeks, rest = divmod(days, DAYS_OF_WEEK)
     left = sum((after + timedelta(days=step)).weekday() < SATURDAY for step in range(1, rest + 1))
@@ -26,7 +26,7 @@ def working_days(after: date, upto: date) -> int:
 
 @dataclass(frozen=True)
 class WorkCalendar:
-    """When a studio works: Monday to Friday by a time zone, but on no holiday."""
+    """A studio's working days: Monday to Friday by a time zone, but no holiday."""
 
     zone: tzinfo = UTC
     holidays: Mapping[date, datetime] = field(default_factory=dict)  # each with the moment at which it was entered
@@ -98,7 +98,7 @@ class Wait:
         return cls(clause, since, calendar, tuple(pauses)) if clause.by_studio_calendar else cls(clause, since)
 
     def paused_by(self, now: datetime) -> PausedBy | None:
-        """Return what stops the count at a moment; None where nothing does."""
+        """Return the cause that stops the count at a moment; None where nothing does."""
         return next((pause.by for pause in self.pauses if pause.lasts(now)), None)
 
     def counts(self, day: date, now: datetime) -> bool:
@@ -122,7 +122,7 @@ class Wait:
         return self.paused_by(now) is None and now >= self.calendar.start_of(self.last_day(now) + ONE_DAY)
 
     def reminders(self, now: datetime) -> int:
-        """Return how many reminders are due by now; the last one comes before the last day is over."""
+        """Return the number of reminders due by now; the last one comes before the last day is over."""
         day, today, counted = self.calendar.day_of(self.since), self.calendar.day_of(now), 0
         while day < today and counted < self.clause.days - 1:
             day += ONE_DAY

@@ -99,7 +99,7 @@ def edited_clause(
 def _read_back(
     source: str, sent: str, pieces: Sequence[Piece], changed: Terms, currency: str
 ) -> list[tuple[BlockKind, str]]:
-    """Return what the lines of an edited clause say with its values filled in."""
+    """Return the text of an edited clause's lines with its values filled in."""
     said = {piece.name: sent[piece.begins : piece.ends] for piece in pieces}
     said |= {name: written_term(name, value, currency) for name, value in changed.items()}
     filled = VARIABLE.sub(lambda found: said.get(found[1], found[0]), source).strip()
@@ -172,7 +172,7 @@ class _Edit:
             yield "\n" if last_kind == kind and kind in ("item", "table") else "\n\n"
 
     def _number_of(self, before: tuple[int | None, BlockKind] | None) -> str:
-        """Return how an item begins that follows a line: by a dash, or by the next number."""
+        """Return the beginning of an item that follows a line: a dash, or the next number."""
         if before is None or before[0] is None:
             return "- "
         line = self._lines[before[0]]
@@ -312,7 +312,7 @@ class _Edit:
 
 
 def _place_to_escape(text: str, kind: BlockKind) -> int | None:
-    """Return which character of a line needs a backslash, so that it is read as a line of its kind."""
+    """Return the index of the character that needs a backslash, so that a line is read as one of its kind."""
     if kind == "text" and (found := _AS_OTHER_KIND.match(text)):
         return found.end() if text[0].isdigit() else 0
     return text.index("-") if kind == "table" and _AS_RULE.fullmatch(text) else None

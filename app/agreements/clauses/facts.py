@@ -1,4 +1,4 @@
-"""What the server fills into a contract: names, the list, open questions, and the plan of milestones."""
+"""The server's entries in a contract: names, the list, open questions, and the plan of milestones."""
 
 from collections.abc import Collection, Mapping, Sequence
 from datetime import date
@@ -36,7 +36,7 @@ NONE_YET = "None has been written down yet."
 
 
 class PaymentTerms(Protocol):
-    """What a contract, or a draft that is not saved yet, says on how it is paid."""
+    """The terms of a contract, or of a draft that is not saved yet, on its payment."""
 
     currency: str
     release_clause: ReleaseClause
@@ -111,7 +111,7 @@ def ensure_open_answers_are_said(session: Session, contract: Contract, clauses: 
 
 
 def _time_minor(terms: Mapping[str, object]) -> int:
-    """Return what days, hours and a retainer may cost; a draft that is only looked at may have any terms."""
+    """Return the highest cost of days, hours and a retainer; a draft that is only looked at may have any terms."""
     by_day = _product(terms, "day_rate_minor", "days_cap") if terms.get("price_mode") == BY_DAY else 0
     by_hour = _product(terms, "hour_rate_minor", "hours_cap")
     return by_day + by_hour + _product(terms, "retainer_minor", "retainer_months")

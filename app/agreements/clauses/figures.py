@@ -112,7 +112,7 @@ Fault = tuple[str, str]  # where, as `clauses.KEY` or `terms.NAME`, and what is 
 def faults_of_text(
     clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind, *, is_template: bool = False
 ) -> Iterator[Fault]:
-    """Yield what is wrong with a text of a kind, its figures included; a template may lack what a contract needs."""
+    """Yield the faults of a text of a kind, its figures included; a template may lack parts that a contract needs."""
     yield from validation_errors(clauses, terms)
     yield from faults_of_figures(clauses, terms, kind, is_template=is_template)
 
@@ -141,7 +141,7 @@ def faults_of_figures(
 def faults_of_plan(
     clauses: Sequence[Clause], kind: ContractKind, *, has_amounts: bool, has_deposit: bool, has_holdback: bool
 ) -> Iterator[Fault]:
-    """Yield what an order's text does not say of its plan: price, milestones, deposit, what is held back."""
+    """Yield the gaps of an order's text on its plan: price, milestones, deposit, the amount held back."""
     if kind not in ORDERS:
         return
     in_force = [clause for clause in clauses if clause.stands]

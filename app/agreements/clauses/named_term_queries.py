@@ -1,4 +1,4 @@
-"""What agreed contracts say in words of their own: the terms that a clause in force names."""
+"""Terms of agreed contracts in words of their own: the terms that a clause in force names."""
 
 from collections.abc import Collection, Sequence
 from uuid import UUID

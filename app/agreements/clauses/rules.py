@@ -150,7 +150,7 @@ def _term(name: str, facts: dict[str, Any]) -> Term:
 
 @cache
 def known_terms() -> Mapping[str, Term]:
-    """Return what the library's clauses leave open, by name."""
+    """Return the terms that the library's clauses leave open, by name."""
     return {term.name: term for each in library() for term in each.terms}
 
 
@@ -165,7 +165,7 @@ def default_clauses(kind: ContractKind, *, with_music: bool = False) -> tuple[li
 
 
 def terms_in_force(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Terms:
-    """Return what the terms come to: what only a struck clause names holds as if nothing had been agreed on it."""
+    """Return the terms in effect: one that only a struck clause names holds as if nothing had been agreed on it."""
     named = names_in([clause for clause in clauses if clause.stands])
     struck = {name: term.struck for name, term in known_terms().items() if term.struck is not None}
     return {name: value if name in named else struck.get(name, value) for name, value in terms.items()}
@@ -184,7 +184,7 @@ def variables_in(text: str) -> list[str]:
 
 
 def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Yield what is wrong with a draft: the place, as `clauses.KEY` or `terms.NAME`, and the fault in words."""
+    """Yield the faults of a draft: the place, as `clauses.KEY` or `terms.NAME`, and the fault in words."""
     if not any(clause.stands for clause in clauses):
         yield "clauses", "no clause is included; a contract needs at least one"
     if len(clauses) > MAX_CLAUSES:
@@ -227,7 +227,7 @@ def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> It
 
 
 def faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
-    """Yield what is wrong with one clause, in words."""
+    """Yield the faults of one clause, in words."""
     if not KEY.fullmatch(clause.key):
         yield f'"{clause.key}" is not a key; wanted a small letter, then small letters, digits and _'
     if not clause.title.strip():
@@ -249,7 +249,7 @@ def _nearest(name: str, known: Collection[str]) -> str:
 
 
 def faults_of_term(name: str, value: Any) -> Iterator[str]:
-    """Yield what is wrong with the value of a term, in words."""
+    """Yield the faults of a term's value, in words."""
     if not KEY.fullmatch(name) or name in FACTS:
         yield f'"{name}" is not a name for a term; wanted small letters, digits and _, and none of the server\'s own'
         return
@@ -301,7 +301,7 @@ def written_term(name: str, value: TermValue, currency: str) -> str:
 
 
 def filler(terms: Terms, facts: Mapping[str, str], currency: str, mark: Marker = unmarked) -> Callable[[str], str]:
-    """Return what fills in the variables of a text; a term may name a fact, so values are filled in once more."""
+    """Return a filler of a text's variables; a term may name a fact, so values are filled in once more."""
     filled = {**facts, **{name: written_term(name, value, currency) for name, value in terms.items()}}
 
     def fill(text: str, depth: int = 2) -> str:

@@ -76,7 +76,7 @@ def download_library_template(
     kind: ContractKind,
     _actor: Actor = allows(Audience.PERSON),
 ) -> PlainTextResponse:
-    """Return what the library has for a kind as a template file."""
+    """Return the library's content for a kind as a template file."""
     return PlainTextResponse(templates.library_toml(kind), media_type=TOML, headers=attachment(f"{kind}.toml"))
 
 

@@ -22,7 +22,7 @@ MAX_TEMPLATES = 200
 
 
 def templates_of(session: Session, actor: Actor, studio_id: UUID) -> Sequence[ContractTemplate]:
-    """Return what a studio keeps, by name."""
+    """Return a studio's templates, by name."""
     ensure_producer_of(session, actor, studio_id)
     return queries.templates_of(session, studio_id)
 
@@ -136,7 +136,7 @@ def import_template(
 
 
 def library_toml(kind: ContractKind) -> str:
-    """Return what the library has for a kind, as a template."""
+    """Return the library's content for a kind, as a template."""
     clauses, terms = default_clauses(kind)
     return write_toml(KIND_WORDS[kind].capitalize(), kind, clauses, terms)
 

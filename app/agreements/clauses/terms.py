@@ -10,14 +10,14 @@ from app.agreements.rules import WorkState
 
 
 class DepositAtEnd(StrEnum):
-    """What happens to the deposit where a contract ends early."""
+    """The fate of the deposit where a contract ends early."""
 
     STAYS = "stays"  # with the designer
     SET_OFF = "set_off"  # against what the cues are owed
 
 
 class SourcesNeeded(StrEnum):
-    """By when the sources of a sound are stated."""
+    """The time by which a sound's sources are stated."""
 
     ASKED = "asked"  # nothing waits for them
     BEFORE_ACCEPTANCE = "before_acceptance"
@@ -25,14 +25,14 @@ class SourcesNeeded(StrEnum):
 
 
 class DownloadsOpen(StrEnum):
-    """From when on the studio downloads masters and game files."""
+    """The time from which the studio downloads masters and game files."""
 
     AT_ONCE = "at_once"
     WHEN_PAID = "when_paid"  # what is due for an accepted cue
 
 
 class BonusWhen(StrEnum):
-    """What sets a bonus off."""
+    """The trigger of a bonus."""
 
     OTHER = "other"  # in the parties' own words, and theirs to see to
     ON_TIME = "on_time"  # every cue is accepted by the date of its milestone
@@ -41,7 +41,7 @@ class BonusWhen(StrEnum):
 
 
 class PriceMode(StrEnum):
-    """How a contract's price comes about."""
+    """The way a contract's price comes about."""
 
     FLAT = "flat"  # a milestone's amount, shared by its cues
     PER_CUE = "per_cue"  # a price for each cue, which its milestone adds up
@@ -50,7 +50,7 @@ class PriceMode(StrEnum):
 
 @dataclass(frozen=True)
 class KillFees:
-    """What a cut cue is owed, in basis points of its price, by how far the work was; an accepted one is owed whole."""
+    """The fees for a cut cue, in basis points of its price, by the state of work; an accepted one is owed whole."""
 
     not_begun_bp: int = 0
     in_work_bp: int = 5_000
@@ -68,7 +68,7 @@ class KillFees:
 
 @dataclass(frozen=True)
 class MoneyTerms:
-    """What decides over amounts; where a text does not say it, nothing is owed by it."""
+    """The terms that decide over amounts; where a text does not say it, nothing is owed by it."""
 
     price_mode: PriceMode = PriceMode.FLAT
     rounds_included: int = 2
@@ -122,12 +122,12 @@ class MoneyTerms:
 
     @property
     def kill_fees(self) -> KillFees:
-        """What a cut cue is owed by how far the work was."""
+        """Return the fees for a cut cue by the state of its work."""
         return KillFees(self.kill_fee_not_begun_bp, self.kill_fee_in_work_bp, self.kill_fee_delivered_bp)
 
     @property
     def days_cap_minor(self) -> int:
-        """What all days together may cost."""
+        """Return the cost cap of all days together."""
         return self.day_rate_minor * self.days_cap if self.price_mode is PriceMode.DAY_RATE else 0
 
     @property
@@ -137,17 +137,17 @@ class MoneyTerms:
 
     @property
     def hours_cap_minor(self) -> int:
-        """What all hours beyond those that a retainer includes may cost."""
+        """Return the cost cap of all hours beyond those that a retainer includes."""
         return self.hour_rate_minor * self.hours_cap
 
     @property
     def retainer_total_minor(self) -> int:
-        """What the retainer of all months costs."""
+        """Return the cost of the retainer of all months."""
         return self.retainer_minor * self.retainer_months
 
     @property
     def time_cap_minor(self) -> int:
-        """What all days, hours and months of a retainer together may cost."""
+        """Return the cost cap of all days, hours and months of a retainer together."""
         return self.days_cap_minor + self.hours_cap_minor + self.retainer_total_minor
 
     @property

@@ -127,7 +127,7 @@ def _blocks_of_chunk(chunk: str) -> Iterator[Block]:
 
 
 def plain(block: Block) -> list[str]:
-    """Return what a block says, without its looks: one line, or one for each row of a table."""
+    """Return the words of a block, without its looks: one line, or one for each row of a table."""
     if block.kind == "table":
         return [" · ".join("".join(span.text for span in cell) for cell in row) for row in block.rows]
     return ["".join(span.text for span in block.spans)]

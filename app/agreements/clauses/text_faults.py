@@ -1,4 +1,4 @@
-"""What is wrong with the text of a contract, its figures held against terms and plan."""
+"""The faults of a contract's text, its figures held against terms and plan."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -16,7 +16,7 @@ from app.core.errors import FieldProblem
 def text_faults(
     session: Session, contract: Contract, clauses: Sequence[Clause], terms: Mapping[str, Any], *, holdback_bp: int
 ) -> list[FieldProblem]:
-    """Return what is wrong with a text: its clauses, its figures, and what it does not say of the plan."""
+    """Return the faults of a text: of its clauses, of its figures, and its omissions on the plan."""
     milestones = milestones_of(session, contract.id)
     faults = [
         *faults_of_text(clauses, terms, contract.kind),

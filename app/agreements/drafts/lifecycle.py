@@ -59,7 +59,7 @@ from app.projects.service import project_access
 
 @dataclass
 class Draft:
-    """What a producer may change of a contract before it is sent."""
+    """The parts of a contract that a producer may change before it is sent."""
 
     title: str
     clauses: Sequence[Clause]

@@ -1,4 +1,4 @@
-"""How an amount is shared out in whole minor units."""
+"""The sharing of an amount in whole minor units."""
 
 from collections.abc import Sequence
 

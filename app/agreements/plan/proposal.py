@@ -80,7 +80,7 @@ def propose_milestones(
 
 
 def _rising(total_minor: int, left_minor: int, parts: int) -> list[int]:
-    """Return what each part pays: even amounts, the last one larger where it stays within its bounds."""
+    """Return the payment of each part: even amounts, the last one larger where it stays within its bounds."""
     even = left_minor // parts
     last = even
     if parts > 2:

@@ -109,7 +109,7 @@ def wanted_cues(session: Session, project_id: UUID) -> Sequence[Cue]:
 
 
 def agreed_terms(session: Session, contract: Contract) -> dict[str, object]:
-    """Return what the newest version of a contract leaves open and its standing clauses name, over its framework's.
+    """Return the open terms of a contract's newest version that its standing clauses name, over its framework's.
 
     What change orders have set since stands over both.
     """
@@ -154,7 +154,7 @@ def running_contracts(session: Session, project_id: UUID) -> Sequence[UUID]:
 def covered_changes(
     session: Session, project_id: UUID, revision: int
 ) -> Sequence[Row[UUID, UUID, int, str, dict[str, Any]]]:
-    """Return what a revision of the list changed of cues under running contracts, contract by contract."""
+    """Return the changes of a revision of the list to cues under running contracts, contract by contract."""
     return session.execute(
         select(ContractCue.contract_id, Cue.id.label("cue_id"), Cue.number, Cue.name, CueChange.after)
         .join(Cue, Cue.id == ContractCue.cue_id)

@@ -52,7 +52,7 @@ class PlannedMilestone:
 
     @property
     def whole_minor(self) -> int:
-        """What the milestone pays."""
+        """Return the milestone's payment."""
         if self.amount_minor is not None:
             return self.amount_minor
         return sum(cue.price_minor or 0 for cue in self.cues)
@@ -60,7 +60,7 @@ class PlannedMilestone:
 
 @dataclass(frozen=True)
 class Price:
-    """What a plan comes to, with its deposit in it, beside the bid that its contract began from."""
+    """The total of a plan, with its deposit in it, beside the bid that its contract began from."""
 
     total_minor: int
     deposit_minor: int
@@ -92,7 +92,7 @@ def concepts_in(session: Session, contract: Contract, plan: Sequence[PlannedMile
 
 
 def concepts_of(session: Session, contract: Contract) -> Concepts:
-    """Return how many cues of a contract's plan are concepts, and what it pays for them."""
+    """Return the number of concepts among the cues of a contract's plan, and its pay for them."""
     covered = plan_queries.cues_of(session, contract.id)
     plan = [
         PlannedMilestone(

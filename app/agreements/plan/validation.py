@@ -43,7 +43,7 @@ class Advice:
 
     @property
     def key(self) -> tuple[str, str]:
-        """What makes two warnings the same one: rule and subject."""
+        """Return the key that two equal warnings share: rule and subject."""
         return self.code, self.subject
 
 

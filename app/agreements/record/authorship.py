@@ -1,4 +1,4 @@
-"""Who did what an entry of a contract's record is about: name, role at that time, and on whose behalf."""
+"""The actor behind an entry of a contract's record: name, role at that time, and the person represented."""
 
 from uuid import UUID
 
@@ -16,7 +16,7 @@ SERVER = "Soundlist"
 def author_of(
     session: Session, contract: Contract, by: UUID | None, on_behalf_of: UUID | None = None
 ) -> dict[str, str]:
-    """Return who did something, in words; `by` is a person or a build token, None the server itself."""
+    """Return the author of a deed, in words; `by` is a person or a build token, None the server itself."""
     author = {"by": SERVER, "role": "server"} if by is None else _named(session, contract, by)
     if on_behalf_of is not None and on_behalf_of != by:
         author["on_behalf_of"] = session.get_one(Person, on_behalf_of).name

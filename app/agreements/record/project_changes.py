@@ -1,4 +1,4 @@
-"""What changes in a project under running contracts, list and delivery spec, written into the contracts' records."""
+"""Changes in a project under running contracts, list and delivery spec, written into the contracts' records."""
 
 from collections.abc import Mapping
 from itertools import groupby

@@ -1,4 +1,4 @@
-"""What is answered about a file that may be a sealed contract."""
+"""Answers about a file that may be a sealed contract."""
 
 from datetime import datetime
 from typing import Literal
@@ -18,7 +18,7 @@ class BoundSignatureRead(Schema):
 
 
 class BoundRead(Schema):
-    """What a sealed file binds, and whom."""
+    """A sealed file's text, and those bound by it."""
 
     title: str
     kind: ContractKind
@@ -33,7 +33,7 @@ class BoundRead(Schema):
 
 
 class VerifiedRead(Schema):
-    """What a file is, compared with the seals of this server."""
+    """The verdict on a file, compared with the seals of this server."""
 
     verdict: Literal["untouched", "changed", "not_ours"]
     file_sha256: str

@@ -157,7 +157,7 @@ def read_word_redlines(
     word: Annotated[WordText, Depends(_word_text)],
     session: DbSession,
 ) -> schemas.WordChangesRead:
-    """Return what a Word document changes in a contract, clause by clause; nothing is saved or sent."""
+    """Return the changes of a Word document to a contract, clause by clause; nothing is saved or sent."""
     with MARKED.of(actor.person):
         read = redlines.changes_of_word_file(session, actor, contract_id, word)
         return schemas.WordChangesRead(

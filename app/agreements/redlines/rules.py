@@ -21,7 +21,7 @@ Text = tuple[Sequence[Clause], Terms]  # clauses and terms of a version
 
 
 class RedlineKind(StrEnum):
-    """What is proposed of a clause."""
+    """The kind of a proposal on a clause."""
 
     REPLACE = "replace"
     STRIKE = "strike"
@@ -29,7 +29,7 @@ class RedlineKind(StrEnum):
 
 
 class RedlineAnswerKind(StrEnum):
-    """What the studio says to a redline."""
+    """The studio's kind of answer to a redline."""
 
     ACCEPTED = "accepted"
     REFUSED = "refused"
@@ -67,7 +67,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Answer:
-    """What the studio said to a redline; a counter has its own wording."""
+    """The studio's answer to a redline; a counter has its own wording."""
 
     kind: RedlineAnswerKind
     wording: Wording | None
@@ -104,7 +104,7 @@ class Redline:
         return self.agreed_wording if self.answer else self.wording
 
     def as_facts(self) -> dict[str, Any]:
-        """Return what was proposed as the record keeps it."""
+        """Return the proposal as the record keeps it."""
         return {
             "number": self.number,
             "change": self.kind.value,
@@ -191,7 +191,7 @@ def _key_of(title: str, number: int) -> str:
 
 
 def faults_of_changes(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms) -> Iterator[tuple[str, str]]:
-    """Yield what is wrong with proposed changes of a text: the place, as `changes.INDEX`, and the fault in words."""
+    """Yield the faults of proposed changes of a text: the place, as `changes.INDEX`, and the fault in words."""
     standing = {clause.key: clause for clause in clauses if clause.stands}
     seen: set[str] = set()
     of_terms: dict[str, int | str] = {}
@@ -222,7 +222,7 @@ def faults_of_changes(changes: Sequence[Change], clauses: Sequence[Clause], term
 
 
 def faults_of_wording(wording: Wording, terms: Terms) -> Iterator[str]:
-    """Yield what is wrong with the wording of a clause, by the rules of a draft."""
+    """Yield the faults of a clause's wording, by the rules of a draft."""
     clause = Clause("key", wording.title, wording.text)
     yield from faults_of_clause(clause, terms)
     named = names_in([clause])
@@ -377,7 +377,7 @@ def faults_of_sent(rounds: Sequence[Round], texts: Mapping[int, Text]) -> Iterat
 
 
 def named_in_words(redlines: Sequence[Redline], clauses: Sequence[Clause]) -> str:
-    """Return how many changes are proposed, and of which clauses: "2 proposed changes: Rounds, Credit"."""
+    """Return the number of proposed changes, and their clauses: "2 proposed changes: Rounds, Credit"."""
     titles = {clause.key: clause.title for clause in clauses}
     names = [titles.get(redline.clause_key) or redline.wording.title for redline in redlines]
     return f"{counted(len(names), 'proposed change')}: {', '.join(names)}"

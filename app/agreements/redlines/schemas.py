@@ -1,4 +1,4 @@
-"""What redlines are asked and answer."""
+"""Requests and answers of redlines."""
 
 from datetime import datetime
 from uuid import UUID
@@ -94,7 +94,7 @@ class WordingRead(WordingFields):
 
 
 class RedlineAnswerRead(Schema):
-    """What the studio said, and its own wording if it countered."""
+    """The studio's answer, and its own wording if it countered."""
 
     kind: RedlineAnswerKind
     wording: WordingRead | None

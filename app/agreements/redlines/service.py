@@ -126,7 +126,7 @@ def ensure_may_propose(session: Session, actor: Actor, contract_id: UUID) -> Non
 
 
 def changes_of_word_file(session: Session, actor: Actor, contract_id: UUID, word: WordText) -> ReadChanges:
-    """Return what a Word document changes in the version that it was made from; nothing is saved or sent.
+    """Return the changes of a Word document to the version that it was made from; nothing is saved or sent.
 
     Raises OtherContractsFile for a document of another contract, or of a version that its designer does not see.
     """

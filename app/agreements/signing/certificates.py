@@ -1,4 +1,4 @@
-"""What a certificate of signing says of each signature."""
+"""The part of a certificate of signing on each signature."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -23,7 +23,7 @@ class Signed(Protocol):
 
     @property
     def party(self) -> Party:
-        """For whom it was given."""
+        """Return the party signed for."""
 
     @property
     def name(self) -> str:
@@ -35,7 +35,7 @@ class Signed(Protocol):
 
     @property
     def email_proof(self) -> AddressProof | None:
-        """How it is known that they read its mail; None: it was not shown."""
+        """Return the proof that they read its mail; None: it was not shown."""
 
     @property
     def address(self) -> str:
@@ -47,7 +47,7 @@ class Signed(Protocol):
 
     @property
     def code_entered_at(self) -> datetime | None:
-        """When the code that was mailed was typed; None: none was asked for."""
+        """Return the entry time of the mailed code; None: none was asked for."""
 
     @property
     def drawing(self) -> Strokes | None:
@@ -55,7 +55,7 @@ class Signed(Protocol):
 
     @property
     def accepted_at(self) -> datetime:
-        """When it was given."""
+        """Return the time of signing."""
 
 
 def signatures_page(signed: Sequence[Signed], text_sha256: str, zone: ZoneInfo) -> list[CertificatePart]:
@@ -76,7 +76,7 @@ def studio_zone(contract: Contract) -> ZoneInfo:
 
 
 def signature_part(one: Signed, zone: ZoneInfo) -> CertificatePart:
-    """Return what a certificate says of one signature, and the name as it was drawn."""
+    """Return the part of a certificate on one signature, and the name as it was drawn."""
     code = f"{BY_CODE} {in_both(one.code_entered_at, zone)}" if one.code_entered_at else WITHOUT_CODE
     facts = [
         f"- Signed {in_both(one.accepted_at, zone)}",

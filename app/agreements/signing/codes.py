@@ -75,7 +75,7 @@ def renew(code: SigningCode) -> str:
 
 
 def check(database: Database, actor: Actor, contract_id: UUID, text_sha256: str, typed: str | None) -> CodeCheck:
-    """Try what was typed, in a transaction of its own: a wrong try counts although the request is refused."""
+    """Try the typed code, in a transaction of its own: a wrong try counts although the request is refused."""
     with database.writing(actor.reach) as session:
         code = queries.signing_code_locked(session, contract_id, actor.person, text_sha256)
         if not typed:

@@ -1,4 +1,4 @@
-"""What is sent to sign a text, and the codes that are mailed for it."""
+"""The data sent to sign a text, and the codes that are mailed for it."""
 
 from uuid import UUID
 
@@ -44,7 +44,7 @@ SIGNING = (
 
 
 async def signature_sent(request: Request, contract_id: UUID, body: schemas.AcceptAdd) -> SignatureRequest:
-    """Return what the caller signs with; the code is tried before the request's transaction, so each try counts."""
+    """Return the caller's request to sign; the code is tried before the request's transaction, so each try counts."""
     return await run_in_threadpool(_signature, request, contract_id, body)
 
 

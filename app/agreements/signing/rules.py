@@ -1,4 +1,4 @@
-"""Who signs a text when, and what a signature says, stated without a database."""
+"""A text's order of signers, and a signature's content, stated without a database."""
 
 import unicodedata
 from collections.abc import Collection, Sequence
@@ -41,7 +41,7 @@ def is_drawn(text: str) -> bool:
 
 @dataclass(frozen=True)
 class Signature:
-    """Who has signed a text, and for whom."""
+    """A signature: its person and party."""
 
     party: Party
     person_id: UUID

@@ -32,7 +32,7 @@ class SealedFile:
 
 @dataclass(frozen=True)
 class SealRead:
-    """What a file says by itself of its seal."""
+    """A file's own account of its seal."""
 
     is_sealed: bool  # there is a seal that can be read
     is_intact: bool  # nothing under the seal was changed
@@ -64,7 +64,7 @@ def seal(pdf: bytes, signer: "Signer", *, mark: str, timestamp_url: str) -> Seal
 
 
 def own_signer(secret: str) -> "Signer":
-    """Return what seals by the key that follows from the server's secret, with a self-signed certificate."""
+    """Return the signer by the key that follows from the server's secret, with a self-signed certificate."""
     from asn1crypto import keys, x509
     from cryptography.hazmat.primitives.serialization import Encoding, NoEncryption, PrivateFormat
     from pyhanko.sign.signers import SimpleSigner
@@ -80,7 +80,7 @@ def own_signer(secret: str) -> "Signer":
 
 
 def given_signer(certificate: Path, key: Path) -> "Signer":
-    """Return what seals by a certificate and a key of the operator; raise ValueError where they cannot be read."""
+    """Return the signer by a certificate and a key of the operator; raise ValueError where they cannot be read."""
     from pyhanko.keys import load_certs_from_pemder
     from pyhanko.sign.signers import SimpleSigner
 
@@ -151,7 +151,7 @@ def sealing_key(pdf: bytes) -> str:
 
 
 def read_seal(pdf: bytes) -> SealRead:
-    """Return what a file says of its seal; of anything that cannot be read, that it has none."""
+    """Return a file's account of its seal; of anything that cannot be read, that it has none."""
     from pyhanko.pdf_utils.reader import PdfFileReader
     from pyhanko.sign.validation import validate_pdf_signature
     from pyhanko.sign.validation.status import SignatureCoverageLevel

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class Verdict(StrEnum):
-    """What a file is, compared with the seals of this server."""
+    """The verdict on a file, compared with the seals of this server."""
 
     UNTOUCHED = "untouched"
     CHANGED = "changed"  # it says that it was sealed here, and is none of the files that were
@@ -39,7 +39,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True)
 class Verified:
-    """What a file is, and which text it binds whom to where it is untouched."""
+    """A file's verdict and, where it is untouched, its text and those bound to it."""
 
     verdict: Verdict
     file_sha256: str
@@ -84,7 +84,7 @@ def seal_contract(runtime: Runtime, contract_id: UUID) -> None:
 
 
 def signer_of(settings: Settings) -> "Signer":
-    """Return what seals on this server: the operator's certificate, or one of our own."""
+    """Return the signer of this server: the operator's certificate, or one of our own."""
     if settings.seal_certificate is not None and settings.seal_key is not None:
         return seal_files.given_signer(settings.seal_certificate, settings.seal_key)
     return seal_files.own_signer(settings.secret_key.get_secret_value())

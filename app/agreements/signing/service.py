@@ -42,7 +42,7 @@ from app.projects.engagements import record_nda
 
 @dataclass(frozen=True)
 class SignatureRequest:
-    """What a person sends to sign: the name typed and drawn, the text seen, from where, and the code."""
+    """A person's request to sign: the name typed and drawn, the text seen, the origin, and the code."""
 
     name: str
     text_sha256: str
@@ -53,12 +53,12 @@ class SignatureRequest:
 
 
 def order_of(session: Session, contract: Contract) -> SigningOrder:
-    """Return who signs a contract for the studio, in order, and which party is first."""
+    """Return a contract's signers for the studio, in order, and the party that is first."""
     return SigningOrder([signer.person_id for signer in queries.signers_of(session, contract.id)], contract.signs_first)
 
 
 def amendment_order_of(session: Session, contract: Contract) -> SigningOrder:
-    """Return who signs a change order or a statement for the studio: its signers who are producers still.
+    """Return the studio's signers of a change order or a statement: its signers who are producers still.
 
     Either party may be first. Where none of the signers is left, any producer signs.
     """
@@ -68,7 +68,7 @@ def amendment_order_of(session: Session, contract: Contract) -> SigningOrder:
 
 
 def yeses(acceptances: Sequence[ContractAcceptance]) -> list[Signature]:
-    """Return who signed, as the rules on order take it."""
+    """Return the signatures, as the rules on order take them."""
     return [Signature(acceptance.party, acceptance.person_id) for acceptance in acceptances]
 
 
@@ -121,7 +121,7 @@ def contracts_to_sign(session: Session, studio_id: UUID, person_id: UUID) -> lis
 
 
 def end_signers_of_member(session: Session, payload: Mapping[str, Any]) -> None:
-    """Take who is no producer any more off drafts that they were to sign: a handler of `member.changed`.
+    """Take former producers off drafts that they were to sign: a handler of `member.changed`.
 
     Raises HandOverNeeded while a contract that was sent waits for them: no other producer can sign it.
     """
@@ -165,7 +165,7 @@ def proof_of(session: Session, person: Person, signature: SignatureRequest) -> d
 
 
 def facts_of_signature(person: Person, party: Party, signature: SignatureRequest) -> dict[str, Any]:
-    """Return what the record says of a signature."""
+    """Return the facts of a signature for the record."""
     drawn = {"drawing_sha256": drawing_sha256(signature.drawing)} if signature.drawing is not None else {}
     return drawn | {
         "party": party.value,

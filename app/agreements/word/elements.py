@@ -34,7 +34,7 @@ class OutsideText:
 
 
 class Reader(Protocol):
-    """What a part's elements are given to, in order."""
+    """The receiver of a part's elements, in order."""
 
     def start(self, tag: str, attributes: Mapping[str, str], /) -> None:
         """Take the start of an element."""
@@ -58,7 +58,7 @@ def named_without_space(attributes: Mapping[str, str]) -> dict[str, str]:
 
 
 class RelationReader:
-    """Reads which parts belong to a part: kind, target, and whether it is outside of the file."""
+    """A reader of the parts that belong to a part: kind, target, and whether it is outside of the file."""
 
     def __init__(self) -> None:
         self.relations: list[tuple[str, str, bool]] = []

@@ -48,7 +48,7 @@ _OTHER_FILES = (
 
 @dataclass(frozen=True)
 class Origin:
-    """What a document says of the version that it was made from."""
+    """A document's account of the version that it was made from."""
 
     contract_id: str
     version: int
@@ -88,7 +88,7 @@ PlainText = tuple[
 
 
 def parse_word_file(content_base64: str) -> PlainText:
-    """Return what a Word document in Base64 says as plain values; see `read_word_file`."""
+    """Return the text of a Word document in Base64 as plain values; see `read_word_file`."""
     try:
         data = base64.b64decode(content_base64, validate=True)
     except ValueError:
@@ -110,7 +110,7 @@ def parse_word_file(content_base64: str) -> PlainText:
 
 
 def read_word_file(data: bytes) -> WordText:
-    """Return what a Word document says; raise BadWordFile for anything else, and for one that is too large."""
+    """Return the text of a Word document; raise BadWordFile for anything else, and for one that is too large."""
     if not data:
         raise BadWordFile("the file is empty; wanted a Word document (.docx)", fix=SAVE_AGAIN)
     for begins, found, fix in _OTHER_FILES:
@@ -266,7 +266,7 @@ def _refuse_doctype(*_: object) -> None:
 
 
 def origin_of(properties: Iterable[tuple[str, str]]) -> Origin | None:
-    """Return what the properties of a document say of the version it was made from; None where they say nothing."""
+    """Return the version that a document was made from by its properties; None where they say nothing."""
     said = dict(properties)
     version = said.get(VERSION_PROPERTY, "")
     contract_id = said.get(CONTRACT_PROPERTY, "")

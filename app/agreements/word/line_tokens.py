@@ -35,7 +35,7 @@ def letters_of_source(line: SourceLine) -> list[Glyph]:
 
 
 def line_key(shown: Sequence[Glyph], kind: BlockKind, is_plain: bool) -> tuple[object, ...]:
-    """Return what makes two lines the same."""
+    """Return the key that two equal lines share."""
     return (kind, *tokens_of(shown, is_plain or kind == "head"))
 
 

@@ -1,4 +1,4 @@
-"""What a Word document that comes back changes in the text it was made from: clause by clause, as redlines."""
+"""Changes of a returned Word document to the text it was made from: clause by clause, as redlines."""
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -79,7 +79,7 @@ class _Section:
 
 
 def changes_in(word: WordText, made_from: MadeFrom, standing: Collection[str]) -> ReadChanges:
-    """Return what a document changes in the version that it was made from.
+    """Return the changes of a document to the version that it was made from.
 
     `standing` are the keys of the clauses that read in the current text as they did in that version. Raises
     OtherContractsFile where the document has no clause of it.

@@ -55,7 +55,7 @@ def post_audit(
     session: DbSession,
     actor: Actor = allows(Audience.TEAM, build=Scope.CHECKS_WRITE),
 ) -> AuditSummary:
-    """Store what `audio-checks audit` says of each sound of a build."""
+    """Store the results of `audio-checks audit` on each sound of a build."""
     return AuditSummary.model_validate(audits.save_audit(session, actor, project_id, body))
 
 
@@ -86,7 +86,7 @@ def list_audited_sounds(
     cursor: str | None = None,
     actor: Actor = TEAM,
 ) -> Page[AuditedSoundRead]:
-    """Return what an audit says of its sounds, in its order."""
+    """Return an audit's results on its sounds, in its order."""
     access, audit = audits.visible_audit(session, actor, audit_id)
     after = number_cursor(cursor)
     found = audits.sounds_in(session, audit, drifted_only=drifted, after=after, limit=SOUNDS_PAGE + 1)
@@ -104,7 +104,7 @@ def list_sound_history(
     path: Annotated[str, Query(max_length=MAX_PATH_CHARS, description="Of the sound in the build.")] = "",
     actor: Actor = TEAM,
 ) -> list[SoundInBuild]:
-    """Return what the last 40 builds said of one sound, the newest first."""
+    """Return the results of the last 40 builds on one sound, the newest first."""
     return audits.history_of(session, actor, project_id, path)
 
 
@@ -114,7 +114,7 @@ def list_sound_history(
     responses=problems(AuditNotFound, TeamNeeded, AuditedSoundNotFound, NothingDrifted),
 )
 def accept_drift(audit_id: UUID, body: DriftAccept, session: DbSession, actor: Actor = TEAM) -> AcceptedDriftRead:
-    """Accept how a sound drifted, with a reason, until it drifts otherwise."""
+    """Accept the drift of a sound, with a reason, until it drifts otherwise."""
     return audits.accept_drift(session, actor, audit_id, path=body.path, reason=body.reason)
 
 
@@ -146,7 +146,7 @@ def send_sound_back(audit_id: UUID, body: SoundSendBack, session: DbSession, act
 
 @router.get("/projects/{project_id}/game-states", responses=problems(ProjectNotFound, TeamNeeded))
 def get_game_states(project_id: UUID, session: DbSession, actor: Actor = TEAM) -> GameStates:
-    """Return how many cues are in the build, how many were heard in the game, and which never were."""
+    """Return the number of cues in the build and of those heard in the game, and the cues never heard."""
     return game_states.game_states(session, actor, project_id)
 
 

@@ -1,4 +1,4 @@
-"""Which cues are in the build and which were heard in the game: from audits and listening passes, or set by hand."""
+"""The cues in the build and those heard in the game: from audits and listening passes, or set by hand."""
 
 from uuid import UUID
 

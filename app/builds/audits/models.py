@@ -35,7 +35,7 @@ class BuildAudit(Base):
 
 
 class AuditedSound(Base):
-    """What one audit says of one sound."""
+    """One audit's result on one sound."""
 
     __tablename__ = "builds_audited_sounds"
     __table_args__ = (
@@ -63,7 +63,7 @@ class AuditedSound(Base):
 
     @property
     def drift(self) -> Drift:
-        """How it drifted, to be compared with another."""
+        """Return its drift, to be compared with another."""
         return Drift(self.path, self.status, self.played_status, self.gain_db)
 
 
@@ -93,7 +93,7 @@ class AcceptedDrift(Base):
 
     @property
     def drift(self) -> Drift:
-        """What was accepted."""
+        """Return the accepted drift."""
         return Drift(self.path, self.status, self.played_status, self.gain_db)
 
 
@@ -121,7 +121,7 @@ class ListeningPass(Base):
 
 
 class ListeningNote(Base):
-    """What one person said of one cue in a listening pass; its id is made where it was written, so it counts once."""
+    """One person's remark on one cue in a listening pass; its id is made where it was written, so it counts once."""
 
     __tablename__ = "builds_listening_notes"
     __table_args__ = (

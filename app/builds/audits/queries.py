@@ -55,7 +55,7 @@ def drifted_sounds(session: Session, audit_id: UUID) -> Sequence[AuditedSound]:
 
 
 def depending_sounds(session: Session, audit_id: UUID) -> int:
-    """Return how many sounds of an audit have a level that the game's state changes, and no drift."""
+    """Return the number of sounds of an audit that have a level that the game's state changes, and no drift."""
     found = session.scalars(
         select(AuditedSound.place).where(
             AuditedSound.audit_id == audit_id,
@@ -79,13 +79,13 @@ def sounds_of(
 
 
 def sound_at(session: Session, audit_id: UUID, path: str) -> AuditedSound | None:
-    """Return what an audit says of a path."""
+    """Return an audit's result on a path."""
     query = select(AuditedSound).where(AuditedSound.audit_id == audit_id, AuditedSound.path == path)
     return session.scalar(query.order_by(AuditedSound.place).limit(1))
 
 
 def history_of(session: Session, project_id: UUID, path: str) -> list[tuple[AuditedSound, BuildAudit]]:
-    """Return what the last audits said of a path, the newest first."""
+    """Return the last audits' results on a path, the newest first."""
     rows = session.execute(
         select(AuditedSound, BuildAudit)
         .join(BuildAudit, BuildAudit.id == AuditedSound.audit_id)
@@ -140,7 +140,7 @@ def wanted_cues(session: Session, project_id: UUID) -> Sequence[Cue]:
 
 
 def statuses_by_cue(session: Session, audit_id: UUID) -> dict[UUID, list[tuple[AuditStatus, AuditStatus]]]:
-    """Return what an audit says of the files of each cue: file and level."""
+    """Return an audit's statuses for the files of each cue: file and level."""
     rows = session.execute(
         select(AuditedSound.cue_id, AuditedSound.status, AuditedSound.played_status).where(
             AuditedSound.audit_id == audit_id, AuditedSound.cue_id.is_not(None)

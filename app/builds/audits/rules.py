@@ -14,7 +14,7 @@ MAX_AMOUNT_DB = 24.0
 
 
 class AuditStatus(StrEnum):
-    """What an audit says of a sound: the words of `audio-checks audit`."""
+    """An audit's verdict on a sound: the words of `audio-checks audit`."""
 
     SAME = "same"
     GAIN = "gain"
@@ -42,7 +42,7 @@ NOT_IN_BUILD = frozenset(
 
 
 class HeardAs(StrEnum):
-    """What a person says of a sound that they heard, or looked for, in the game."""
+    """A person's verdict on a sound that they heard, or looked for, in the game."""
 
     TOO_LOUD = "too-loud"
     TOO_SOFT = "too-soft"
@@ -55,7 +55,7 @@ class HeardAs(StrEnum):
 
 
 class TaskKind(StrEnum):
-    """What a task asks for."""
+    """The demand of a task."""
 
     TOO_LOUD = "too-loud"
     TOO_SOFT = "too-soft"
@@ -124,7 +124,7 @@ def is_in_build(statuses: Sequence[tuple[AuditStatus, AuditStatus]]) -> bool:
 
 @dataclass(frozen=True)
 class Drift:
-    """How one sound drifted: what an acceptance names, and two builds are compared by."""
+    """The drift of one sound: named by an acceptance, and compared between two builds."""
 
     path: str
     status: AuditStatus
@@ -142,7 +142,7 @@ class Drift:
 
 @dataclass(frozen=True)
 class PlayedLevel:
-    """How a build plays a sound: the parts of its level, and what changed them."""
+    """A sound's level in a build: its parts, and the things that changed them."""
 
     file_db: float | None
     property_db: float | None

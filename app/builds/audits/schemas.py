@@ -49,7 +49,7 @@ class PostedMove(_Posted):
 
 
 class PostedDepends(_Posted):
-    """What else changes a level."""
+    """Another influence on a level."""
 
     on: Word
     what: Word
@@ -74,7 +74,7 @@ class PostedMatch(_Posted):
 
 
 class PostedSound(_Posted):
-    """What the audit says of one sound."""
+    """The audit's result on one sound."""
 
     path: Path = Field(min_length=1)
     status: AuditStatus
@@ -191,7 +191,7 @@ class AcceptedDriftRead(Schema):
 
 
 class AuditedSoundRead(Schema):
-    """What an audit says of one sound."""
+    """An audit's result on one sound."""
 
     place: int
     path: str
@@ -213,7 +213,7 @@ class AuditedSoundRead(Schema):
 
 
 class SoundInBuild(Schema):
-    """What one build said of a sound, for its history."""
+    """One build's result on a sound, for its history."""
 
     audit_id: UUID
     label: str
@@ -225,14 +225,14 @@ class SoundInBuild(Schema):
 
 
 class DriftAccept(Schema):
-    """Why a drift is fine as it is."""
+    """The reason to accept a drift as it is."""
 
     path: Path
     reason: Annotated[Text, Field(min_length=1)]
 
 
 class SoundSendBack(Schema):
-    """What an implementer should do about a drift."""
+    """An implementer's task about a drift."""
 
     path: Path
     text: Text = ""
@@ -256,7 +256,7 @@ class CategoryInGame(Schema):
 
 
 class GameStates(Schema):
-    """How much of a list is in the build, and how much was never heard in the game."""
+    """The part of a list in the build, and the part never heard in the game."""
 
     cues: int = Field(description="Cues of the list that are not cut.")
     in_build: int

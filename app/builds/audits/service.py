@@ -46,7 +46,7 @@ UNREAD_KEPT = 100
 
 
 def save_audit(session: Session, actor: Actor, project_id: UUID, posted: AuditAdd) -> BuildAudit:
-    """Keep what an audit says of each sound, and count what drifted since the audit before."""
+    """Keep an audit's results on each sound, and count the drifts since the audit before."""
     access = project_access(session, actor, project_id)
     ensure_team_or_build(access)
     report = posted.report
@@ -244,7 +244,7 @@ def approved_sounds(session: Session, project: Project, sounds: Sequence[Audited
 
 
 def history_of(session: Session, actor: Actor, project_id: UUID, path: str) -> list[SoundInBuild]:
-    """Return what the last builds said of a sound, the newest first."""
+    """Return the last builds' results on a sound, the newest first."""
     project_access(session, actor, project_id).ensure_team()
     return [
         SoundInBuild(
@@ -261,7 +261,7 @@ def history_of(session: Session, actor: Actor, project_id: UUID, path: str) -> l
 
 
 def accept_drift(session: Session, actor: Actor, audit_id: UUID, *, path: str, reason: str) -> AcceptedDriftRead:
-    """Accept how a sound drifted, with a reason; another level or another change is asked for again."""
+    """Accept a sound's drift, with a reason; another level or another change is asked for again."""
     access, audit = visible_audit(session, actor, audit_id)
     access.ensure_may_speak()
     sound = _drifted_sound(session, audit, path)

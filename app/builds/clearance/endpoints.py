@@ -31,7 +31,7 @@ PDF_FAILS = (DocumentTooLarge, TypesettingBusy, TooManyAtOnce)
 def get_clearance_sheet_xlsx(
     project_id: UUID, session: DbSession, target: Target = None, actor: Actor = allows(Audience.PRODUCER)
 ) -> Response:
-    """Return who made each sound of the pack, from what and under which contract, as a workbook."""
+    """Return the maker, sources and contract of each sound of the pack, as a workbook."""
     _, rows = clearance.clearance_of_project(session, actor, project_id, target)
     return _file(clearance_xlsx(rows), XLSX, "xlsx")
 
@@ -47,7 +47,7 @@ def get_clearance_sheet_xlsx(
 def get_clearance_sheet_pdf(
     project_id: UUID, session: DbSession, target: Target = None, actor: Actor = allows(Audience.PRODUCER)
 ) -> Response:
-    """Return who made each sound of the pack, from what and under which contract, to read and to print."""
+    """Return the maker, sources and contract of each sound of the pack, to read and to print."""
     title, rows = clearance.clearance_of_project(session, actor, project_id, target)
     with PDFS.of(actor.person):
         return _file(clearance_pdf(rows, title=title), "application/pdf", "pdf")

@@ -1,4 +1,4 @@
-"""What a clearance sheet says of the sounds of a pack, for a publisher's lawyers."""
+"""A clearance sheet's account of the sounds of a pack, for a publisher's lawyers."""
 
 from collections.abc import Sequence
 from uuid import UUID
@@ -50,7 +50,7 @@ def clearance_of_pack(session: Session, actor: Actor, pack_id: UUID) -> tuple[st
 
 
 def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[str, Take]]) -> list[ClearanceRow]:
-    """Return what the sheet says of some files, each with its take; the caller has checked access."""
+    """Return the sheet's rows on some files, each with its take; the caller has checked access."""
     takes = [take for _, take in sounds]
     stated = sources_of(session, takes)
     designers = people_by_id(session, {take.designer_id for take in takes})
@@ -106,7 +106,7 @@ def _paid(session: Session, contract: Contract) -> set[UUID]:
 
 
 def _made_by(approval: Verdict | None, name: str) -> str:
-    """Return who made a sound; of one that was adopted only who sent it is known."""
+    """Return the maker of a sound; of one that was adopted only the sender is known."""
     return "not known (adopted)" if approval is not None and approval.adoption_id else name
 
 

@@ -1,1 +1,1 @@
-"""What a contract that has ended leaves for the next designer."""
+"""An ended contract's handover to the next designer."""

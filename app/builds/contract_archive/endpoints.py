@@ -29,7 +29,7 @@ router = APIRouter(prefix="/v1", tags=["builds"])
 def download_handover(
     contract_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
 ) -> StreamingResponse:
-    """Stream what the next designer needs of a contract that has ended: approved masters, cues, brief, open rounds."""
+    """Stream the handover of an ended contract to the next designer: approved masters, cues, brief, open rounds."""
     name, entries = handover_pack(session, runtime.store, actor, contract_id)
     return stream_zip(name, entries)
 

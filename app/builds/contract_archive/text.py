@@ -1,4 +1,4 @@
-"""What a handover pack says: one page to read, and the cues as a table; nothing of money, hours or reasons."""
+"""A handover pack's content: one page to read, and the cues as a table; nothing of money, hours or reasons."""
 
 import csv
 import io
@@ -21,7 +21,7 @@ class HandedFile:
 
 @dataclass(frozen=True)
 class HandedRemark:
-    """What was asked of a cue in review, or said of it."""
+    """A request of a cue in review, or a remark on it."""
 
     file_name: str
     at_s: float | None

@@ -90,7 +90,7 @@ class ExportedCue:
 
     @property
     def load(self) -> Literal["streaming", "compressed", "decompressed"]:
-        """How the engine is advised to load it."""
+        """Return the load mode advised to the engine."""
         if self.streamed:
             return "streaming"
         return "decompressed" if self.duration_s < DECOMPRESSED_BELOW_S else "compressed"
@@ -119,7 +119,7 @@ def file_safe(text: str) -> str:
 
 
 def set_name(stems: Sequence[str]) -> str:
-    """Return what the files of a cue are called together: laser_fire of laser_fire_01 and laser_fire_02."""
+    """Return the common name of a cue's files: laser_fire of laser_fire_01 and laser_fire_02."""
     if len(stems) == 1:
         return stems[0]
     bases = {_NUMBERED.sub("", stem) for stem in stems}

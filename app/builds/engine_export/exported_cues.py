@@ -60,7 +60,7 @@ def handed_cues(session: Session, pack: Pack, handoff: Handoff) -> list[Exported
 
 
 def _notes(number: str, cue: Cue, *, has_placeholder: bool) -> str:
-    """Return what the list says of a cue, on one line."""
+    """Return the list's notes on a cue, on one line."""
     lines = [PLACEHOLDER] if has_placeholder else []
     lines += [f"{number} {cue.name}.", cue.description]
     lines += [f"{what}: {text}" for what, text in (("Use", cue.use), ("Trigger", cue.trigger)) if text]

@@ -1,4 +1,4 @@
-"""What earlier packs handed over, and what an adopted game plays already."""
+"""The files of earlier packs, and the sounds that an adopted game plays already."""
 
 from uuid import UUID
 

@@ -31,7 +31,7 @@ class OpenGameFile(Schema):
 
 
 class GameFilesRead(Schema):
-    """What `soundlist pull` makes a folder equal to."""
+    """The content that `soundlist pull` gives a folder."""
 
     project_id: UUID
     project: str
@@ -43,7 +43,7 @@ class GameFilesRead(Schema):
 
 
 class GameFileOrigin(Schema):
-    """Where a game file comes from: cue, approval, contract, sources."""
+    """A game file's origin: cue, approval, contract, sources."""
 
     path: str
     target: str

@@ -55,7 +55,7 @@ def game_files_read(session: Session, actor: Actor, project_id: UUID, target: st
 
 
 def _placeholders(session: Session, pack: Pack) -> list[OpenGameFile]:
-    """Return what is not the final sound: files without an accepted one, and accepted ones that carry the mark.
+    """Return files without a final sound: those with no accepted one, and accepted ones that carry the mark.
 
     A sound that is accepted and has no game file yet is listed as missing instead.
     """
@@ -115,7 +115,7 @@ def approved_file(session: Session, actor: Actor, project_id: UUID, render_id: U
 def origins_of(
     session: Session, actor: Actor, project_id: UUID, *, name: str, target: str | None, take_id: UUID | None
 ) -> list[GameFileOrigin]:
-    """Return where the game files of a name come from: a path, a file name, its stem, or a cue's number.
+    """Return the origins of the game files of a name: a path, a file name, its stem, or a cue's number.
 
     With a take, only that version of the file, which a newer one may have replaced since. For producers, and for builds
     with the scope for it.

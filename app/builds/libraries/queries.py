@@ -38,7 +38,7 @@ def library_by_name(session: Session, studio_id: UUID, person_id: UUID, name: st
 
 
 def count_library_sounds(session: Session, *, studio_id: UUID | None = None, library_id: UUID | None = None) -> int:
-    """Return how many sounds a library has, or all libraries of a studio."""
+    """Return the number of sounds of a library, or of all libraries of a studio."""
     found = select(func.count()).select_from(LibrarySound)
     if studio_id is not None:
         found = found.where(LibrarySound.studio_id == studio_id)

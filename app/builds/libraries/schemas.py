@@ -1,4 +1,4 @@
-"""What the API takes and says of sound libraries."""
+"""Requests and answers of the API on sound libraries."""
 
 from datetime import datetime
 from typing import Annotated

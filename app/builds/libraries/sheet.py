@@ -12,7 +12,7 @@ SheetSound = tuple[str, str, int, bytes, bytes]  # path, SHA-256 of the samples,
 
 
 def parse_library_sheet(content_base64: str) -> list[tuple[str, str, int, bytes, bytes]]:
-    """Return what each sound of a sheet is recognised by; raise BadLibrarySheet, with what was found, for others."""
+    """Return the identifying data of each sound of a sheet; raise BadLibrarySheet, with the findings, for others."""
     try:
         text = base64.b64decode(content_base64, validate=True).decode("utf-8-sig")
     except ValueError:

@@ -70,7 +70,7 @@ def close_listening_pass(listening_pass_id: UUID, session: DbSession, actor: Act
 def add_listening_note(
     listening_pass_id: UUID, body: ListeningNoteAdd, session: DbSession, actor: Actor = PROJECT
 ) -> ListeningNoteRead:
-    """Write what a cue is like in the game; sent again with the same id, it counts once."""
+    """Write a note on a cue in the game; sent again with the same id, it counts once."""
     return listening.add_note(session, actor, listening_pass_id, body)
 
 
@@ -84,7 +84,7 @@ def undo_listening_note(listening_note_id: UUID, session: DbSession, actor: Acto
 def list_game_tasks(
     project_id: UUID, session: DbSession, done: bool = False, cursor: str | None = None, actor: Actor = PROJECT
 ) -> Page[GameTaskRead]:
-    """Return what is to be done so that the game plays its sounds as it should, the newest first."""
+    """Return the tasks for the game to play its sounds as it should, the newest first."""
     access, found = game_tasks.tasks_in(
         session, actor, project_id, done=done, before=uuid_cursor(cursor), limit=PAGE + 1
     )

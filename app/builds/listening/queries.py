@@ -62,7 +62,7 @@ def note_by_id(session: Session, note_id: UUID) -> ListeningNote | None:
 
 
 def standing_notes(session: Session, pass_id: UUID, cue_id: UUID, person_id: UUID) -> Sequence[ListeningNote]:
-    """Return what a person says of a cue in a pass, away from any recording."""
+    """Return a person's notes on a cue in a pass, away from any recording."""
     return session.scalars(
         select(ListeningNote).where(
             ListeningNote.pass_id == pass_id,

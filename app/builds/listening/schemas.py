@@ -79,7 +79,7 @@ class ListeningNow(Schema):
 
 
 class ListeningNoteAdd(Schema):
-    """What a person says of a cue; sent again with the same id it counts once."""
+    """A person's note on a cue; sent again with the same id it counts once."""
 
     note_id: UUID = Field(description="Made where the note is written.")
     cue_id: UUID

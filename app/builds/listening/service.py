@@ -90,7 +90,7 @@ def close(session: Session, actor: Actor, listening_pass_id: UUID) -> None:
 
 
 def add_note(session: Session, actor: Actor, listening_pass_id: UUID, body: ListeningNoteAdd) -> ListeningNoteRead:
-    """Keep what the caller says of a cue, in place of what they said before, and make a task of it.
+    """Keep the caller's note on a cue, in place of their earlier one, and make a task of it.
 
     A note that came already is answered as it stands, so that a phone may send it again.
     """

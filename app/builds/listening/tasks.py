@@ -29,7 +29,7 @@ def cue_read(project: Project, cue: Cue) -> SoundCue:
 
 
 def place_of(sound: AuditedSound | None) -> str:
-    """Return where the level of a sound was changed: object and property, else its file."""
+    """Return the place of the change of a sound's level: object and property, else its file."""
     if sound is None:
         return ""
     if sound.moves:
@@ -113,7 +113,7 @@ def change_task(session: Session, actor: Actor, game_task_id: UUID, *, is_done: 
 
 
 def moment_of(note: ListeningNote | None) -> RecordedMoment | None:
-    """Return where in a recording a note was heard."""
+    """Return a note's moment in a recording."""
     if note is None or note.recording_id is None or note.at_s is None:
         return None
     return RecordedMoment(reference_version_id=note.recording_id, at_s=note.at_s)

@@ -64,7 +64,7 @@ def get_sealed_manifest(
     runtime: CurrentRuntime,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Manifest:
-    """Return what the game files of a pack that was handed out are known by, for `audio-checks audit`."""
+    """Return the identifying data of the game files of a handed-out pack, for `audio-checks audit`."""
     pack = sealing.visible_sealed(session, actor, pack_id)
     sealing.ensure_sealed(pack)
     return _manifest(runtime, session, actor, manifests.approved_in_pack(session, pack))

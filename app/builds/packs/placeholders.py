@@ -46,7 +46,7 @@ class Slot:
 
 
 def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
-    """Yield what a pack lacks, in list order."""
+    """Yield the open slots of a pack, in list order."""
     spec = parsed_spec(current_spec(session, pack.project.id).toml)
     there = {(sound.cue.id, sound.variation) for sound in pack.sounds if sound.made}
     languages = languages_by_cue(session, pack.project.id)
@@ -75,7 +75,7 @@ def _key(facts: CueFacts, variation: int, view: DeliverySpec, said_sha256: str |
 
 
 def register(session: Session, actor: Actor, project_id: UUID, target: str | None) -> PlaceholderRegister:
-    """Return what is still a placeholder for a target."""
+    """Return the remaining placeholders for a target."""
     pack = visible_pack(session, actor, project_id, target)
     made = queries.placeholder_files_of(session, project_id, pack.target)
     prefix = pack.project.cue_prefix
@@ -93,7 +93,7 @@ def register(session: Session, actor: Actor, project_id: UUID, target: str | Non
 
 
 def countdown(session: Session, actor: Actor, project_id: UUID, target: str | None) -> PlaceholderCountdown:
-    """Return how much is still a placeholder for a target, by category, and what to record next."""
+    """Return the number of placeholders left for a target, by category, and the next one to record."""
     pack = visible_pack(session, actor, project_id, target)
     left = list(open_slots(session, pack))
     there = [sound for sound in pack.sounds if sound.made]

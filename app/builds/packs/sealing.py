@@ -85,7 +85,7 @@ def seal(session: Session, pack_id: UUID, files: Sequence[Packed]) -> None:
 
 
 def refuse(session: Session, pack_id: UUID, refusal: str) -> None:
-    """Record why a pack could not be assembled."""
+    """Record the reason for a pack's failed assembly."""
     pack = queries.pack_by_id(session, pack_id)
     if pack is not None and pack.state is PackState.SEALING:
         pack.state, pack.refusal = PackState.REFUSED, refusal

@@ -77,7 +77,7 @@ class PackedSound:
 
     @property
     def why_missing(self) -> str:
-        """Why there is no game file in the pack."""
+        """Return the reason for no game file in the pack."""
         if self.closed and self.made:
             return self.closed
         if self.render is None:
@@ -130,14 +130,14 @@ def mark_of(render: Render) -> str:
 
 
 def visible_pack(session: Session, actor: Actor, project_id: UUID, target: str | None) -> Pack:
-    """Return what the pack of a target holds; without a target, of the spec's first."""
+    """Return the contents of a target's pack; without a target, of the spec's first."""
     access = project_access(session, actor, project_id)
     ensure_team_or_build(access)
     return pack_of(session, access.project, target, actor)
 
 
 def pack_of(session: Session, project: Project, target: str | None, actor: Actor | None = None) -> Pack:
-    """Return what the pack of a target holds, without a check of the caller.
+    """Return the contents of a target's pack, without a check of the caller.
 
     `actor` is who reads why a sound is not paid: an invoice is named to those who see its contract.
 
@@ -193,7 +193,7 @@ def ensure_team_or_build(access: ProjectAccess) -> None:
 
 
 def pack_read(pack: Pack) -> PackRead:
-    """Return what a pack holds, in figures."""
+    """Return the contents of a pack, in figures."""
     made = [render for sound in pack.sounds if (render := sound.packed)]
     return PackRead(
         target=pack.target,
@@ -220,7 +220,7 @@ def pack_read(pack: Pack) -> PackRead:
 
 
 def changes_read(since: int | None, before: Mapping[str, str], after: Mapping[str, str]) -> PackChanges:
-    """Return what happened to the game files since a pack; everything is new where there was none."""
+    """Return the changes of the game files since a pack; everything is new where there was none."""
     found = changes_between(before, after)
     return PackChanges(
         since=since,
@@ -358,7 +358,7 @@ def pack_files(
 
 
 def title_of(pack: Pack) -> str:
-    """Return what the documentation key is headed with."""
+    """Return the heading of the documentation key."""
     return f"{pack.project.name}, {pack.target}"
 
 

@@ -1,4 +1,4 @@
-"""How a sound differs from the same sound elsewhere, in words."""
+"""Differences of a sound from the same sound elsewhere, in words."""
 
 from collections.abc import Iterable
 
@@ -6,7 +6,7 @@ GAIN_DB = 0.5  # a codec or another rate changes the level by less
 
 
 def words_of_same_sound(*, has_same_samples: bool, gain_db: float, is_trimmed: bool, is_resampled: bool) -> str:
-    """Return what was done to a sound, seen from the take in question."""
+    """Return the changes made to a sound, seen from the take in question."""
     if has_same_samples:
         return "the same samples"
     words = ["the same sound"]

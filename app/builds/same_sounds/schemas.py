@@ -1,4 +1,4 @@
-"""What the API says of a sound that another project has too."""
+"""The API's answers on a sound that another project has too."""
 
 from uuid import UUID
 
@@ -33,7 +33,7 @@ class LibraryMatchRead(Schema):
 
 
 class SameSoundsRead(Schema):
-    """Where else a take's sound is."""
+    """The other places of a take's sound."""
 
     take_id: UUID
     is_compared: bool | None = Field(

@@ -86,7 +86,7 @@ def _row(take: Take, other: Take, found: FoundElsewhere, gain_db: float) -> dict
 
 
 def same_sounds_of_take(session: Session, actor: Actor, take_id: UUID) -> SameSoundsRead:
-    """Return where else a take's sound is, of what the caller may see: a designer sees only takes of their own."""
+    """Return the other places of a take's sound that the caller may see: a designer sees only takes of their own."""
     take, access = take_for(session, actor, take_id)
     is_compared = None
     if access.is_team:

@@ -263,7 +263,7 @@ class JobQueue:
         return _unfinished(row) if row else None
 
     def counts(self, studio_id: UUID | None = None) -> list[JobCount]:
-        """Return how many jobs wait, run or are parked, by name; those of one studio if given."""
+        """Return the numbers of jobs waiting, running or parked, by name; those of one studio if given."""
         jobs = self._not_done(OPEN_STATES + FAILED_STATES, studio_id)
         name, state = jobs.c.attributes["job"].as_string(), sa.case(STATE_WORDS, value=jobs.c.status)
         counted = (
@@ -277,7 +277,7 @@ class JobQueue:
             ]
 
     def lanes(self, studio_id: UUID | None = None) -> list[FairnessPartition]:
-        """Return how many jobs wait and run in each lane that has any, the longest first."""
+        """Return counts of waiting and running jobs in each lane that has any, the longest first."""
         jobs = self._not_done(OPEN_STATES, studio_id)
         lane, state = jobs.c.queue_partition_key, jobs.c.status
         counted = sa.select(lane, state, sa.func.count(), sa.func.min(jobs.c.created_at)).group_by(lane, state)
@@ -303,7 +303,7 @@ class JobQueue:
             return set(session.scalars(held))
 
     def running_jobs_by_worker(self) -> dict[str, int]:
-        """Return how many jobs each worker runs that runs any."""
+        """Return the number of running jobs of each worker that has any."""
         jobs = self._workflows
         running = sa.select(jobs.c.executor_id, sa.func.count()).where(
             jobs.c.queue_name == JOB_QUEUE, sa.literal_column("status = 'PENDING'")

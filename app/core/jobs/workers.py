@@ -182,7 +182,7 @@ def _engine(database: Database, *, connections: int) -> sa.Engine:
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:
-    """Set what DBOS sets, and let SQLite sync progress together with the next commit that must be durable.
+    """Set DBOS's own settings, and let SQLite sync progress together with the next commit that must be durable.
 
     After a power failure the job runs again. Jobs themselves are written in our transactions.
     """
@@ -266,7 +266,7 @@ def _worker_here() -> Worker:
 
 
 def _when_available(call: Callable[[], Result]) -> Result:
-    """Return what a call gives; while the database is away wait for it, since that is not a fault of the job."""
+    """Return a call's result; while the database is away wait for it, since that is not a fault of the job."""
     while True:
         try:
             return call()

@@ -60,7 +60,7 @@ class BucketStore(Store):
             self.public_origin = address.public_endpoint
 
     def key(self, studio_id: UUID, sha256: str) -> str:
-        """Return where in the bucket a blob is or would be."""
+        """Return a blob's present or future place in the bucket."""
         return f"{self._root}{studio_id}/{sha256[:2]}/{sha256}"
 
     def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
@@ -79,7 +79,7 @@ class BucketStore(Store):
         self._objects.delete(self.key(studio_id, sha256))
 
     def stored_at(self, studio_id: UUID, sha256: str) -> datetime:
-        """Return when a blob was last stored; raise BlobMissing if there is none."""
+        """Return the time of a blob's last storage; raise BlobMissing if there is none."""
         return self._object_state(studio_id, sha256).changed_at
 
     def put_file(self, studio_id: UUID, source: Path) -> StoredBlob:
@@ -91,7 +91,7 @@ class BucketStore(Store):
         return self._object_state(studio_id, sha256).size_bytes
 
     def sizes_bytes(self, studio_id: UUID, sha256s: Iterable[str]) -> Mapping[str, int]:
-        """Return how long each of many blobs is, many asked at once; those that are missing are left out."""
+        """Return the length of each of many blobs, many asked at once; those that are missing are left out."""
         asked = list(sha256s)
         with ThreadPoolExecutor(HEADS_AT_ONCE) as pool:
             found = pool.map(lambda sha256: self._objects.size_bytes(self.key(studio_id, sha256)), asked)
@@ -158,7 +158,7 @@ class BucketStore(Store):
             raise StoreUnready("the bucket gives back other bytes than it was given")
 
     def _in_words_of(self, error: Exception) -> str:
-        """Return why the bucket cannot be used, without its address: the answer is public."""
+        """Return the reason for an unusable bucket, without its address: the answer is public."""
         cause = str(error.__cause__ or error)
         if "NoSuchBucket" in cause:
             return "the store's bucket is not there; create it, or fix SOUNDLIST_STORE_URL"

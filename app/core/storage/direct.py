@@ -54,7 +54,7 @@ class DirectUploads:
         self._place = place
 
     def key(self, upload_id: UUID) -> str:
-        """Return where in the bucket an upload waits until it is kept."""
+        """Return the place in the bucket of an upload until it is kept."""
         return f"{self._prefix}{upload_id}"
 
     def begin(self, upload_id: UUID, length: int) -> Incoming:
@@ -75,7 +75,7 @@ class DirectUploads:
         self._multipart.complete(self.key(incoming.upload_id), incoming.multipart_id, parts)
 
     def size_bytes(self, upload_id: UUID) -> int | None:
-        """Return how long the object is that the parts became; None where they have not become one."""
+        """Return the length of the object that the parts became; None where they have not become one."""
         return self._objects.size_bytes(self.key(upload_id))
 
     def stream(self, upload_id: UUID) -> Pieces:
@@ -83,7 +83,7 @@ class DirectUploads:
         return self._objects.stream(self.key(upload_id))
 
     def keep(self, upload_id: UUID, studio_id: UUID, stored: StoredBlob) -> None:
-        """Copy what was read to its place, unless it is there, whole and stored within the last hour."""
+        """Copy the read content to its place, unless it is there, whole and stored within the last hour."""
         target = self._place(studio_id, stored.sha256)
         if not self._objects.is_renewed(target, stored.sha256, since=clock.now() - RENEWED_AFTER):
             self._objects.copy(self.key(upload_id), target)
@@ -101,7 +101,7 @@ class DirectUploads:
         self._multipart.abort(self.key(incoming.upload_id), incoming.multipart_id)
 
     def orphaned(self, before: datetime) -> Iterator[tuple[UUID, str | None]]:
-        """Yield what was begun before an instant and is still there: upload, and the bucket's name for its parts."""
+        """Yield uploads begun before an instant and still there: upload, and the bucket's name for its parts."""
         for unfinished in self._multipart.unfinished(self._prefix):
             with suppress(ValueError):
                 if unfinished.begun_at < before:

@@ -29,7 +29,7 @@ class FolderStore(Store):
         self.root = self.staging_root = root.resolve()
 
     def path(self, studio_id: UUID, sha256: str) -> Path:
-        """Return where a blob is or would be."""
+        """Return a blob's present or future place."""
         return self.root / str(studio_id) / sha256[:2] / sha256
 
     def keep(self, studio_id: UUID, source: Path, sha256: str) -> StoredBlob:
@@ -58,7 +58,7 @@ class FolderStore(Store):
             self.path(studio_id, sha256).unlink(missing_ok=True)
 
     def stored_at(self, studio_id: UUID, sha256: str) -> datetime:
-        """Return when a blob was last stored; raise BlobMissing if there is none."""
+        """Return the time of a blob's last storage; raise BlobMissing if there is none."""
         return datetime.fromtimestamp(self._stat(studio_id, sha256).st_mtime, UTC)
 
     def _pieces(self, studio_id: UUID, sha256: str, start: int, end: int | None) -> Pieces:
@@ -104,7 +104,7 @@ class FolderStore(Store):
             ) from error
 
     def free_bytes(self) -> int:
-        """Return what the folder's disk has left for this process."""
+        """Return the free space of the folder's disk for this process."""
         self.root.mkdir(parents=True, exist_ok=True)
         return shutil.disk_usage(self.root).free
 
@@ -154,7 +154,7 @@ def make_folder(folder: Path) -> list[Path]:
 
 
 def sync(path: Path) -> None:
-    """Return when a file's bytes, or a folder's entries, are on the disk."""
+    """Force a file's bytes, or a folder's entries, onto the disk."""
     descriptor = os.open(path, os.O_RDONLY)
     try:
         os.fsync(descriptor)

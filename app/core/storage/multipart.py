@@ -196,12 +196,12 @@ def parts_of(size_bytes: int) -> int:
 
 
 def part_start(number: int) -> int:
-    """Return which byte of the file is the first of a part."""
+    """Return the place of a part's first byte in the file."""
     return (number - 1) * PART_BYTES
 
 
 def part_length(size_bytes: int, number: int) -> int:
-    """Return how long a part of a file of this size must be."""
+    """Return the required length of a part of a file of this size."""
     return min(PART_BYTES, size_bytes - part_start(number))
 
 

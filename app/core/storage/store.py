@@ -92,7 +92,7 @@ class Store(ABC):
 
     @abstractmethod
     def stored_at(self, studio_id: UUID, sha256: str) -> datetime:
-        """Return when a blob was last stored; raise BlobMissing if there is none."""
+        """Return the time of a blob's last storage; raise BlobMissing if there is none."""
 
     @abstractmethod
     def local_copy(self, studio_id: UUID, sha256: str) -> AbstractContextManager[Path]:
@@ -140,15 +140,15 @@ class Store(ABC):
         return sum(map(len, self.stream(studio_id, sha256)))
 
     def free_bytes(self) -> int | None:
-        """Return what the store's disk has left; None where no disk of this machine bounds it."""
+        """Return the free space of the store's disk; None where no disk of this machine bounds it."""
         return None
 
     def sweep(self, before: datetime) -> int:  # noqa: ARG002  for those that leave something
-        """Delete what dead processes left half-stored before an instant; return how much went."""
+        """Delete half-stored leftovers of dead processes from before an instant; return their number."""
         return 0
 
     def put(self, studio_id: UUID, chunks: Iterable[bytes]) -> StoredBlob:
-        """Store what the chunks add up to; storing the same bytes twice is storing them once."""
+        """Store the joined chunks; storing the same bytes twice is storing them once."""
         with self._in_words():
             self.staging_root.mkdir(parents=True, exist_ok=True)
             descriptor, name = tempfile.mkstemp(prefix=PUT_PREFIX, dir=self.staging_root)
@@ -188,7 +188,7 @@ class Store(ABC):
         return self.keep(studio_id, source, sha256)
 
     def sizes_bytes(self, studio_id: UUID, sha256s: Iterable[str]) -> Mapping[str, int]:
-        """Return how long each of many blobs is; those that are missing are left out."""
+        """Return the length of each of many blobs; those that are missing are left out."""
         sizes = {}
         for sha256 in sha256s:
             try:

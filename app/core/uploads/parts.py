@@ -57,7 +57,7 @@ class UploadParts:
         )
 
     def offset(self, upload: Upload) -> int:
-        """Return how many bytes are in the store without a gap, from the first."""
+        """Return the number of bytes in the store without a gap, from the first."""
         here = set(self._numbers_here(self._direct(), self._incoming(upload)))
         whole = next(number for number in range(1, len(here) + 2) if number not in here) - 1
         return min(upload.length, multipart.part_start(whole + 1))
@@ -93,7 +93,7 @@ class UploadParts:
             self._direct().forget(upload.id, upload.multipart_id)
 
     def sweep(self, before: datetime) -> int:
-        """Delete what was begun before an instant and never finished; return how much went."""
+        """Delete uploads begun before an instant and never finished; return their number."""
         if (direct := self._store.direct) is None:
             return 0
         gone = 0

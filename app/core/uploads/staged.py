@@ -101,7 +101,7 @@ class Uploads:
             return self._settled(self._row(upload_id, owner_id))
 
     def offset(self, upload: Upload) -> int:
-        """Return how many bytes are here and on the disk."""
+        """Return the number of bytes here and on the disk."""
         if upload.sha256 is not None:
             return upload.length
         if upload.multipart_id is not None:
@@ -115,7 +115,7 @@ class Uploads:
             raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired") from None
 
     def expires_at(self, upload: Upload) -> datetime | None:
-        """Return when an unfinished upload is given up; None once it is finished."""
+        """Return the expiry of an unfinished upload; None once it is finished."""
         if upload.sha256 is not None:
             return None
         if upload.multipart_id is not None:
@@ -131,7 +131,7 @@ class Uploads:
         announced: int | None = None,
         checksum: Checksum | None = None,
     ) -> Upload:
-        """Append what comes, unless too slowly, and finish the upload with its last byte.
+        """Append the incoming bytes, unless too slow, and finish the upload with its last byte.
 
         Whatever a broken line leaves behind stays and counts, unless a checksum was to prove it.
         More bytes than `announced` for the file are refused before the first is stored.
@@ -167,7 +167,7 @@ class Uploads:
         return self._finish(upload) if os.fstat(file).st_size == upload.length else upload
 
     def parts(self, upload: Upload, sha256s: Mapping[int, bytes]) -> PartsProgress:
-        """Return which parts of an upload are in the store, and links for those whose SHA-256 is given."""
+        """Return the parts of an upload that are in the store, and links for those whose SHA-256 is given."""
         if upload.sha256 is None and upload.multipart_id is None and self.offset(upload) > 0:
             raise PartsNotTaken("some of this file came through the server", fix="ask for its offset and send the rest")
         return self._parts.standing(upload, sha256s)
@@ -196,7 +196,7 @@ class Uploads:
             os.close(file)
 
     def sweep(self) -> int:
-        """Delete what expired unfinished and what dead processes left over; return how many files went."""
+        """Delete expired unfinished uploads and the leftovers of dead processes; return the number of files."""
         staged = list(self._store.staging_root.glob(f"*/{STAGING}/*"))  # listed before rows are read: rows come first
         gone = sum(self._swept(staging) for staging in staged)
         left_overs = [self._store.staging_root.glob(f"{prefix}*") for prefix in ORPHAN_PREFIXES]

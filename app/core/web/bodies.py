@@ -126,7 +126,7 @@ async def _bounded(scope: Scope, receive: Receive, length: int | None) -> Receiv
 
 
 def content_length(scope: Scope) -> int | None:
-    """Return how long the body is; 0 where there is none, None where it is known only after reading."""
+    """Return the length of the body; 0 where there is none, None where it is known only after reading."""
     for name, value in scope["headers"]:
         if name == b"content-length":
             return int(value[:19]) if value.isdigit() else None

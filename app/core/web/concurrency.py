@@ -1,4 +1,4 @@
-"""How many requests a web process runs at once: people first, uploads after them, and every wait is bounded.
+"""A web process's number of requests at once: people first, uploads after them, and every wait is bounded.
 
 Each request with a session of its own takes a slot, readers and writers from separate pools; the others wait before
 they take a thread or a connection. More slots would not answer sooner: one request computes at a time while the others
@@ -170,7 +170,7 @@ class ConcurrencyLimiter:
 
     @contextlib.asynccontextmanager
     async def for_upload_finish(self) -> AsyncIterator[None]:
-        """Run what follows the last byte of an upload, after people; never refused, since the bytes are stored."""
+        """Run the steps after an upload's last byte, after people; never refused, since the bytes are stored."""
         async with self._finishes.slot(None):
             yield
 

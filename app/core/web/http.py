@@ -55,7 +55,7 @@ def problems(*errors: type[Refused]) -> dict[int | str, dict[str, Any]]:
 
 
 def runtime_of(request: Request) -> Runtime:
-    """Return what the running application was wired with."""
+    """Return the runtime of the running application."""
     runtime: Runtime = request.app.state.runtime
     return runtime
 

@@ -21,7 +21,7 @@ OWN = ("microphone",)  # placeholders are said into it
 
 
 def content_security_policy(store_origin: str | None) -> str:
-    """Return what a page may load; from the store, if browsers are sent there, sounds and nothing else."""
+    """Return a page's permitted loads; from the store, if browsers are sent there, sounds and nothing else."""
     store = f" {store_origin}" if store_origin else ""
     return (
         f"default-src 'self'; script-src 'self'; connect-src 'self'{store}; img-src 'self' data: blob:; "
@@ -31,7 +31,7 @@ def content_security_policy(store_origin: str | None) -> str:
 
 
 def security_headers(store_origin: str | None, *, is_https: bool) -> dict[str, str]:
-    """Return what every answer carries, unless it says something stricter itself."""
+    """Return the headers of every answer, unless it says something stricter itself."""
     headers = {
         "Content-Security-Policy": content_security_policy(store_origin),
         "X-Content-Type-Options": "nosniff",
@@ -47,14 +47,14 @@ def security_headers(store_origin: str | None, *, is_https: bool) -> dict[str, s
 
 
 def policy_of(path: str) -> str | None:
-    """Return what an answer may load that is no page; None for pages, which have a policy of their own."""
+    """Return the permitted loads of an answer that is no page; None for pages, which have a policy of their own."""
     if path.startswith(HASHED):
         return ASSET_POLICY
     return API_POLICY if path.startswith(API) else None
 
 
 def caching(path: str, status: int) -> str:
-    """Return what caches may do with an answer that does not say so itself."""
+    """Return caches' permissions for an answer that does not state them itself."""
     if path.startswith(PRIVATE) or status >= 400:
         return NO_STORE
     return IMMUTABLE if path.startswith(HASHED) else ASK_AGAIN

@@ -40,7 +40,7 @@ def ensure_port_free(host: str, port: int) -> None:
 
 
 def serve(factory: str, host: str, port: int, *, processes: int, drain_s: float, finish_s: int) -> None:
-    """Serve what a factory makes, named `module:function`, until SIGTERM or SIGINT.
+    """Serve the application of a factory, named `module:function`, until SIGTERM or SIGINT.
 
     Then go on for `drain_s` as not ready, and give open answers `finish_s` more. A second signal ends the first wait.
     """

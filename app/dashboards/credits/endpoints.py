@@ -28,7 +28,7 @@ TEXT_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {"text/plain": 
 
 @router.get("/projects/{project_id}/credits", responses=problems(ProjectNotFound))
 def read_credits(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> ProjectCreditsRead:
-    """Return who worked on a project by role; a designer sees their own name alone."""
+    """Return the contributors to a project by role; a designer sees their own name alone."""
     return ProjectCreditsRead.model_validate(credit_list.project_credits(session, actor, project_id))
 
 
@@ -36,7 +36,7 @@ def read_credits(project_id: UUID, session: DbSession, actor: Actor = allows(Aud
 def save_my_credit(
     project_id: UUID, body: CreditNameSave, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> ProjectCreditsRead:
-    """Say how the caller is named in a project's credits, or that they are left out."""
+    """State the caller's name in a project's credits, or their omission."""
     credit_names.save_credit_name(session, actor, project_id, name=body.name, is_left_out=body.is_left_out)
     return ProjectCreditsRead.model_validate(credit_list.project_credits(session, actor, project_id))
 

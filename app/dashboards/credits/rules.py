@@ -11,7 +11,7 @@ from app.sound_lists.rules import spreadsheet_safe
 
 
 class CreditRole(StrEnum):
-    """What a person did for a project, as Soundlist knows it; roles added by hand come after these."""
+    """A person's work for a project, as Soundlist knows it; roles added by hand come after these."""
 
     SOUND_DESIGN = "Sound design"
     AUDIO_DIRECTION = "Audio direction"

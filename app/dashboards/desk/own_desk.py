@@ -1,4 +1,4 @@
-"""What a designer owes in all of their projects and studios."""
+"""A designer's owed work in all of their projects and studios."""
 
 from collections.abc import Sequence
 from uuid import UUID
@@ -62,7 +62,7 @@ def _owed(project: Project, row: OwedRow, said: Said | None) -> OwedCue:
 
 
 def _latest_comments(session: Session, cue_ids: Sequence[UUID], designer_id: UUID) -> dict[UUID, Said]:
-    """Return what was said last on each cue: a comment, a change request, an answer, or the check's first finding."""
+    """Return the last words on each cue: a comment, a change request, an answer, or the check's first finding."""
     said = [
         *queries.comments(session, cue_ids, designer_id),
         *queries.changes(session, cue_ids, designer_id),

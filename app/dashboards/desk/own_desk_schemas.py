@@ -12,7 +12,7 @@ from app.deliveries.schemas import CueBrief
 
 
 class LatestComment(Schema):
-    """What was said last on the caller's work for a cue."""
+    """The last words on the caller's work for a cue."""
 
     text: str
     by: str | None = Field(description="Who said it; null: the check.")
@@ -32,7 +32,7 @@ class OwedCue(Schema):
 
 
 class OwnDesk(Schema):
-    """What the caller owes in all projects that they are engaged on, what is due soonest first; in pages."""
+    """The caller's owed work in all projects that they are engaged on, the soonest due first; in pages."""
 
     person: PersonBrief
     projects: int = Field(description="Projects that the caller is engaged on and whose list they see.")

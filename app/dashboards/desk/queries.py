@@ -17,7 +17,7 @@ from app.sound_lists.rules import CueState
 
 
 def waiting_counts(session: Session, project_id: UUID, designer_id: UUID) -> dict[TakeState, int]:
-    """Return how many takes of a designer, each for a cue, are checked now, and how many wait for their verdict."""
+    """Return the numbers of a designer's takes, each for a cue, being checked now and waiting for their verdict."""
     moving = Take.state.in_((TakeState.RECEIVED, TakeState.CONFORMING))
     rows = session.execute(
         select(Take.state, func.count())

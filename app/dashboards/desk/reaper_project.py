@@ -1,4 +1,4 @@
-"""What a designer owes, as a project for REAPER."""
+"""A designer's owed work, as a project for REAPER."""
 
 from collections.abc import Iterator, Sequence
 from uuid import UUID

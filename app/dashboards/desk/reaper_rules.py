@@ -35,7 +35,7 @@ class OwedFile(NamedTuple):
 
 
 class RenderFormat(NamedTuple):
-    """What the delivery spec wants masters to be."""
+    """The delivery spec's format of masters."""
 
     sample_rate_hz: int
     bit_depth: int

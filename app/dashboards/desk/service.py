@@ -47,7 +47,7 @@ class Desk:
         self._counted: list[CueGroup] | None = None
 
     def read(self) -> schemas.Desk:
-        """Return what stands there: how much of everything, and the first page of each list."""
+        """Return the desk's contents: the number of everything, and the first page of each list."""
         session, project_id, designer_id = self._session, self._project.id, self._designer_id
         counts = counted(self._likes())
         takes = desk_queries.waiting_counts(session, project_id, designer_id)

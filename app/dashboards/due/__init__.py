@@ -1,1 +1,1 @@
-"""What is due in a project, as a calendar."""
+"""The due things of a project, as a calendar."""

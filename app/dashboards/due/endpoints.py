@@ -18,5 +18,5 @@ router = APIRouter(prefix="/v1", tags=["dashboards"])
 
 @router.get("/calendars/{secret}", response_class=Response, responses=ANSWER | problems(CalendarNotFound))
 def read_calendar(secret: str, session: DbSession, _actor: Actor = allows(Audience.ANYONE)) -> Response:
-    """Return what is due in a project as iCalendar, for the holder of the address."""
+    """Return a project's due things as iCalendar, for the holder of the address."""
     return Response(due_calendar.feed(session, secret), media_type=ICALENDAR)

@@ -1,4 +1,4 @@
-"""What is due in a project as an iCalendar feed, as the holder of a secret address sees it now."""
+"""A project's due things as an iCalendar feed, as the holder of a secret address sees them now."""
 
 from collections.abc import Iterator, Sequence
 from datetime import date, datetime, timedelta

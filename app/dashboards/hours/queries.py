@@ -33,7 +33,7 @@ def open_work(session: Session, project_id: UUID) -> Sequence[Row[UUID, UUID, UU
 
 
 def uncontracted_cues(session: Session, project_id: UUID) -> int:
-    """Return how many cues of a list no agreed contract covers; cut ones are not counted."""
+    """Return the number of cues of a list that no agreed contract covers; cut ones are not counted."""
     covered = (
         exists()
         .where(ContractCue.cue_id == Cue.id, Contract.id == ContractCue.contract_id)

@@ -44,7 +44,7 @@ class WeekOutlook:
 
 
 def left_hours(work: OpenWork) -> float:
-    """Return what is left of an estimate; nothing of a cue without one, which is counted as unknown."""
+    """Return the hours left of an estimate; nothing of a cue without one, which is counted as unknown."""
     return 0.0 if work.estimate_min is None else max(0, work.estimate_min - work.worked_min) / MINUTES
 
 

@@ -47,7 +47,7 @@ class PersonsSight:
 
 
 def sights_of(database: Database, viewers: Collection[Viewer]) -> Mapping[Viewer, PersonsSight]:
-    """Return what each viewer may see; viewers who are signed out, or visitors of no demo, are left out."""
+    """Return the sight of each viewer; viewers who are signed out, or visitors of no demo, are left out."""
     people = {viewer.person_id for viewer in viewers}
     hashes = {viewer.session_sha256 for viewer in viewers if viewer.session_sha256 is not None}
     sights: dict[UUID, PersonsSight] = defaultdict(PersonsSight)

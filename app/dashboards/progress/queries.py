@@ -154,7 +154,7 @@ class VariationRow(NamedTuple):
 
 
 def variation_rows(session: Session, cue_ids: Collection[UUID], designer_id: UUID | None) -> list[VariationRow]:
-    """Return what the takes of some cues add up to, by variation."""
+    """Return the sums of the takes of some cues, by variation."""
     rows = session.execute(_variation_rows(designer_id is not None), _given(cue_ids, designer_id))
     return [VariationRow._make(row) for row in rows]
 
@@ -236,7 +236,7 @@ def _open_questions() -> Select[UUID, str]:
 def current_findings(
     session: Session, cue_ids: Collection[UUID], designer_id: UUID | None
 ) -> dict[UUID, list[dict[str, Any]]]:
-    """Return what was found in the takes of some cues that stand, in the order that the takes came.
+    """Return the findings in the takes of some cues that stand, in the order that the takes came.
 
     A returned take stands until a newer one of its variation came, as a fix or from the session.
     """
@@ -316,7 +316,7 @@ def _unheard_takes() -> Select[*tuple[Any, ...]]:
 
 
 def waiting_files(session: Session, project_id: UUID, designer_id: UUID | None) -> int:
-    """Return how many files conform and wait for a verdict."""
+    """Return the number of files that conform and wait for a verdict."""
     waiting = select(func.count()).where(
         Take.project_id == project_id, Take.state == TakeState.CONFORMING, Take.cue_id.is_not(None)
     )

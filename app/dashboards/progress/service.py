@@ -51,7 +51,7 @@ def counted(likes: Sequence[CueGroup]) -> dict[CueStatus, int]:
 
 
 def completion(groups: Sequence[NeedGroup]) -> list[schemas.NeedCompletion]:
-    """Return how many cues of each need are accepted, the most needed first; a need without cues is left out."""
+    """Return the number of accepted cues of each need, the most needed first; a need without cues is left out."""
     cues: Counter[Need] = Counter()
     accepted: Counter[Need] = Counter()
     for group in groups:
@@ -62,7 +62,7 @@ def completion(groups: Sequence[NeedGroup]) -> list[schemas.NeedCompletion]:
 
 
 def list_counts(session: Session, actor: Actor, project_id: UUID) -> schemas.ListCounts:
-    """Return how many cues of the list stand where."""
+    """Return the number of cues of the list in each state."""
     access = project_access(session, actor, project_id)
     return schemas.ListCounts(
         counts=counted(progress_queries.cue_groups(session, project_id, viewer_of(access))),
@@ -73,7 +73,7 @@ def list_counts(session: Session, actor: Actor, project_id: UUID) -> schemas.Lis
 def list_progress(
     session: Session, actor: Actor, project_id: UUID, *, cursor: str | None, limit: int
 ) -> schemas.ListProgress:
-    """Return where the cues of one page of the list stand."""
+    """Return the states of the cues of one page of the list."""
     access = project_access(session, actor, project_id)
     cues, following = page_of(session, project_id, "list", cursor=cursor, limit=limit)
     page = _Page(session, access, cues)
@@ -146,7 +146,7 @@ class _Page(Statuses):
             self._unheard = progress_queries.unheard_takes(session, access.actor.person, live)
 
     def progress_of(self, cue: Cue) -> schemas.CueProgress:
-        """Return where one cue of the page stands."""
+        """Return the state of one cue of the page."""
         facts, variations = self._facts[cue.id].values(), self._variations[cue.id]
         take, review = self._shown.get(cue.id), self._review_facts[cue.id]
         return schemas.CueProgress(
@@ -185,7 +185,7 @@ class _Page(Statuses):
 
 
 def preview_url(picture_id: UUID | None) -> str | None:
-    """Return where a sound's preview is."""
+    """Return the address of a sound's preview."""
     return f"/v1/sounds/{picture_id}/preview" if picture_id else None
 
 

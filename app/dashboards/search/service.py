@@ -23,7 +23,7 @@ OF_A_KIND = 6  # hits of each kind but cues
 
 
 def search(session: Session, actor: Actor, project_id: UUID, typed: str) -> schemas.FindResult:
-    """Return what holds the typed words: cues first, then files, people, contracts and what was said.
+    """Return matches of the typed words: cues first, then files, people, contracts and remarks.
 
     No kind has more hits than `OF_A_KIND`; cues have as many as are left of `HITS`.
     """

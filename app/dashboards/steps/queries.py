@@ -27,7 +27,7 @@ def accepted_for_implementer(session: Session, project_id: UUID, person_id: UUID
 
 
 def cues_to_record(session: Session, project_id: UUID, person_id: UUID) -> int:
-    """Return how many cues a person records of which no take has come."""
+    """Return the number of cues that a person records and of which no take has come."""
     of_person = (Cue.project_id == project_id, Cue.recorder_id == person_id, Cue.state != CueState.CUT)
     has_takes = exists().where(Take.cue_id == Cue.id, Take.discarded_at.is_(None))
     return session.scalar(select(func.count()).where(*of_person, ~has_takes)) or 0

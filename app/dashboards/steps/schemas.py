@@ -39,7 +39,7 @@ class Awaited(Schema):
 
 
 class NextSteps(Schema):
-    """What the caller is to do in a project, the first thing first, and for whom they wait."""
+    """The caller's next steps in a project, the first thing first, and the people they wait for."""
 
     steps: list[NextStep]
     awaited: list[Awaited] = Field(description="The longest wait first.")

@@ -51,7 +51,7 @@ STEP_OF_AMENDMENT = {
 
 
 def next_steps(session: Session, actor: Actor, project_id: UUID) -> NextSteps:
-    """Return what the caller is to do in a project, the first thing first, and for whom they wait."""
+    """Return the caller's next steps in a project, the first thing first, and the people they wait for."""
     access = project_access(session, actor, project_id, before_nda=True)
     found = _Steps(session, access)
     if access.is_team:
@@ -75,7 +75,7 @@ class _Steps:
         self.awaited: list[Awaited] = []
 
     def of_team(self) -> None:
-        """Collect what a member of the studio is to do in their roles."""
+        """Collect the steps of a member of the studio in their roles."""
         session, access, project = self._session, self._access, self._project
         counts = counted(progress_queries.cue_groups(session, project.id, project.studio_id))
         speaks = access.is_producer or access.is_liaison or access.is_approver
@@ -95,7 +95,7 @@ class _Steps:
         self._await(AwaitedKind.FIXES, "", (sum(counts.get(status, 0) for status in CAME_BACK), back_since))
 
     def of_designer(self) -> None:
-        """Collect what a designer is to do; before the NDA that is signing it."""
+        """Collect the steps of a designer; before the NDA the one step is signing it."""
         session, access, project = self._session, self._access, self._project
         self._contracts()
         engagement = access.engagement
@@ -156,7 +156,7 @@ class _Steps:
             self._await_verdicts(rights)
 
     def _waiting(self, scope: ApprovalScope, *of_takes: ColumnElement[bool]) -> tuple[int, datetime | None]:
-        """Return how many cues of a scope wait for a verdict, and since when the first."""
+        """Return the number of cues of a scope awaiting a verdict, and the first wait's start."""
         reach = and_(queue_queries.in_scope(self._project.id, scope), *of_takes)
         found = queue_queries.waiting_cues(self._session, reach, after=None, limit=COUNTED_CUES)
         return len(found), found[0].since if found else None

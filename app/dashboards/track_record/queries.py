@@ -1,4 +1,4 @@
-"""What is known of a designer's work for one studio; each function is one SELECT of narrow rows."""
+"""Facts known of a designer's work for one studio; each function is one SELECT of narrow rows."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -55,7 +55,7 @@ def contracts_of(session: Session, studio_id: UUID, designer_id: UUID) -> Sequen
 
 
 def revision_times(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[tuple[datetime, datetime | None]]:
-    """Return when changes of a cue were sent, and when the designer's next take came; None while they are awaited."""
+    """Return the times of sent changes of a cue and of the designer's next take; None while they are awaited."""
     next_take = (
         select(func.min(Take.received_at))
         .where(Take.cue_id == Round.cue_id, Take.designer_id == designer_id, Take.received_at > Round.created_at)

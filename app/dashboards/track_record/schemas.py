@@ -1,4 +1,4 @@
-"""What is known of a designer from work for one studio."""
+"""Facts known of a designer from work for one studio."""
 
 from datetime import datetime
 from uuid import UUID
@@ -19,7 +19,7 @@ class WorkedProject(Schema):
 
 
 class WorkFigures(Schema):
-    """What is known of a designer from work for one studio; null where too little has happened for a figure."""
+    """Figures known of a designer from work for one studio; null where too little has happened for a figure."""
 
     studio_id: UUID
     studio_name: str

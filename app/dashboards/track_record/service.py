@@ -1,4 +1,4 @@
-"""What is known of a designer from work for one studio, seen by that studio and by the designer alone."""
+"""Facts known of a designer from work for one studio, seen by that studio and by the designer alone."""
 
 from uuid import UUID
 
@@ -18,7 +18,7 @@ from app.money.schemas import HabitRead
 
 
 def work_of_entry(session: Session, actor: Actor, entry_id: UUID) -> WorkFigures | None:
-    """Return what is known of a designer on file; None where no proven account of that address works for the studio."""
+    """Return facts known of a designer on file; None where no proven account of that address works for the studio."""
     access, entry = entry_seen(session, actor, entry_id)
     person = designers_of(session, entry.studio_id, [entry.email]).get(entry.email)
     if person is None:
@@ -27,7 +27,7 @@ def work_of_entry(session: Session, actor: Actor, entry_id: UUID) -> WorkFigures
 
 
 def own_work(session: Session, actor: Actor) -> list[WorkFigures]:
-    """Return what the studios that the caller works or worked for know from that work."""
+    """Return the facts that the studios that the caller works or worked for know from that work."""
     return [
         _figures(session, studio_id, name, actor.person, with_estimates=True)
         for studio_id, name in work_queries.studios_of(session, actor.person)

@@ -1,1 +1,1 @@
-"""How fast a project goes, and what it costs."""
+"""The pace of a project, and its costs."""

@@ -1,4 +1,4 @@
-"""What the costs of a project are computed from; each function is one SELECT of narrow rows."""
+"""The basis of a project's computed costs; each function is one SELECT of narrow rows."""
 
 from collections.abc import Collection, Sequence
 from datetime import datetime
@@ -27,13 +27,13 @@ def ordered(session: Session, contract_ids: Collection[UUID]) -> Sequence[Row[Co
 
 
 def first_takes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, datetime]:
-    """Return when the first version of each cue came; cues without any are left out."""
+    """Return the arrival of each cue's first version; cues without any are left out."""
     rows = select(Take.cue_id, func.min(Take.received_at)).where(in_array(Take.cue_id, cue_ids)).group_by(Take.cue_id)
     return {cue_id: at for cue_id, at in session.execute(rows) if cue_id is not None}
 
 
 def first_logs(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, datetime]:
-    """Return when time was logged for each cue first; cues without any are left out."""
+    """Return the moment of the first logged time of each cue; cues without any are left out."""
     rows = select(WorkLog.cue_id, func.min(WorkLog.created_at)).where(in_array(WorkLog.cue_id, cue_ids))
     return {row[0]: row[1] for row in session.execute(rows.group_by(WorkLog.cue_id))}
 

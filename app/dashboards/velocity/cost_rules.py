@@ -1,4 +1,4 @@
-"""What sounds cost a project, and how much of what was ordered changed after work began: figures of plain values."""
+"""Costs of a project's sounds, and the share of orders changed after work began: figures of plain values."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ class OrderedCue:
 
 @dataclass(frozen=True)
 class Churn:
-    """How much of what was ordered was cut or rewritten after work began."""
+    """The part of the order that was cut or rewritten after work began."""
 
     ordered: int
     churned: int
@@ -47,7 +47,7 @@ class EstimateError:
 
     @property
     def percent(self) -> float:
-        """By how many percent the logged time exceeds the estimates; below zero it took less."""
+        """Return the percentage by which logged time exceeds the estimates; below zero it took less."""
         return 100 * (self.logged_min - self.estimated_min) / self.estimated_min
 
 
@@ -88,12 +88,12 @@ def churn(cues: Collection[OrderedCue]) -> Churn:
 
 
 def kept_sounds(cues: Collection[OrderedCue]) -> int:
-    """Return how many cues are kept."""
+    """Return the number of kept cues."""
     return len({cue.cue_id for cue in cues if cue.is_kept})
 
 
 def per_kept_minor(spent_minor: int, kept: int) -> int | None:
-    """Return what a kept sound cost in whole minor units, halves up; None while none is kept."""
+    """Return the cost of a kept sound in whole minor units, halves up; None while none is kept."""
     return (2 * spent_minor + kept) // (2 * kept) if kept else None
 
 

@@ -1,4 +1,4 @@
-"""What a project costs by currency: budget, committed, spent, a kept sound, churn; and how good estimates were."""
+"""A project's costs by currency: budget, committed, spent, a kept sound, churn; and the accuracy of estimates."""
 
 from collections import defaultdict
 from collections.abc import Collection, Sequence

@@ -1,4 +1,4 @@
-"""What pace is computed from; each function is one SELECT of narrow rows."""
+"""The basis of computed pace; each function is one SELECT of narrow rows."""
 
 from collections.abc import Sequence
 from datetime import date, datetime
@@ -85,7 +85,7 @@ def review_waits(session: Session, project_id: UUID, designer_id: UUID | None) -
 def answer_times(
     session: Session, project_id: UUID, designer_id: UUID | None
 ) -> Sequence[Row[datetime, datetime | None]]:
-    """Return when questions were asked and answered; the newest."""
+    """Return the times of questions and of their answers; the newest."""
     found = select(Question.asked_at, Question.answered_at).where(Question.project_id == project_id)
     if designer_id is not None:
         found = found.where(Question.asked_by == designer_id)

@@ -1,4 +1,4 @@
-"""How a project goes, from what was decided and when: plain figures of plain values."""
+"""The pace of a project, from decisions and their times: plain figures of plain values."""
 
 import math
 from collections.abc import Collection, Sequence
@@ -14,7 +14,7 @@ FEW = 3  # fewer make no figure
 
 @dataclass(frozen=True)
 class CuePace:
-    """What was decided of one cue so far."""
+    """The decisions on one cue so far."""
 
     rounds: int  # changes that were sent to the designer
     first_decided_at: datetime | None
@@ -40,7 +40,7 @@ class CuePace:
 
 
 def first_pass_share(cues: Collection[CuePace]) -> float | None:
-    """Return which share of the decided cues was accepted as it came first; None: too few are decided."""
+    """Return the share of the decided cues that was accepted as it came first; None: too few are decided."""
     decided = [cue for cue in cues if cue.is_decided]
     return sum(cue.is_first_pass for cue in decided) / len(decided) if len(decided) >= FEW else None
 
@@ -65,7 +65,7 @@ def days_late(cues: Collection[CuePace], today: date) -> float | None:
 
 
 def on_time_share(cues: Collection[CuePace], today: date) -> float | None:
-    """Return which share of the cues was accepted by its due day, of those accepted or overdue; None: too few."""
+    """Return the share of cues accepted by their due day, of those accepted or overdue; None: too few."""
     late = [days for cue in cues if (days := cue.days_late(today)) is not None]
     return sum(days <= 0 for days in late) / len(late) if len(late) >= FEW else None
 

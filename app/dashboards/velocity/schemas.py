@@ -1,4 +1,4 @@
-"""What the page of a project's pace shows."""
+"""The content of the page of a project's pace."""
 
 from datetime import date
 from uuid import UUID
@@ -18,7 +18,7 @@ class WornCue(Schema):
 
 
 class StudioPace(Schema):
-    """How soon the studio does its own part."""
+    """The studio's speed in its own part."""
 
     review_hours: float | None = Field(
         description="The median from conforming to a verdict; a longer wait without one counts for as long as it lasts."
@@ -37,7 +37,7 @@ class StudioPace(Schema):
 
 
 class CostsRead(Schema):
-    """What a project costs in one currency, in whole minor units; figures of two currencies are never added."""
+    """The cost of a project in one currency, in whole minor units; figures of two currencies are never added."""
 
     currency: str
     budget_minor: int | None = Field(description="As producers set it; null where none is set, and for designers.")
@@ -71,7 +71,7 @@ class OverEstimateRead(Schema):
 
 
 class Pace(Schema):
-    """How a project goes: early warnings for both sides; null where too little has happened for a figure."""
+    """The pace of a project: early warnings for both sides; null where too little has happened for a figure."""
 
     cues: int
     accepted: int

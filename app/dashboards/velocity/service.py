@@ -1,4 +1,4 @@
-"""How a project goes, seen by both sides: the work's pace beside the studio's own."""
+"""The pace of a project, seen by both sides: the work's beside the studio's own."""
 
 from collections import defaultdict
 from collections.abc import Sequence
@@ -35,7 +35,7 @@ WORN_SHOWN = 20
 
 
 def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
-    """Return how a project goes: the whole of it for those who act for the studio, a designer's own work for them.
+    """Return a project's pace: the whole of it for those who act for the studio, a designer's own work for them.
 
     Raises TeamNeeded for the rest of the team.
     """
@@ -75,7 +75,7 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
 
 
 def cue_paces(session: Session, project_id: UUID, designer_id: UUID) -> dict[UUID, CuePace]:
-    """Return what was decided of each cue of a project that a designer sent something for."""
+    """Return the decisions on each cue of a project that a designer sent something for."""
     return _cue_paces(session, project_id, designer_id, pace_queries.cues(session, project_id, designer_id))
 
 

@@ -28,7 +28,7 @@ GZIP = 16 + zlib.MAX_WBITS
 
 
 def read_sent(path: str, packed: bytes) -> str:
-    """Return what a project says of its sounds, as JSON; run in a child process.
+    """Return a project's statements on its sounds, as JSON; run in a child process.
 
     `packed` is a gzip of a JSON object: the project's texts by their paths from its root.
     """
@@ -110,7 +110,7 @@ def project_of(game: Mapping[str, Any]) -> Project:
 
 
 def plays_by_path(game: Mapping[str, Any], paths: Iterable[str]) -> dict[str, list[dict[str, Any]]]:
-    """Return how the game plays each file that it plays, as a manifest for audits has it."""
+    """Return the game's playback of each file that it plays, as a manifest for audits has it."""
     files = [FingerprintedFile(path) for path in paths]
     return {
         with_play.path: manifest_entry(with_play)["plays"]

@@ -76,7 +76,7 @@ class SkippedFileRead(Schema):
 
 
 class ReadProject(Schema):
-    """What was read of the game's project."""
+    """The facts read of the game's project."""
 
     name: str
     engine: Literal["wwise", "fmod", "unity", "unreal", "godot"]
@@ -87,7 +87,7 @@ class ReadProject(Schema):
 
 
 class AdoptionPlanRead(Schema):
-    """What adopting a folder does."""
+    """The effects of adopting a folder."""
 
     cues: list[PlannedCue]
     files: int = Field(description="The number of files that are adopted.")
@@ -140,7 +140,7 @@ class AdoptionProgress(AdoptionRead):
 
 
 class Adopted(AdoptionRead):
-    """What one adoption made."""
+    """The results of one adoption."""
 
     cues: int
     takes: int

@@ -36,7 +36,7 @@ SCOPE = "adoption:"  # of uploads, before the id of their adoption
 def plan_folder(
     session: Session, actor: Actor, project_id: UUID, files: Sequence[ShippedFileIn], game: Game | None
 ) -> AdoptionPlanRead:
-    """Return what adopting a folder would do; nothing is written."""
+    """Return the effects of adopting a folder; nothing is written."""
     access = project_access(session, actor, project_id)
     ensure_may_send(access)
     _ensure_paths_differ(files)
@@ -46,7 +46,7 @@ def plan_folder(
 def plan_for(
     session: Session, project: Project, files: Sequence[dict[str, Any]], game: Game | None
 ) -> audio_checks.AdoptionPlan:
-    """Return what adopting files does to a list as it is now."""
+    """Return the effects of adopting files on a list as it is now."""
     owned = {stem: label(project.cue_prefix, number) for stem, number in queries.owned_stems(session, project.id)}
     spec = audio_checks.parse_spec(current_spec(session, project.id).toml)
     shipped = [

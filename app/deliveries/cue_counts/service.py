@@ -1,4 +1,4 @@
-"""Keeps what the takes of cues add up to, in the transaction that changes a take: for the team and for each designer.
+"""Sums of the takes of cues, kept in the transaction that changes a take: for the team and for each designer.
 
 It is worked out when the transaction ends, once for each cue, so that many takes of a cue cost no more than one.
 """
@@ -35,7 +35,7 @@ def update_cue_sums(session: Session, *cue_ids: UUID | None) -> None:
 
 
 def views_of(studio_id: UUID, takes: Sequence[TakeForSums]) -> Iterator[tuple[UUID, Sums]]:
-    """Yield what the takes of a cue add up to for the team, under its studio's id, and for each of their designers."""
+    """Yield the sums of a cue's takes for the team, under its studio's id, and for each of their designers."""
     yield studio_id, sums_of(takes)
     own: dict[UUID, list[TakeForSums]] = defaultdict(list)
     for take in takes:

@@ -1,1 +1,1 @@
-"""What takes were made from."""
+"""The sources of takes."""

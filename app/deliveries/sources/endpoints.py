@@ -19,7 +19,7 @@ router = APIRouter()
 def see_delivery_sources(
     delivery_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> DeliverySources:
-    """Show what a delivery was made from; its designer also sees what they stated last."""
+    """Show the sources of a delivery; its designer also sees their last statement."""
     return sources.delivery_sources(session, actor, delivery_id)
 
 
@@ -31,13 +31,13 @@ def see_delivery_sources(
 def state_delivery_sources(
     delivery_id: UUID, body: Sources, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> DeliverySources:
-    """State what the takes of a delivery were made from; a take can have a statement of its own."""
+    """State the sources of the takes of a delivery; a take can have a statement of its own."""
     return sources.state_delivery_sources(session, actor, delivery_id, body)
 
 
 @router.get("/takes/{take_id}/sources", response_model=TakeSources, responses=problems(TakeNotFound))
 def see_take_sources(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeSources:
-    """Show what a take was made from."""
+    """Show the sources of a take."""
     return sources.take_sources(session, actor, take_id)
 
 
@@ -49,5 +49,5 @@ def see_take_sources(take_id: UUID, session: DbSession, actor: Actor = allows(Au
 def state_take_sources(
     take_id: UUID, body: Sources, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> TakeSources:
-    """State what one take was made from; once it is approved and nothing is open, that is final."""
+    """State the sources of one take; once it is approved and nothing is open, that is final."""
     return sources.state_take_sources(session, actor, take_id, body)

@@ -1,4 +1,4 @@
-"""What this room reads of the sources of takes."""
+"""This room's reads of the sources of takes."""
 
 from collections.abc import Collection, Sequence
 from uuid import UUID
@@ -41,7 +41,7 @@ def source_statement_of(session: Session, delivery_id: UUID, take_id: UUID | Non
 
 
 def last_source_statement(session: Session, studio_id: UUID, designer_id: UUID) -> SourceStatement | None:
-    """Return what a designer stated last in a studio."""
+    """Return a designer's last statement in a studio."""
     return session.scalar(
         select(SourceStatement)
         .where(SourceStatement.studio_id == studio_id, SourceStatement.designer_id == designer_id)

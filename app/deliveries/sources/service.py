@@ -1,4 +1,4 @@
-"""What takes were made from: stated by their designers, for a whole delivery or one take, on record once accepted."""
+"""The sources of takes: stated by their designers, for a whole delivery or one take, on record once accepted."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -75,7 +75,7 @@ def _state(session: Session, delivery: Delivery, take_id: UUID | None, sources: 
 
 
 def delivery_sources(session: Session, actor: Actor, delivery_id: UUID) -> DeliverySources:
-    """Return what was stated of a delivery and of each of its takes."""
+    """Return the stated sources of a delivery and of each of its takes."""
     delivery, access = delivery_for(session, actor, delivery_id)
     stated = source_queries.source_statement_of(session, delivery_id, None)
     remembered = None
@@ -91,14 +91,14 @@ def delivery_sources(session: Session, actor: Actor, delivery_id: UUID) -> Deliv
 
 
 def take_sources(session: Session, actor: Actor, take_id: UUID) -> TakeSources:
-    """Return what was stated of a take that the caller sees."""
+    """Return the stated sources of a take that the caller sees."""
     take, _ = take_for(session, actor, take_id)
     (read,) = _takes_read(session, [take])
     return read
 
 
 def sources_in(statement: SourceStatement) -> Sources:
-    """Return what a statement says."""
+    """Return the sources in a statement."""
     return Sources.model_validate(statement.sources)
 
 

@@ -1,4 +1,4 @@
-"""What a take was made from, in words, and what is still open about it, stated without a database."""
+"""The sources of a take, in words, and the points still open about them, stated without a database."""
 
 from collections.abc import Collection
 from enum import StrEnum
@@ -15,7 +15,7 @@ class SourcePoint(StrEnum):
 
 
 def open_points(sources: Sources | None) -> list[tuple[SourcePoint, str]]:
-    """Return what a statement leaves open, each with the library or performer that it is about."""
+    """Return the open points of a statement, each with the library or performer that it is about."""
     if sources is None:
         return [(SourcePoint.NOT_STATED, "")]
     licences = [(SourcePoint.NO_LICENCE, library.name) for library in sources.libraries if not library.licence]

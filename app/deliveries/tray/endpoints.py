@@ -80,7 +80,7 @@ def list_undecided_places(
 def preview_renames(
     project_id: UUID, body: TakesMove, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> list[TakeRename]:
-    """Show what takes would be called after a move; nothing is changed."""
+    """Show the names of takes after a move; nothing is changed."""
     named = tray.names_after(session, actor, project_id, _moves(body))
     return [TakeRename(take_id=take.id, file_name=take.file_name, becomes=becomes) for take, becomes in named]
 

@@ -109,7 +109,7 @@ def move_takes(session: Session, actor: Actor, project_id: UUID, moves: Sequence
 
 
 def names_after(session: Session, actor: Actor, project_id: UUID, moves: Sequence[Move]) -> list[tuple[Take, str]]:
-    """Return what each take would be called after a move; nothing is changed."""
+    """Return the name of each take after a move; nothing is changed."""
     access, takes = _takes_named(session, actor, project_id, [move.take_id for move in moves])
     slots = [
         slot_given(session, access, move.cue_id, move.variation, take.file_name)

@@ -1,4 +1,4 @@
-"""Where an upload goes: a delivery, an adoption, a project's references or a reel; who may send it, how large."""
+"""Upload destinations: a delivery, an adoption, a project's references or a reel; permitted senders and sizes."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ from app.references import service as references
 
 @dataclass(frozen=True)
 class Destination:
-    """Where a file goes, by the metadata of its upload."""
+    """The destination of a file, by the metadata of its upload."""
 
     delivery_id: UUID | None = None
     beside_take_id: UUID | None = None  # of the take that a dry stem is for
@@ -37,14 +37,14 @@ class Destination:
         return references.upload_scope(self.project_id) if self.project_id else str(self.delivery_id)
 
     def most_bytes(self, file_name: str, reference_max_bytes: int) -> int:
-        """Return how many bytes a file may have there."""
+        """Return the most bytes that a file may have there."""
         if self.roster_entry_id:
             return reel.MAX_SOUND_BYTES
         return reference_max_bytes if self.project_id else max_bytes(file_name)
 
 
 def destination_in(metadata: Mapping[str, str]) -> Destination:
-    """Read where an upload goes; raise BadUploadHeader where that is two places, or none."""
+    """Read the destination of an upload; raise BadUploadHeader where that is two places, or none."""
     places = [place for place in ("delivery_id", "project_id", "adoption_id", "roster_entry_id") if place in metadata]
     if len(places) > 1:
         raise BadUploadHeader(f"Upload-Metadata names {places[0]} and {places[1]}; a file goes to one of them")

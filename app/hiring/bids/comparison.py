@@ -49,7 +49,7 @@ def shortlist(session: Session, actor: Actor, bid_id: UUID, *, is_shortlisted: b
 
 
 def score(session: Session, actor: Actor, bid_id: UUID, scores: Mapping[str, int], note: str) -> UUID:
-    """Keep what the caller gives a bid, and return its posting; giving again replaces it."""
+    """Keep the caller's scores for a bid, and return its posting; giving again replaces them."""
     bid = bid_for_team(session, actor, bid_id)
     ensure_scores_fit(bid.posting.headings, scores)
     queries.lock_posting(session, bid.posting_id)
@@ -83,6 +83,6 @@ def may_award(session: Session, actor: Actor, posting: Posting) -> bool:
 
 
 def record_contract(session: Session, posting: Posting, contract_id: UUID) -> None:
-    """Keep which draft contract an award opened."""
+    """Keep the draft contract that an award opened."""
     posting.contract_id = contract_id
     session.flush()

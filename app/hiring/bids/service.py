@@ -84,7 +84,7 @@ def withdraw_bid(session: Session, actor: Actor, posting_id: UUID) -> None:
 
 
 def clashes(session: Session, access: PostingAccess) -> Sequence[OtherWork]:
-    """Return what the candidate has offered or won elsewhere in the days of a posting."""
+    """Return the candidate's offers and awards elsewhere in the days of a posting."""
     posting = access.posting
     days = (posting.work_from_on, posting.work_to_on)
     with bypass_row_policies(session):  # the candidate's own bids, at other studios too

@@ -1,4 +1,4 @@
-"""Who sees a posting: those who act for the studio, and candidates as far as an NDA lets them."""
+"""Viewers of a posting: those who act for the studio, and candidates as far as an NDA lets them."""
 
 from dataclasses import dataclass
 from datetime import date

@@ -43,7 +43,7 @@ LINK_LIFETIME = timedelta(days=90)
 
 @dataclass(frozen=True)
 class PostingFields:
-    """What a posting says."""
+    """The content of a posting."""
 
     title: str
     text: str

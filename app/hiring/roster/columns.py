@@ -20,7 +20,7 @@ MAX_WORDS = 30
 
 
 class RosterField(StrEnum):
-    """What a column can be read as."""
+    """A possible reading of a column."""
 
     NAME = "name"
     EMAIL = "email"
@@ -108,12 +108,12 @@ def field_of(head: str) -> RosterField | None:
 
 
 def known_heads_in(cells: Sequence[str]) -> int:
-    """Return how many cells of a row are heads that we know, each field counted once."""
+    """Return the number of known heads among the cells of a row, each field counted once."""
     return len({field for cell in cells if cell.strip() and (field := field_of(cell))})
 
 
 def parts_of(text: str) -> list[str]:
-    """Return what a cell lists between commas, semicolons, slashes or line ends."""
+    """Return the items of a cell between commas, semicolons, slashes or line ends."""
     return tidy_values(re.split(r"[,;/|\n]", text))
 
 

@@ -144,7 +144,7 @@ def read_roster_entry(roster_entry_id: UUID, session: DbSession, actor: Actor = 
 def change_roster_entry(
     roster_entry_id: UUID, body: RosterEntryChange, session: DbSession, actor: Actor = TEAM
 ) -> RosterEntryRead:
-    """Change what is on file of a designer."""
+    """Change the facts on file of a designer."""
     facts = body.model_dump(exclude={"revision"})
     roster.change_entry(session, actor, roster_entry_id, facts, revision=body.revision)
     return entry_read(session, actor, roster_entry_id)

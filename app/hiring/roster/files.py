@@ -1,4 +1,4 @@
-"""What people send for the roster, read in the bounded child: sheets of designers, calendar files.
+"""Files that people send for the roster, read in the bounded child: sheets of designers, calendar files.
 
 Of a calendar only days are kept: no title, no place and no person of an event leaves the child.
 """
@@ -134,7 +134,7 @@ def _length(event: Event) -> timedelta:
 
 
 def _starts(event: Event, begin: datetime, length: timedelta, first: date, last: date) -> Iterator[datetime]:
-    """Yield when an event begins, of a repeating one as often as it touches the period."""
+    """Yield the starts of an event, of a repeating one as often as it touches the period."""
     if "RRULE" not in event:
         yield begin
         yield from _moments(event, "RDATE")

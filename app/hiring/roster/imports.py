@@ -34,7 +34,7 @@ class Column:
 
 @dataclass
 class PlannedRow:
-    """What a row says, whom it is about, and its faults."""
+    """A row's content, its person, and its faults."""
 
     row: int
     facts: dict[str, Any]
@@ -59,7 +59,7 @@ def import_roster(
     mapping: Mapping[str, RosterField],
     dry_run: bool,
 ) -> RosterImportRead:
-    """Return what a sheet would add and change, and do it where it has no errors and is not a dry run."""
+    """Return the additions and changes of a sheet, and do them where it has no errors and is not a dry run."""
     access = roster_access(session, actor, studio_id)
     roster_queries.lock_roster(session, studio_id)
     columns = _columns(sheet, mapping)
@@ -156,7 +156,7 @@ def _read_row(columns: Sequence[Column], row: int, cells: Sequence[str]) -> Plan
 
 
 def _find_entries(session: Session, studio_id: UUID, rows: Sequence[PlannedRow]) -> None:
-    """Find whom each row is about by address; a second row for one address is a fault."""
+    """Find the person of each row by address; a second row for one address is a fault."""
     known = {entry.email: entry for entry in roster_queries.entries_of(session, studio_id)}
     first: dict[str, int] = {}
     for planned in rows:

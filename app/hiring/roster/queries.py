@@ -49,7 +49,7 @@ def has_address(session: Session, studio_id: UUID, email: str, *, but: UUID | No
 
 
 def entries_count(session: Session, studio_id: UUID) -> int:
-    """Return how many people a studio has on file."""
+    """Return the number of people that a studio has on file."""
     return session.scalar(select(func.count()).where(RosterEntry.studio_id == studio_id)) or 0
 
 
@@ -128,7 +128,7 @@ def postings_to_ask_about(session: Session, studio_id: UUID) -> Sequence[Posting
 
 
 def asked_postings(session: Session, email: str, posting_ids: Collection[UUID]) -> set[UUID]:
-    """Return which of these postings an address is asked about."""
+    """Return those of these postings that an address is asked about."""
     found = select(Candidate.posting_id).where(
         Candidate.email == email, Candidate.posting_id.in_(posting_ids), Candidate.revoked_at.is_(None)
     )

@@ -14,7 +14,7 @@ MAX_RANGES = 400  # of one designer
 
 
 class RosterService(StrEnum):
-    """What a designer does besides making sounds."""
+    """A service of a designer besides making sounds."""
 
     COMPOSES = "composes"
     DIRECTS = "directs"
@@ -43,21 +43,21 @@ class Exclusivity(StrEnum):
 
 
 class RateUnit(StrEnum):
-    """What a rate counts."""
+    """The unit that a rate counts."""
 
     HOUR = "hour"
     DAY = "day"
 
 
 class BusyKind(StrEnum):
-    """How much of a day is taken."""
+    """The taken part of a day."""
 
     BOOKED = "booked"
     HALF_DAYS = "half_days"
 
 
 class WeekState(StrEnum):
-    """How a week of a designer looks: a booked day makes it partly booked, booked working days make it booked."""
+    """The state of a designer's week: a booked day makes it partly booked, booked working days make it booked."""
 
     FREE = "free"
     HALF_DAYS = "half_days"
@@ -77,7 +77,7 @@ class Busy:
 
 @dataclass(frozen=True)
 class Known:
-    """What a search can find of a designer on file."""
+    """Facts of a designer on file that a search can find."""
 
     texts: Sequence[str]
     specialities: Sequence[str]
@@ -87,7 +87,7 @@ class Known:
 
 @dataclass(frozen=True)
 class RosterFilter:
-    """What a person looks for; empty fields ask for nothing."""
+    """A person's search; empty fields ask for nothing."""
 
     words: str = ""
     speciality: str = ""
@@ -135,7 +135,7 @@ def monday_of(day: date) -> date:
 
 
 def weeks(ranges: Sequence[Busy], today: date, available_from_on: date | None = None) -> list[WeekState]:
-    """Return how each of the coming weeks looks, this one first, by its working days from today on.
+    """Return the state of each of the coming weeks, this one first, by its working days from today on.
 
     Days before `available_from_on` are booked.
     """
@@ -159,7 +159,7 @@ def weeks(ranges: Sequence[Busy], today: date, available_from_on: date | None = 
 
 
 def free_days(ranges: Sequence[Busy], today: date, available_from_on: date | None = None) -> list[float]:
-    """Return how many working days of each of the coming weeks are free, from today on; a half day counts as half."""
+    """Return the number of free working days of each coming week, from today on; a half day counts as half."""
     first = monday_of(today)
     last = first + WEEKS_SHOWN * WEEK
     booked, half = set(_days(ranges, BusyKind.BOOKED, today, last)), set(_days(ranges, BusyKind.HALF_DAYS, today, last))
@@ -182,7 +182,7 @@ def _days(ranges: Sequence[Busy], kind: BusyKind, first: date, last: date) -> It
 def clashes(
     ranges: Sequence[Busy], first: date | None, last: date | None, available_from_on: date | None = None
 ) -> list[Busy]:
-    """Return which taken days fall into a period, cut to it, the earliest first; a period without an end has none."""
+    """Return the taken days in a period, cut to it, the earliest first; a period without an end has none."""
     if first is None or last is None:
         return []
     taken = list(ranges)

@@ -25,7 +25,7 @@ class RosterLink(Schema):
 
 
 class RosterRate(Schema):
-    """What a designer asks for, as the studio knows it."""
+    """A designer's asking rate, as the studio knows it."""
 
     amount_minor: Minor
     currency: Currency

@@ -73,7 +73,7 @@ def found_entries(
 
 
 def known_of(entry: RosterEntry) -> Known:
-    """Return what a search can find of an entry; a rate is none of it."""
+    """Return the facts of an entry that a search can find; a rate is none of them."""
     texts = (entry.name, entry.email, entry.equipment, entry.credits, entry.referees, entry.notes)
     return Known(texts, entry.specialities, entry.services, entry.languages)
 
@@ -108,7 +108,7 @@ def add_entry(session: Session, actor: Actor, studio_id: UUID, facts: Mapping[st
 
 
 def change_entry(session: Session, actor: Actor, entry_id: UUID, facts: Mapping[str, Any], *, revision: int) -> None:
-    """Change what is on file; what the caller may not see stays."""
+    """Change the facts on file; those that the caller may not see stay."""
     access, _ = entry_seen(session, actor, entry_id)
     entry = _locked(session, entry_id)
     if entry.revision != revision:

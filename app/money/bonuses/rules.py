@@ -10,7 +10,7 @@ from app.core.plural import counted, day_in_words, verb
 
 
 class BonusState(StrEnum):
-    """What happened to a bonus."""
+    """The outcome of a bonus."""
 
     EARNED = "earned"
     POSSIBLE = "possible"
@@ -29,7 +29,7 @@ class BonusCue:
 
 @dataclass(frozen=True)
 class BonusStatus:
-    """What happened to a bonus, and why, in words."""
+    """The outcome of a bonus, and its reason, in words."""
 
     state: BonusState
     because: str
@@ -62,7 +62,7 @@ def _open(is_running: bool, because: str) -> BonusStatus:
 
 
 def _fault(when: BonusWhen, cue: BonusCue, today: date) -> str | None:
-    """Return why a cue misses the bonus, if it does."""
+    """Return the reason a cue misses the bonus, if it does."""
     if when is BonusWhen.NO_REJECTED_TAKE:
         return f"a round of changes was counted for {cue.name}" if cue.has_round else None
     if cue.due_on is None or (cue.accepted_on or today) <= cue.due_on:

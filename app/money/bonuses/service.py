@@ -38,7 +38,7 @@ def studio_days(session: Session, contract: Contract) -> StudioDays:
 
 
 def bonus_status(session: Session, contract: Contract, terms: MoneyTerms) -> BonusStatus | None:
-    """Return what happened to a bonus that the software calculates; None where there is none."""
+    """Return the outcome of a bonus that the software calculates; None where there is none."""
     if not terms.bonus_minor or terms.bonus_when is BonusWhen.OTHER:
         return None
     days = studio_days(session, contract)

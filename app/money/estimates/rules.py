@@ -11,7 +11,7 @@ STEADY_POINTS = 20.0  # spread in percentage points up to which a rate forecasts
 
 
 class Habit(StrEnum):
-    """How far a person's estimates can be trusted once corrected by their error rate."""
+    """The trustworthiness of a person's estimates once corrected by their error rate."""
 
     UNKNOWN = "unknown"
     STEADY = "steady"
@@ -20,7 +20,7 @@ class Habit(StrEnum):
 
 @dataclass(frozen=True)
 class ErrorRate:
-    """By how many percent actuals exceed estimates, and how much that varies; None for too few pairs."""
+    """The percentage by which actuals exceed estimates, and its variation; None for too few pairs."""
 
     pairs: int
     mean_percent: float | None
@@ -28,7 +28,7 @@ class ErrorRate:
 
     @property
     def habit(self) -> Habit:
-        """What the rate is good for."""
+        """Return the usefulness of the rate."""
         if self.spread_points is None or self.pairs < ENOUGH:
             return Habit.UNKNOWN
         return Habit.STEADY if self.spread_points <= STEADY_POINTS else Habit.UNRELIABLE

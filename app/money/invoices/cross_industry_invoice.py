@@ -31,7 +31,7 @@ MAX_DIGITS = 2  # of amounts after the point, by the standard
 
 
 class TaxCategory(StrEnum):
-    """Why a line bears its tax (UNTDID 5305)."""
+    """The reason for a line's tax (UNTDID 5305)."""
 
     STANDARD = "S"
     REVERSE_CHARGE = "AE"
@@ -234,7 +234,7 @@ def _add_taxes(document: Document, invoice: BilledInvoice) -> None:
 
 
 def _amounts(invoice: BilledInvoice) -> Callable[[int], Decimal]:
-    """Return what makes an amount of the ledger one of the invoice; a credit note says above zero what it credits."""
+    """Return the converter of ledger amounts to invoice amounts; a credit note states its credits above zero."""
     sign, digits = -1 if invoice.is_credit else 1, minor_digits(invoice.currency)
     return lambda amount_minor: Decimal(sign * amount_minor).scaleb(-digits)
 

@@ -41,7 +41,7 @@ def following(last: str, last_on: date, today: date, used: Collection[str] = ())
 
 
 def advice(number: str, used: Collection[str]) -> str:
-    """Return what to know of a number before it is used, in a sentence; "" where it follows the one before."""
+    """Return the advice on a number before it is used, in a sentence; "" where it follows the one before."""
     if number in used:
         return f"You have issued an invoice {number} already."
     counted = _counted(number)

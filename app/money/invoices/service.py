@@ -38,7 +38,7 @@ CUT_IN = {
 
 
 def draft_invoice(session: Session, actor: Actor, contract_id: UUID, *, full_number: str = "") -> schemas.InvoiceDraft:
-    """Return what an invoice would say if it were issued now, under a number or the one after the last."""
+    """Return the content of an invoice if it were issued now, under a number or the one after the last."""
     contract = _for_designer(session, actor, contract_id)
     book, terms = load_ledger_book(session, contract), terms_of(session, contract)
     billed = book.billable

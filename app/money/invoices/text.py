@@ -20,12 +20,12 @@ def archival_pdf(invoice: InvoiceRead) -> bytes:
 
 
 def title_of(invoice: InvoiceRead) -> str:
-    """Return what an invoice is called."""
+    """Return the title of an invoice."""
     return f"{'Invoice' if invoice.total_minor >= 0 else 'Credit note'} {invoice.full_number}"
 
 
 def markdown_of(invoice: InvoiceRead) -> str:
-    """Return what an invoice says; every sum of it is that of the lines above."""
+    """Return the text of an invoice; every sum of it is that of the lines above."""
 
     def amount(amount_minor: int) -> str:
         return money(amount_minor, invoice.currency)

@@ -64,7 +64,7 @@ class Line(Entry):
 
 @dataclass(frozen=True)
 class PricedCue:
-    """What was agreed for a cue, and where it stands."""
+    """The agreed terms of a cue, and its state."""
 
     cue_id: UUID
     milestone_id: UUID
@@ -106,7 +106,7 @@ class LedgerBook:
 
     @property
     def billable(self) -> list[Line]:
-        """What is on no invoice yet; a line that was taken back before it was billed is not billed any more."""
+        """Return the lines on no invoice yet; a line taken back before it was billed is not billed any more."""
         unbilled = {line.id: line for line in self.owed if line.invoice_id is None}
         undone = {
             line.about_id for line in unbilled.values() if line.kind is LineKind.REVERSED and line.about_id in unbilled
@@ -118,7 +118,7 @@ class LedgerBook:
         return [line for line in self.lines if line.kind is kind and line.id not in self._taken_back]
 
     def paid_minor(self, line_id: UUID) -> int:
-        """Return how much of a line was paid."""
+        """Return the paid amount of a line."""
         return self._paid_minor.get(line_id, 0)
 
     def owed_by_kind(self, cue_id: UUID) -> dict[LineKind, Line]:
@@ -132,7 +132,7 @@ class LedgerBook:
         return owed_by_kind
 
     def share_minor(self, cue_id: UUID) -> int:
-        """Return what is owed of a cue's price."""
+        """Return the owed part of a cue's price."""
         return sum(line.amount_minor for line in self.owed_by_kind(cue_id).values())
 
 
@@ -152,7 +152,7 @@ def reverse(line: Line) -> Entry:
 
 @dataclass(frozen=True)
 class PayRules:
-    """By which clauses a cue's price becomes due."""
+    """The clauses by which a cue's price becomes due."""
 
     release: ReleaseClause = ReleaseClause.PER_CUE
     holdback_bp: int = 0  # of each share, until the last cue is accepted or cut

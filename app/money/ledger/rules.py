@@ -1,4 +1,4 @@
-"""What a ledger may hold, stated without a database."""
+"""A ledger's permitted content, stated without a database."""
 
 from datetime import date, timedelta
 from enum import StrEnum
@@ -8,7 +8,7 @@ from app.money.errors import DayInFuture
 
 
 class LineKind(StrEnum):
-    """Why a line of the ledger was written."""
+    """The reason for a line of the ledger."""
 
     DEPOSIT = "deposit"
     ACCEPTED = "accepted"

@@ -62,7 +62,7 @@ def _state(day: WorkedDay) -> Literal["waiting", "agreed", "refused"]:
 
 
 def _prices_of_hours(session: Session, contract: Contract, logged: Sequence[WorkedDay]) -> dict[UUID, int]:
-    """Return what the ledger says of approved hours, and what waiting ones cost if they are approved in order."""
+    """Return the ledger's prices of approved hours, and the costs of waiting ones if they are approved in order."""
     prices = {one.id: 0 for one in logged}
     hours = HourBook(session, contract)
     if hours.entries:

@@ -14,7 +14,7 @@ Minutes = Mapping[int, int]  # by the number of the contract's month
 
 @dataclass(frozen=True)
 class HourTerms:
-    """What a contract says of hours; minutes beyond those that a retainer includes are paid by the hour."""
+    """A contract's terms for hours; minutes beyond those that a retainer includes are paid by the hour."""
 
     rate_minor: int = 0
     cap_min: int = 0
@@ -40,26 +40,26 @@ class HourTerms:
         return self.included_min if month <= self.months else 0
 
     def paid_in(self, month: int, minutes: int) -> int:
-        """Return which of the minutes of a month are paid by the hour."""
+        """Return the minutes of a month that are paid by the hour."""
         return max(0, minutes - self.included_in(month))
 
     def paid(self, minutes: Minutes) -> int:
-        """Return how many minutes are paid by the hour, over all months."""
+        """Return the number of minutes paid by the hour, over all months."""
         return sum(self.paid_in(month, of_it) for month, of_it in minutes.items())
 
     def left(self, month: int, minutes: Minutes) -> int:
-        """Return how many more minutes of a month the contract pays for: what is included, then up to the caps."""
+        """Return the further minutes of a month that the contract pays for: those included, then up to the caps."""
         worked = minutes.get(month, 0)
         included = max(0, self.included_in(month) - worked)
         caps = (self.month_cap_min - self.paid_in(month, worked), self.cap_min - self.paid(minutes))
         return included + max(0, min(caps))
 
     def price(self, minutes: int) -> int:
-        """Return what minutes cost by the hour, rounded once, half away from zero."""
+        """Return the price of minutes by the hour, rounded once, half away from zero."""
         return (2 * minutes * self.rate_minor + MINUTES) // (2 * MINUTES)
 
     def charge(self, month: int, minutes: int, approved: Minutes) -> int:
-        """Return what further minutes of a month cost; all lines together cost what all minutes cost."""
+        """Return the cost of further minutes of a month; all lines together cost what all minutes cost."""
         before = self.paid(approved)
         after = self.paid({**approved, month: approved.get(month, 0) + minutes})
         return self.price(after) - self.price(before)

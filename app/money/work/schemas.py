@@ -1,4 +1,4 @@
-"""What the endpoints of days and hours take and answer; amounts are in minor units of the contract's currency."""
+"""Inputs and answers of the endpoints of days and hours; amounts are in minor units of the contract's currency."""
 
 from collections.abc import Sequence
 from datetime import date, datetime
@@ -34,7 +34,7 @@ class WorkedDayAdd(Schema):
 
 
 class WorkRefusal(Schema):
-    """Why logged work is refused, for its designer to read."""
+    """A reason to refuse logged work, for its designer to read."""
 
     reason: Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=2_000)]
 
@@ -56,7 +56,7 @@ class WorkedDayRead(Schema):
 
 
 class DayRateRead(Schema):
-    """What a contract by the day pays for one, and up to how many of them."""
+    """The day's price in a contract by the day, and the most days paid."""
 
     day_rate_minor: int
     days_cap: int
@@ -76,7 +76,7 @@ class HoursMonthRead(Schema):
 
 
 class HoursRead(Schema):
-    """What a contract pays for hours and as a retainer, and how much of it is used."""
+    """A contract's pay for hours and as a retainer, and the used part of it."""
 
     rate_minor: int = Field(description="An hour beyond those that the retainer includes; 0: none is paid.")
     cap_min: int

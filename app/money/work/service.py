@@ -45,7 +45,7 @@ QUARTERS = 4  # of a day
 
 @dataclass(frozen=True)
 class Work:
-    """What a designer logs for a day: quarters of it, or minutes."""
+    """A designer's logged work for a day: quarters of it, or minutes."""
 
     worked_on: date
     quarters: int | None
@@ -55,7 +55,7 @@ class Work:
 
 
 def price_of(quarters: int, day_rate_minor: int) -> int:
-    """Return what quarters of a day cost, rounded once, half away from zero."""
+    """Return the price of quarters of a day, rounded once, half away from zero."""
     return (2 * quarters * day_rate_minor + QUARTERS) // (2 * QUARTERS)
 
 

@@ -46,7 +46,7 @@ class HourBook:
 
     @property
     def waiting(self) -> list[WorkedDay]:
-        """What the studio has neither approved nor refused, in the order of its days."""
+        """Return work neither approved nor refused by the studio, in the order of its days."""
         return [entry for entry in self.entries if entry.agreed_at is None and entry.refused_at is None]
 
     def counted(self) -> tuple[int, int]:
@@ -93,11 +93,11 @@ class HourBook:
         return ", ".join(limits)
 
     def charge(self, day: WorkedDay, approved: Minutes) -> int:
-        """Return what an entry costs once it is approved after others."""
+        """Return the cost of an entry once it is approved after others."""
         return self.terms.charge(self.month_of(day.worked_on), day.minutes or 0, approved)
 
     def entries_at_end(self, book: LedgerBook) -> list[Entry]:
-        """Return what an early end makes due: hours that nobody has refused, and the months that have begun."""
+        """Return the entries due at an early end: hours that nobody has refused, and the months that have begun."""
         approved, entries = Counter(self.approved), self.retainer_entries(book)
         for day in self.waiting:
             amount_minor = self.charge(day, approved)
@@ -141,7 +141,7 @@ class HourBook:
 
 
 def more_work(session: Session, contract: Contract) -> str:
-    """Return how work that a contract does not pay for is agreed on."""
+    """Return the way to agree on work that a contract does not pay for."""
     if any(not milestone.is_deposit for milestone in milestones_of(session, contract.id)):
         return "propose a change order that adds the work at its price"
     return "sign another contract for it"

@@ -21,7 +21,7 @@ class Spot:
     at_s: float | None
 
     def stored(self) -> dict[str, Any]:
-        """Return what the outbox keeps of it."""
+        """Return the outbox's record of it."""
         return {"take_id": str(self.take_id), "alt": self.alt, "at_s": self.at_s}
 
 

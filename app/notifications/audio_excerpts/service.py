@@ -18,7 +18,7 @@ MAX_PICTURES = 8  # of one email, some 2 kB each; further places are addresses a
 
 @dataclass(frozen=True)
 class ShownSpot:
-    """What is drawn of a place: the shape of its sound, and where in it."""
+    """The drawing of a place: the shape of its sound, and the position in it."""
 
     alt: str
     thumb: Mapping[str, Any]

@@ -118,7 +118,7 @@ def page(session: Session, actor: Actor, *, before: UUID | None, limit: int) -> 
 
 
 def unread(session: Session, actor: Actor) -> int:
-    """Return how many notices the caller has not read; COUNTED + 1 for any number above."""
+    """Return the number of the caller's unread notices; COUNTED + 1 for any number above."""
     return queries.unread_notices(session, actor.person, limit=COUNTED + 1)
 
 

@@ -1,1 +1,1 @@
-"""What each person wants to be mailed."""
+"""The mails that each person wants."""

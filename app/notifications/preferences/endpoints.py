@@ -1,4 +1,4 @@
-"""What a person is mailed: their own page, and the link that every such mail ends with."""
+"""A person's choice of mails: their own page, and the link that every such mail ends with."""
 
 from fastapi import APIRouter
 from sqlalchemy.orm import Session
@@ -29,7 +29,7 @@ def _read(wishes: Preferences) -> MailPreferencesRead:
 
 @router.get("/me/mail-preferences")
 def read_my_mail_preferences(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> MailPreferencesRead:
-    """Return what the caller is mailed, and when."""
+    """Return the mails that the caller gets, and their times."""
     return _read(preferences.read(session, actor.person))
 
 
@@ -37,7 +37,7 @@ def read_my_mail_preferences(session: DbSession, actor: Actor = allows(Audience.
 def save_my_mail_preferences(
     body: MailPreferencesSave, session: DbSession, actor: Actor = allows(Audience.PERSON)
 ) -> MailPreferencesRead:
-    """Save what the caller is mailed, and when."""
+    """Save the mails that the caller gets, and their times."""
     return _read(preferences.save(session, actor, body))
 
 
@@ -59,7 +59,7 @@ def _read_choice(choice: MailChoice, wishes: Preferences) -> MailChoiceRead:
 def read_mail_choice(
     secret: str, session: DbSession, runtime: CurrentRuntime, _actor: Actor = allows(Audience.ANYONE)
 ) -> MailChoiceRead:
-    """Return what the link at the end of a mail changes; it changes nothing by being opened."""
+    """Return the choice changed by the link at the end of a mail; it changes nothing by being opened."""
     choice = _choice(secret, session, runtime)
     return _read_choice(choice, preferences.read(session, choice.person.id))
 
@@ -72,7 +72,7 @@ def save_mail_choice(
     runtime: CurrentRuntime,
     _actor: Actor = allows(Audience.ANYONE),
 ) -> MailChoiceRead:
-    """Say how often the news of a mail's link is mailed, without signing in."""
+    """Set the mail frequency of the news of a mail's link, without signing in."""
     choice = _choice(secret, session, runtime)
     return _read_choice(choice, preferences.change_by_link(session, choice, body.cadence))
 

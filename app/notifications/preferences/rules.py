@@ -1,4 +1,4 @@
-"""When a person is mailed which news, stated without a database."""
+"""The times of mails to a person by news, stated without a database."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -8,7 +8,7 @@ from zoneinfo import ZoneInfo
 
 
 class News(StrEnum):
-    """What mails are about; a person says for each how often it is mailed."""
+    """A subject of mails; a person says for each how often it is mailed."""
 
     SOUNDS = "sounds"  # to review, returned, approved, changes requested
     TALK = "talk"  # questions, answers, replies
@@ -19,7 +19,7 @@ class News(StrEnum):
 
 
 class Cadence(StrEnum):
-    """How often news is mailed."""
+    """The mail frequency of news."""
 
     AT_ONCE = "at_once"
     HOURLY = "hourly"
@@ -51,12 +51,12 @@ class Preferences:
     quiet_until: time | None = None
 
     def cadence(self, news: News) -> Cadence:
-        """Return how often the person wants news of a kind."""
+        """Return the frequency that the person wants for news of a kind."""
         return self.cadences.get(news, Cadence.AT_ONCE)
 
 
 def news_of(topic: str) -> News:
-    """Return what kind of news a mail's topic is."""
+    """Return the kind of news of a mail's topic."""
     return NEWS_OF_TOPIC[topic.partition(":")[0]]
 
 

@@ -1,4 +1,4 @@
-"""What each person wants to be mailed: saved on their page, and by the link that every such mail ends with."""
+"""The mails that each person wants: saved on their page, and by the link that every such mail ends with."""
 
 import base64
 import hmac
@@ -29,7 +29,7 @@ ID_BYTES = 16
 
 @dataclass(frozen=True)
 class MailChoice:
-    """What the link of a mail may change: one kind of news, or None for all that may be turned off."""
+    """The choice that a mail's link may change: one kind of news, or None for all that may be turned off."""
 
     person: Person
     news: News | None
@@ -72,7 +72,7 @@ def save(session: Session, actor: Actor, wanted: MailPreferencesSave) -> Prefere
 
 
 def timing(session: Session, recipient: str, news: News, delay: timedelta) -> tuple[Cadence, datetime]:
-    """Return how often the reader of an address wants news of a kind, and when a mail begun now is sent."""
+    """Return the cadence that an address's reader wants for a kind of news, and the send time of mail begun now."""
     person_id = queries.person_id_at(session, recipient)
     wishes = read(session, person_id) if person_id else Preferences()
     cadence = wishes.cadence(news)
@@ -80,7 +80,7 @@ def timing(session: Session, recipient: str, news: News, delay: timedelta) -> tu
 
 
 def link_token(secret_key: str, person_id: UUID, news: News | None) -> str:
-    """Return what a mail's link names a person and a kind of news by; no one else can make one."""
+    """Return the token for a person and a kind of news in a mail's link; no one else can make one."""
     facts = person_id.bytes + (news or EVERYTHING).encode()
     return base64.urlsafe_b64encode(_mac(secret_key, facts) + facts).rstrip(b"=").decode()
 
@@ -93,7 +93,7 @@ def token_for(session: Session, secret_key: str, mail: Mail) -> str | None:
 
 
 def by_link(session: Session, secret_key: str, token: str) -> MailChoice:
-    """Return what the link of a mail is about, and let the session see that person's rows; raise MailLinkNotFound."""
+    """Return the choice of a mail's link, and let the session see that person's rows; raise MailLinkNotFound."""
     unknown = MailLinkNotFound(
         "this link is not whole", fix="open it from the email again, or sign in and open Account"
     )
@@ -114,7 +114,7 @@ def by_link(session: Session, secret_key: str, token: str) -> MailChoice:
 
 
 def change_by_link(session: Session, choice: MailChoice, cadence: Cadence) -> Preferences:
-    """Set how often the news of a link is mailed."""
+    """Set the mail frequency of the news of a link."""
     for news in choice.kinds:
         _ensure_mailed(news, cadence)
     before = read(session, choice.person.id)

@@ -1,4 +1,4 @@
-"""What an erasure meets: contracts, memberships, and rows that stay."""
+"""Facts that an erasure meets: contracts, memberships, and rows that stay."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -96,7 +96,7 @@ def obstacles_of_person(session: Session, person_id: UUID) -> list[str]:
 
 @dataclass(frozen=True)
 class Kept:
-    """What an erasure leaves, and why."""
+    """The remains of an erasure, and their reason."""
 
     name: str
     reason: str

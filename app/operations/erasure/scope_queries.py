@@ -22,7 +22,7 @@ def tables() -> list[sa.Table]:
 
 
 def of_studio(table: sa.Table, studio_id: UUID) -> sa.ColumnElement[bool] | None:
-    """Return which rows of a table are a studio's; None where none are."""
+    """Return the rows of a table that are a studio's; None where none are."""
     if table.name == STUDIOS:
         return table.c.id == studio_id
     if "studio_id" in table.c:
@@ -35,7 +35,7 @@ def of_studio(table: sa.Table, studio_id: UUID) -> sa.ColumnElement[bool] | None
 
 
 def of_project(table: sa.Table, project_id: UUID) -> sa.ColumnElement[bool] | None:
-    """Return which rows of a table are a project's, or refer to one of its rows and are no other project's."""
+    """Return the rows of a table that are a project's, or refer to one of its rows and are no other project's."""
     if table.name == PROJECTS:
         return table.c.id == project_id
     if "project_id" in table.c and table.name not in ACROSS:

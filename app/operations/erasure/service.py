@@ -90,7 +90,7 @@ def erase_person(session: Session, address: str) -> Erased:
 
 
 def of_person(person_id: UUID) -> scopes.Scope:
-    """Return which rows of a table are about a person alone; None where none are."""
+    """Return the rows of a table that are about a person alone; None where none are."""
 
     def scope(table: sa.Table) -> sa.ColumnElement[bool] | None:
         is_personal = "studio_id" not in table.c or table.name in PERSONAL
@@ -100,7 +100,7 @@ def of_person(person_id: UUID) -> scopes.Scope:
 
 
 def obstacle_of_contracts(session: Session, name: str, **of: UUID) -> str | None:
-    """Return why signed contracts keep a project or a studio; None where it has none."""
+    """Return the reason signed contracts keep a project or a studio; None where it has none."""
     signed = erasure_queries.signed_contracts(session, **of)
     if not signed:
         return None

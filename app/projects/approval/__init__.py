@@ -1,1 +1,1 @@
-"""Who may approve sounds."""
+"""Approvers of sounds."""

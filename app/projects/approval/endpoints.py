@@ -40,7 +40,7 @@ def name_category_approver(
 
 @router.get("/projects/{project_id}/deputies", responses=problems(ProjectNotFound, TeamNeeded))
 def list_deputies(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> schemas.DeputiesRead:
-    """Return who may approve in place of whom, today and on later days."""
+    """Return the deputies with their approvers, today and on later days."""
     time_zone, deputies = approval.deputies_named(session, actor, project_id)
     return schemas.DeputiesRead(
         time_zone=time_zone,

@@ -1,4 +1,4 @@
-"""Who may approve sounds: the project's approver, approvers of categories, and deputies from one day to another."""
+"""Approvers of sounds: the project's approver, approvers of categories, and deputies from one day to another."""
 
 from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
@@ -24,12 +24,12 @@ EARLIEST = timedelta(days=1)  # somewhere it is still yesterday, counted from UT
 
 
 def approval_rights(session: Session, project: Project) -> ApprovalRights:
-    """Return who may approve in a project today."""
+    """Return the approval rights in a project today."""
     return approval_rights_of(session, {project.id: queries.approver_of(session, project)})[project.id]
 
 
 def approval_rights_of(session: Session, approver_ids: Mapping[UUID, UUID]) -> dict[UUID, ApprovalRights]:
-    """Return who may approve today in each project, given their approvers."""
+    """Return today's approval rights in each project, given their approvers."""
     by_category: defaultdict[UUID, dict[str, UUID]] = defaultdict(dict)
     named = approval_queries.category_approvers(session, approver_ids)
     found = _deputies(session, approver_ids)

@@ -18,6 +18,6 @@ router = APIRouter(prefix="/v1", tags=["projects"])
 def set_project_budget(
     project_id: UUID, body: BudgetSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> list[BudgetRead]:
-    """Set what the project may cost in one currency, or remove that; return the budgets of all its currencies."""
+    """Set the project's budget in one currency, or remove it; return the budgets of all its currencies."""
     budgets = set_budget(session, actor, project_id, currency=body.currency, amount_minor=body.amount_minor)
     return [BudgetRead.model_validate(budget) for budget in budgets]

@@ -10,7 +10,7 @@ Currency = Annotated[str, StringConstraints(strip_whitespace=True, pattern="^[A-
 
 
 class BudgetSet(Schema):
-    """What a project may cost in one currency."""
+    """A project's permitted cost in one currency."""
 
     currency: Currency
     amount_minor: Annotated[int, Field(ge=1, le=LARGEST_NUMBER)] | None = Field(

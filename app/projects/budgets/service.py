@@ -1,4 +1,4 @@
-"""What a project may cost, by currency; set by producers and never seen by designers."""
+"""The permitted cost of a project, by currency; set by producers and never seen by designers."""
 
 from collections.abc import Sequence
 from uuid import UUID

@@ -10,7 +10,7 @@ from app.projects.models import CreditLine, CreditName
 
 
 def credit_names(session: Session, project_id: UUID) -> dict[UUID, CreditName]:
-    """Return what people of a project said of their own name, by person."""
+    """Return people's statements on their own name in a project, by person."""
     found = session.scalars(select(CreditName).where(CreditName.project_id == project_id))
     return {one.person_id: one for one in found}
 

@@ -58,7 +58,7 @@ def spec_pdf(spec: audio_checks.DeliverySpec, *, title: str, version: int) -> by
 
 
 def spec_content(spec: audio_checks.DeliverySpec, *, title: str, version: int) -> dict[str, Any]:
-    """Return what the page says, as names and values."""
+    """Return the content of the page, as names and values."""
     rules = list(_rules(spec.tables))
     categories = [(name, _differing(spec, name, rules)) for name in spec.categories]
     return {

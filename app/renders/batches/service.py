@@ -148,12 +148,12 @@ class ItemOrder:
 
     @property
     def recipe(self) -> Recipe | None:
-        """How to make the file; None if it exists, or is no longer needed."""
+        """Return the recipe of the file; None if it exists, or is no longer needed."""
         return self.take.missing.get(self.target) if self.take else None
 
 
 def order_next(session: Session, batch_id: UUID, lane: int) -> ItemOrder | None:
-    """Return what a lane is to make next; None where it is at its end, or the batch is over."""
+    """Return the next order of a lane; None where it is at its end, or the batch is over."""
     item = queries.next_item(session, batch_id, lane, LANES)
     if item is None:
         return None

@@ -135,7 +135,7 @@ def _provenance_of(export: MasterExport) -> Provenance:
 
 
 def to_make(session: Session, export_id: UUID) -> tuple[MasterExport, str, Provenance] | None:
-    """Return what is to be made, of which master and with what; None where nothing is."""
+    """Return the export to make, its master and its provenance; None where there is none."""
     export = queries.master_export_by_id(session, export_id)
     if export is None or export.sha256 is not None:
         return None
@@ -150,7 +150,7 @@ def keep(session: Session, export_id: UUID, blob: StoredBlob, *, left: list[str]
 
 
 def refuse(session: Session, export_id: UUID, refusal: str) -> None:
-    """Record why it failed; the next request tries again."""
+    """Record the reason for failure; the next request tries again."""
     export = session.get_one(MasterExport, export_id)
     if export.sha256 is None:
         export.refusal = refusal

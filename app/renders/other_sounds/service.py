@@ -1,4 +1,4 @@
-"""What a designer may hear of the other designers of a project."""
+"""Sounds that a designer may hear of the other designers of a project."""
 
 from uuid import UUID
 

@@ -70,7 +70,7 @@ def make_reel(runtime: Runtime, payload: Payload) -> None:
 
 
 def _slates(takes: list[dict[str, Any]], *, of_set: bool, speaks: bool) -> list[reel_sound.Slate]:
-    """Return what says which take comes; all are beeped where one cannot be spoken."""
+    """Return the slates that announce the takes; all are beeped where one cannot be spoken."""
     # Outside of the child, which may start no other program: these words are our own, not a stranger's.
     slates = [reel_sound.Slate(take["variation"] if of_set else 0, take["number"], None) for take in takes]
     if not speaks:

@@ -135,7 +135,7 @@ def keep(
 
 
 def refuse(session: Session, reel_id: UUID, refusal: str) -> None:
-    """Record why the reel failed; the next request tries again."""
+    """Record the reel's reason for failure; the next request tries again."""
     reel = session.get_one(Reel, reel_id)
     if reel.sha256 is None:
         reel.refusal = refusal

@@ -33,7 +33,7 @@ def _librosa_sandbox() -> Sandbox:
 
 @job("renders.measure_timbre")
 def measure_timbre(runtime: Runtime, payload: Payload) -> None:
-    """Measure what a take's master is like, for comparing it with others."""
+    """Measure the timbre of a take's master, for comparing it with others."""
     with runtime.database.reading() as session:
         take = take_with_cue(session, UUID(payload["take_id"]))
         if take is None or queries.timbre_of(session, take.studio_id, take.master_sha256) is not None:

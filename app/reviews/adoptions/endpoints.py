@@ -65,7 +65,7 @@ def plan_adoption(
     sent: Annotated[SentFolder, Depends(_sent)],
     session: DbSession,
 ) -> AdoptionPlanRead:
-    """Return what adopting a folder of shipped files would do; nothing is written."""
+    """Return the effects of adopting a folder of shipped files; nothing is written."""
     body, game = sent
     return adoptions.plan_folder(session, actor, project_id, body.files, game)
 
@@ -95,13 +95,13 @@ def list_adoptions(project_id: UUID, session: DbSession, actor: Actor = TEAM) ->
 
 @router.get("/adoptions/{adoption_id}", responses=problems(AdoptionNotFound, TeamNeeded))
 def get_adoption(adoption_id: UUID, session: DbSession, actor: Actor = TEAM) -> AdoptionProgress:
-    """Return how far the checks of adopted sounds are, and the odd ones out."""
+    """Return the progress of the checks of adopted sounds, and the odd ones out."""
     return adopting.progress(session, actor, adoption_id)
 
 
 @router.get("/adoptions/{adoption_id}/plan", responses=problems(AdoptionNotFound, ApproverNeeded))
 def get_adoption_plan(adoption_id: UUID, session: DbSession, actor: Actor = TEAM_OR_BUILD) -> AdoptionOpened:
-    """Return what adopting would do to the list as it is now, and the files that are still to be uploaded."""
+    """Return the effects of adopting on the list as it is now, and the files that are still to be uploaded."""
     adoption, access = adoptions.adoption_for(session, actor, adoption_id)
     adoptions.ensure_may_send(access)
     return adoptions.opened_adoption(session, access, adoption)
@@ -123,5 +123,5 @@ def adopt_folder(adoption_id: UUID, session: DbSession, actor: Actor = TEAM) -> 
     responses=problems(AdditionInUse, AdoptionInUse, AdoptionNotFound, AlreadyUndone, ApproverNeeded, NothingToUndo),
 )
 def undo_adoption(adoption_id: UUID, session: DbSession, actor: Actor = TEAM) -> AdoptionRead:
-    """Remove what an adoption made while nothing is built on it; the uploaded masters are kept."""
+    """Remove the results of an adoption while nothing is built on them; the uploaded masters are kept."""
     return adoptions.adoption_read(adopting.undo(session, actor, adoption_id))

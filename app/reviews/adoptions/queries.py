@@ -1,4 +1,4 @@
-"""What adoptions made, read from the database; callers have checked access."""
+"""The results of adoptions, read from the database; callers have checked access."""
 
 from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple
@@ -35,21 +35,21 @@ def verdicts_of(session: Session, adoption_id: UUID) -> Sequence[Verdict]:
 
 
 def later_verdicts(session: Session, adoption_id: UUID) -> int:
-    """Return how many verdicts were given on adopted takes besides the adoption."""
+    """Return the number of verdicts on adopted takes besides the adoption."""
     adopted = select(Verdict.take_id).where(Verdict.adoption_id == adoption_id)
     others = (Verdict.take_id.in_(adopted), Verdict.adoption_id.is_distinct_from(adoption_id))
     return session.scalar(select(func.count()).where(*others)) or 0
 
 
 def other_takes(session: Session, adoption_id: UUID, cue_ids: Collection[UUID]) -> int:
-    """Return how many takes came for adopted cues besides the adopted ones."""
+    """Return the number of takes that came for adopted cues besides the adopted ones."""
     adopted = select(Verdict.take_id).where(Verdict.adoption_id == adoption_id)
     others = (in_array(Take.cue_id, cue_ids), Take.id.not_in(adopted))
     return session.scalar(select(func.count()).where(*others)) or 0
 
 
 class Counts(NamedTuple):
-    """How many takes an adoption made, and how far they are."""
+    """The number of takes that an adoption made, and their progress."""
 
     takes: int
     checked: int
@@ -58,7 +58,7 @@ class Counts(NamedTuple):
 
 
 def counts_of(session: Session, adoption_id: UUID) -> Counts:
-    """Return how far the checks and game files of adopted takes are."""
+    """Return the progress of the checks and game files of adopted takes."""
     query = (
         select(
             func.count(),

@@ -238,7 +238,7 @@ def _ensure_unused(session: Session, adoption: Adoption, takes: Sequence[Take], 
 
 
 def progress(session: Session, actor: Actor, adoption_id: UUID) -> AdoptionProgress:
-    """Return how far the checks of adopted sounds are, and the odd ones out."""
+    """Return the progress of the checks of adopted sounds, and the odd ones out."""
     adoption, access = adoption_for(session, actor, adoption_id)
     access.ensure_team()
     counts = queries.counts_of(session, adoption.id)

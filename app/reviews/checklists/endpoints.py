@@ -31,7 +31,7 @@ def get_approval_settings(
 def set_checklist(
     project_id: UUID, body: ChecklistSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> ApprovalSettingsRead:
-    """Write what is checked of the versions of one category, or of every cue."""
+    """Write the checklist for the versions of one category, or of every cue."""
     return checklists.set_checklist(session, actor, project_id, category=body.category, items=body.items)
 
 
@@ -39,7 +39,7 @@ def set_checklist(
 def set_approval_blockers(
     project_id: UUID, body: ApprovalBlockersSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> ApprovalSettingsRead:
-    """Set what has to be closed before a version is approved: notes, items of the checklist, both or nothing."""
+    """Set the things to close before a version is approved: notes, items of the checklist, both or nothing."""
     return checklists.set_blockers(session, actor, project_id, body.blockers)
 
 

@@ -13,12 +13,12 @@ from app.reviews.rules import ApprovalBlockers
 
 
 def blockers_of(session: Session, project_id: UUID) -> ApprovalBlockers:
-    """Return what blocks approval in a project."""
+    """Return the blockers of approval in a project."""
     return blockers_in(session, [project_id]).get(project_id, ApprovalBlockers.NONE)
 
 
 def blockers_in(session: Session, project_ids: Collection[UUID]) -> dict[UUID, ApprovalBlockers]:
-    """Return what blocks approval in projects, by project, of those that have set it."""
+    """Return the blockers of approval in projects, by project, of those that have set them."""
     query = select(ApprovalRule.project_id, ApprovalRule.blockers)
     return dict(session.execute(query.where(in_array(ApprovalRule.project_id, project_ids))).all())
 
@@ -40,7 +40,7 @@ def items_ever(session: Session, project_id: UUID, category: str) -> Sequence[Ch
 
 
 def items_for(session: Session, project_id: UUID, category: str) -> Sequence[ChecklistItem]:
-    """Return what is checked of a category's cues: the items of every cue, then its own."""
+    """Return the checklist of a category's cues: the items of every cue, then its own."""
     return session.scalars(
         select(ChecklistItem)
         .where(
@@ -53,7 +53,7 @@ def items_for(session: Session, project_id: UUID, category: str) -> Sequence[Che
 
 
 def checks_of(session: Session, take_ids: Collection[UUID]) -> Sequence[ItemCheck]:
-    """Return what is checked of some takes, with who did."""
+    """Return the checked items of some takes, with their checkers."""
     return session.scalars(
         select(ItemCheck)
         .where(in_array(ItemCheck.take_id, take_ids))

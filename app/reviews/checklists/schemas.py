@@ -29,7 +29,7 @@ class ChecklistItemRead(Schema):
 
 
 class ChecklistRead(Schema):
-    """What to check of the versions of one category, in order."""
+    """Items to check of the versions of one category, in order."""
 
     category: str = Field(description="Empty for the checklist of every cue.")
     items: list[ChecklistItemRead]
@@ -50,7 +50,7 @@ class ChecklistSet(Schema):
 
 
 class ApprovalBlockersSet(Schema):
-    """What blocks approval in a project."""
+    """The blockers of approval in a project."""
 
     blockers: ApprovalBlockers
 
@@ -62,7 +62,7 @@ class ItemCheckSet(Schema):
 
 
 class ItemCheckRead(Schema):
-    """Who checked an item for a version, and when."""
+    """The checker of an item for a version, and the time."""
 
     take_id: UUID
     item_id: UUID

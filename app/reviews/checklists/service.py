@@ -72,7 +72,7 @@ def set_checklist(
 
 
 def set_blockers(session: Session, actor: Actor, project_id: UUID, blockers: ApprovalBlockers) -> ApprovalSettingsRead:
-    """Set what blocks approval in a project."""
+    """Set the blockers of approval in a project."""
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     lock_project(session, project_id)

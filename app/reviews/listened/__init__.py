@@ -1,1 +1,1 @@
-"""Which takes a person has listened to."""
+"""The takes that a person has listened to."""

@@ -18,5 +18,5 @@ router = APIRouter(prefix="/v1", tags=["reviews"])
 def add_heard_takes(
     project_id: UUID, body: HeardTakes, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> None:
-    """Record which versions the caller has heard, for the caller alone; ids of other projects are passed over."""
+    """Record the versions that the caller has heard, for the caller alone; ids of other projects are passed over."""
     record_heard_takes(session, actor, project_id, body.take_ids)

@@ -1,4 +1,4 @@
-"""Which takes a person heard, and which can be recorded; callers have checked access."""
+"""The takes that a person heard, and those that can be recorded; callers have checked access."""
 
 from collections.abc import Collection, Sequence
 from uuid import UUID
@@ -12,11 +12,11 @@ from app.reviews.models import HeardTake
 
 
 def takes_of_project(session: Session, project_id: UUID, take_ids: Collection[UUID]) -> Sequence[UUID]:
-    """Return which of some takes belong to a project."""
+    """Return those of some takes that belong to a project."""
     return session.scalars(select(Take.id).where(Take.project_id == project_id, in_array(Take.id, take_ids))).all()
 
 
 def heard_among(session: Session, person_id: UUID, take_ids: Collection[UUID]) -> set[UUID]:
-    """Return which of some takes a person has heard."""
+    """Return those of some takes that a person has heard."""
     heard = select(HeardTake.take_id).where(HeardTake.person_id == person_id, in_array(HeardTake.take_id, take_ids))
     return set(session.scalars(heard))

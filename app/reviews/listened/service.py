@@ -1,4 +1,4 @@
-"""Which takes a person has heard; each person sees and records their own alone."""
+"""The takes that a person has heard; each person sees and records their own alone."""
 
 from collections.abc import Collection
 from uuid import UUID
@@ -22,7 +22,7 @@ def record_heard_takes(session: Session, actor: Actor, project_id: UUID, take_id
 def heard_now_or_before(
     session: Session, person_id: UUID, take_ids: Collection[UUID], heard_now: Collection[UUID]
 ) -> set[UUID]:
-    """Return which of some takes a person has heard; those that they have just heard are recorded."""
+    """Return those of some takes that a person has heard; those that they have just heard are recorded."""
     _record(session, person_id, [take_id for take_id in take_ids if take_id in heard_now])
     return heard_queries.heard_among(session, person_id, take_ids)
 

@@ -167,7 +167,7 @@ def _by_how_much(measure: Measure, fit: Fit) -> str:
 
 
 def shift(placed: Sequence[tuple[float, float, Stands]]) -> tuple[int, float]:
-    """Return how many of some sounds are out of range, and the median of their distances from the others.
+    """Return the number of sounds out of range among some, and the median of their distances from the others.
 
     Each is its value, the median of the others, and its position.
     """

@@ -1,4 +1,4 @@
-"""Which cues of the review queue a filter leaves, as conditions on the takes that wait for them."""
+"""The cues of the review queue that a filter leaves, as conditions on the takes that wait for them."""
 
 from typing import Any
 from uuid import UUID

@@ -297,7 +297,7 @@ def _open_notes() -> tuple[Select[int], Select[int]]:
 
 
 def last_changes(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, str]:
-    """Return what was asked last of cues, of which something was sent."""
+    """Return the last requests for cues, of which something was sent."""
     return {cue_id: text for cue_id, text in session.execute(_sent(), {"cue_ids": cue_ids})}  # noqa: C416  a Row is no pair to dict's types
 
 

@@ -69,7 +69,7 @@ def review_queue(
     wanted: QueueFilter = EVERYTHING,
     cursor: str | None,
 ) -> Page[QueueItem]:
-    """Return what waits for review with all that its cards show; `is_own`: only what the caller approves."""
+    """Return the review queue with all that its cards show; `is_own`: only cues that the caller approves."""
     reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted, actor.person)
     waiting = queue_queries.queued_cues(
         session, reach, clock.now().date(), after=_place_of(cursor), limit=PAGE_CUES + 1
@@ -130,7 +130,7 @@ def _wanted(reach: ColumnElement[bool], wanted: QueueFilter, person_id: UUID) ->
 def queue_count(
     session: Session, actor: Actor, *, project_id: UUID | None, is_own: bool, wanted: QueueFilter = EVERYTHING
 ) -> QueueCount:
-    """Return how many cues wait for review, counted up to a bound so that it costs the same however many do."""
+    """Return the number of cues awaiting review, counted up to a bound so that it costs the same however many do."""
     reach = _wanted(_reach(session, actor, project_id, is_own=is_own), wanted, actor.person)
     waiting = queue_queries.waiting_cues(session, reach, after=None, limit=COUNTED_CUES + 1)
     return QueueCount(cues=min(len(waiting), COUNTED_CUES), is_all=len(waiting) <= COUNTED_CUES)

@@ -54,7 +54,7 @@ def count_reasons(
     category: Category = None,
     actor: Actor = allows(Audience.PROJECT),
 ) -> ReasonsRead:
-    """Return how often each reason was given; a designer sees those of their own versions."""
+    """Return the number of uses of each reason; a designer sees those of their own versions."""
     return found_reasons.reason_counts(session, actor, project_id, designer_id=designer_id, category=category)
 
 

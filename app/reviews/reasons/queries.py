@@ -23,7 +23,7 @@ def lists_of(session: Session, studio_id: UUID) -> dict[ReasonKind, Sequence[str
 
 @dataclass(frozen=True)
 class ReasonFilter:
-    """Of which versions reasons are wanted; None filters nothing."""
+    """The versions whose reasons are wanted; None filters nothing."""
 
     project_id: UUID
     designer_id: UUID | None = None
@@ -41,7 +41,7 @@ class ReasonPlace:
 
 
 def counts(session: Session, wanted: ReasonFilter) -> Sequence[tuple[ReasonKind, str, int]]:
-    """Return how often each reason was given, the most frequent first."""
+    """Return the number of uses of each reason, the most frequent first."""
     given = func.count()
     query = _filtered(select(GivenReason.kind, GivenReason.reason, given), wanted)
     grouped = query.group_by(GivenReason.kind, GivenReason.reason)

@@ -20,7 +20,7 @@ PAGE_PLACES = 50
 def reason_counts(
     session: Session, actor: Actor, project_id: UUID, *, designer_id: UUID | None, category: str | None
 ) -> ReasonsRead:
-    """Return how often each reason was given; a designer sees those of their own takes."""
+    """Return the number of uses of each reason; a designer sees those of their own takes."""
     access = project_access(session, actor, project_id)
     wanted = _filter(access, designer_id, category)
     counted = queries.counts(session, wanted)

@@ -10,7 +10,7 @@ MAX_REASON_CHARS = 40
 
 
 class ReasonKind(StrEnum):
-    """What a list of the studio is for."""
+    """The purpose of a list of the studio."""
 
     CHANGE = "change"  # why a change is requested
     PICK = "pick"  # why a take is approved

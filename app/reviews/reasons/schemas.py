@@ -25,7 +25,7 @@ class ReasonListRead(Schema):
 
 
 class ReviewReasonsRead(Schema):
-    """What a studio says most in Review, each on its digit."""
+    """A studio's most frequent reasons in Review, each on its digit."""
 
     change: ReasonListRead = Field(description="Why a change is requested.")
     pick: ReasonListRead = Field(description="Why a version is approved.")
@@ -41,14 +41,14 @@ class ReviewReasonsSet(Schema):
 
 
 class ReasonCount(Schema):
-    """How often a reason was given."""
+    """The number of uses of a reason."""
 
     reason: str
     versions: int
 
 
 class ReasonsRead(Schema):
-    """How often each reason was given in a project, the most frequent first."""
+    """The number of uses of each reason in a project, the most frequent first."""
 
     change: list[ReasonCount]
     pick: list[ReasonCount]

@@ -134,7 +134,7 @@ def _note_answered(session: Session, take_id: UUID, answers: Answered) -> tuple[
 
 
 def people_for(session: Session, actor: Actor, take_id: UUID) -> list[PersonBrief]:
-    """Return whom the caller can mention on a take."""
+    """Return the people the caller can mention on a take."""
     take, _ = take_for(session, actor, take_id)
     people = people_to_mention(session, take)
     return [PersonBrief.model_validate(person) for person in people if person.id != actor.person]

@@ -1,4 +1,4 @@
-"""People who are mentioned in comments, replies and change requests: those who may see the version."""
+"""People mentioned in comments, replies and change requests: those who may see the version."""
 
 from collections.abc import Collection, Sequence
 from uuid import UUID
@@ -21,7 +21,7 @@ def people_to_mention(session: Session, take: Take) -> Sequence[Person]:
 
 
 def mentions_in(session: Session, take: Take, text: str, person_ids: Collection[UUID]) -> dict[str, str]:
-    """Return whom a text about a take mentions, with their names; raise NotMentionable."""
+    """Return the people that a text on a take mentions, with their names; raise NotMentionable."""
     if not person_ids:
         return {}
     names = {person.id: person.name for person in people_to_mention(session, take)}

@@ -1,4 +1,4 @@
-"""What is open of takes, and so blocks their approval where a project wants it closed."""
+"""The open points of takes, which block their approval where a project wants them closed."""
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence

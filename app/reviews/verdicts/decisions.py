@@ -79,7 +79,7 @@ class Decision:
         self._session.flush()
 
     def finish(self, cue: Cue) -> bool:
-        """Settle what is owed, publish the approvals, and return whether the cue is accepted now."""
+        """Settle the sums owed, publish the approvals, and return whether the cue is accepted now."""
         by = AcceptedBy.VERDICT if self._silence_contract_id is None else AcceptedBy.SILENCE
         accepted = settle_acceptance(self._session, cue, person_id=self._person_id, by=by)
         for take in self.approved if by is AcceptedBy.VERDICT else ():

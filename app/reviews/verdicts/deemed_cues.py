@@ -41,7 +41,7 @@ class DeemedCue:
     undecided: Sequence[Sequence[Take]] = ()  # files of one delivery for one place, between which nobody chose
 
     def paused_by(self, now: datetime) -> PausedBy | None:
-        """Return what stops the acceptance at a moment; None where nothing does."""
+        """Return the pause of the acceptance at a moment; None where there is none."""
         return "undecided_versions" if self.undecided else self.wait.paused_by(now)
 
     def is_over(self, now: datetime) -> bool:
@@ -55,7 +55,7 @@ class DeemedCue:
 
 @dataclass(frozen=True)
 class _Terms:
-    """What a contract says of silence and of sources."""
+    """A contract's terms on silence and on sources."""
 
     silence: DeemedAcceptance
     wants_sources: bool
@@ -164,7 +164,7 @@ def _pauses(session: Session, waiting: Sequence[_Waiting]) -> Mapping[UUID, Iter
 
 
 def _stated(session: Session, takes: Sequence[Take]) -> dict[UUID, datetime]:
-    """Return when the sources of takes were stated, of those of which nothing is open."""
+    """Return the times of stating the sources of takes, of those of which nothing is open."""
     found = source_statements(session, [take.id for take in takes])
     return {take_id: one.stated_at for take_id, one in found.items() if not open_points(sources_in(one))}
 

@@ -53,7 +53,7 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
 
 
 def work_states(session: Session, contract: Contract, covered: Sequence[ContractCue]) -> dict[UUID, WorkState]:
-    """Return how far the work of a contract's own designer is on cues that it covers, as kill fees go by it."""
+    """Return the state of the work of a contract's own designer on cues that it covers, as kill fees go by it."""
     states = queries.variation_states(session, [one.cue_id for one in covered], contract.designer_id)
     found = {one.cue_id: work_state(one.cue.variations, states[one.cue_id]) for one in covered}
     for cue_id, state in found.items():

@@ -1,4 +1,4 @@
-"""What happened to a take, oldest first."""
+"""The events of a take, oldest first."""
 
 from collections.abc import Iterable
 from uuid import UUID
@@ -19,7 +19,7 @@ from app.reviews.schemas import HistoryEntry
 
 
 def take_history(session: Session, actor: Actor, take_id: UUID) -> list[HistoryEntry]:
-    """Return what happened to a take, oldest first; without unsent drafts."""
+    """Return the events of a take, oldest first; without unsent drafts."""
     take, _ = take_for(session, actor, take_id)
     entries = [_receipt(session, take), *_checks(session, take), *_said(session, take), *_labelling(session, take)]
     return sorted(entries, key=lambda entry: entry.at)

@@ -1,1 +1,1 @@
-"""What a cue leaves unsaid."""
+"""Facts that a cue leaves unsaid."""

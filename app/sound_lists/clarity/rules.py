@@ -1,4 +1,4 @@
-"""What a request for a sound leaves open: the facts that someone needs to make it, and cannot find in its words.
+"""Open points of a request for a sound: the facts that someone needs to make it, and cannot find in its words.
 
 A request names a kind of sound (a splash, a step, an ambience), and each kind needs a few facts. A fact is there when a
 word of its own says it, or when a thing is named that implies it: a coin is small and of metal, an object is not. What
@@ -29,7 +29,7 @@ CACHED = 20_000
 
 
 class Fact(StrEnum):
-    """What a designer may have to know."""
+    """A fact that a designer may need."""
 
     SOURCE = "source"
     MATERIAL = "material"
@@ -85,7 +85,7 @@ class Lexicon:
 
 @dataclass(frozen=True)
 class Word:
-    """What the lexicon knows of one word, looked up once."""
+    """The lexicon's knowledge of one word, looked up once."""
 
     forms: frozenset[str]
     facts: frozenset[Fact]  # that it says
@@ -183,7 +183,7 @@ ENDINGS = (
 
 @lru_cache(CACHED)
 def questions(name: str, category: str, description: str, loop: bool, has_length: bool) -> tuple[Question, ...]:
-    """Return what a request leaves open, the most needed first: none where a designer can begin."""
+    """Return the open questions of a request, the most needed first: none where a designer can begin."""
     named, said = _words(name), _words(description)
     if category.lower() in VOICE_CATEGORIES and not any(
         word.kinds and not word.forms & VOICE_WORDS for word in (*named, *said)
@@ -259,7 +259,7 @@ def words_in(text: str) -> frozenset[str]:
 
 
 def _open_in_voice_line(description: str, said: Collection[Word]) -> tuple[Question, ...]:
-    """Return what the request for a spoken line leaves open; the script says all of a line that stands in it."""
+    """Return the open questions of a spoken line's request; the script says all of a line that stands in it."""
     if SCRIPTED.search(description):
         return ()
     found = {Fact(match[1].lower()) for match in STATED.finditer(description)}
@@ -352,7 +352,7 @@ def _found_words(text: str) -> Iterator[str]:
 
 @lru_cache(CACHED)
 def _word(text: str) -> Word:
-    """Return what the lexicon knows of a word, under any form that it may have there."""
+    """Return the lexicon's knowledge of a word, under any form that it may have there."""
     known, forms = lexicon(), _forms(text)
     if not forms & known.every and len(text) >= SHORTEST_MISSPELT:
         forms |= {word for key in deletion_variants(text) for word in known.near.get(key, ())}

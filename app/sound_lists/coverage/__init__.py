@@ -1,1 +1,1 @@
-"""Which events of a game project the list covers."""
+"""Coverage of a game project's events by the list."""

@@ -1,4 +1,4 @@
-"""What a brief names and a list lacks: scenes, categories and priority sounds, compared by their words."""
+"""Items that a brief names and a list lacks: scenes, categories and priority sounds, compared by their words."""
 
 import re
 import unicodedata
@@ -32,7 +32,7 @@ class ListedCue(NamedTuple):
 
 @dataclass(frozen=True)
 class Coverage:
-    """What the brief names and the list lacks."""
+    """The brief's items that the list lacks."""
 
     scenes_without_ambience: Sequence[str]
     silent_scenes: Sequence[str]  # with neither ambience nor music in the brief

@@ -6,7 +6,7 @@ from app.core.web.http import Schema
 
 
 class CoverageRead(Schema):
-    """What the brief names and the list lacks."""
+    """The brief's items that the list lacks."""
 
     scenes_without_ambience: list[str]
     silent_scenes: list[str] = Field(description="Scenes with neither ambience nor music in the brief.")

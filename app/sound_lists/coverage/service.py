@@ -9,7 +9,7 @@ from app.sound_lists.coverage.rules import Coverage, ListedCue, coverage
 
 
 def list_coverage(session: Session, access: ProjectAccess) -> Coverage:
-    """Return what the brief names and the list lacks; without a brief nothing is missing."""
+    """Return the brief's items that the list lacks; without a brief nothing is missing."""
     answers = answers_of(session, access.project.id)
     known = {key: answer["value"] for key, answer in answers.items() if not answer["is_unknown"]}
     if not {"scenes", "categories", "priority"} & known.keys():

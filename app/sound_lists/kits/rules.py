@@ -18,7 +18,7 @@ class Token(Protocol):
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """Return its name."""
 
     @property
     def one_of(self) -> tuple[str, ...]:

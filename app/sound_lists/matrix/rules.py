@@ -18,7 +18,7 @@ _BETWEEN_PARTS = re.compile(r"[,;]")
 
 @dataclass(frozen=True)
 class Matrix:
-    """What a line says: parts that are combined each with each, and the variations of every cue."""
+    """The content of a line: parts that are combined each with each, and the variations of every cue."""
 
     groups: Sequence[Sequence[str]]
     variations: int
@@ -39,7 +39,7 @@ class MatrixCue:
 
 
 def read_matrix(line: str) -> Matrix:
-    """Return what a line says; raise ValueError that says what was found and what was wanted."""
+    """Return the content of a line; raise ValueError that names the part found and the part wanted."""
     if len(line) > MAX_LINE_CHARS:
         raise ValueError(f"{len(line):,} characters; a line may have {MAX_LINE_CHARS:,}")
     groups = _BETWEEN_GROUPS.split(tidy_line(re.sub(r"[\r\n]+", ",", line.strip())))

@@ -50,12 +50,12 @@ class ListNames:
         return self._once(self._guesses, file_name, tuple(people), frozenset(prefixes))
 
     def stem(self, cue_id: UUID, variation: int) -> str:
-        """Return what the list calls a variation of a cue."""
+        """Return the list's name for a variation of a cue."""
         cue = self.cues[cue_id]
         return audio_checks.stems_of(cue.name, cue.file_name, cue.variations)[variation - 1]
 
     def _once(self, find: Callable[..., Found], *given: object) -> Found:
-        """Return what is found for these names, from before where they were asked about before."""
+        """Return the result for these names, from before where they were asked about before."""
         key = (find.__name__, *given)
         kept: tuple[Found] | None = self._answers.get(key)
         return (kept or self._answers.keep(key, (find(*given),)))[0]

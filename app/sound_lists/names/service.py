@@ -1,4 +1,4 @@
-"""Where a list contradicts the naming rule of its delivery spec, and what resolves it on either side."""
+"""Contradictions between a list and the naming rule of its delivery spec, and solutions on either side."""
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence

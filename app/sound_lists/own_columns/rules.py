@@ -16,7 +16,7 @@ FIELDS = frozenset({*NEW_CUE, "number"})
 
 
 class ColumnKind(StrEnum):
-    """What the values of a column are."""
+    """The kind of a column's values."""
 
     TEXT = "text"
     NUMBER = "number"
@@ -35,7 +35,7 @@ class Column(NamedTuple):
 
 
 def key_of(name: str) -> str:
-    """Return what two spellings of a column's name share."""
+    """Return the key that two spellings of a column's name share."""
     return folded(tidy_line(name))
 
 
@@ -51,7 +51,7 @@ def by_key(columns: Sequence[Column]) -> dict[str, Column]:
 
 
 def column_faults(columns: Sequence[Column]) -> Iterator[tuple[int, str, str]]:
-    """Yield what is wrong with a set of columns: the place from 1, the field, and the fault in words."""
+    """Yield the faults of a set of columns: the place from 1, the field, and the fault in words."""
     seen: dict[str, int] = {}
     for place, column in enumerate(columns, start=1):
         key = key_of(column.name)

@@ -1,1 +1,1 @@
-"""People whom cues name."""
+"""People that cues name."""

@@ -19,6 +19,6 @@ router = APIRouter(prefix="/v1", tags=["sound-lists"])
 def list_cue_people(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> list[CuePersonRead]:
-    """Return who may be named as implementer or recorder of a cue, by name; a designer sees only themselves."""
+    """Return possible implementers and recorders of a cue, by name; a designer sees only themselves."""
     people = people_seen(session, project_access(session, actor, project_id))
     return [CuePersonRead.model_validate(person) for person in people]

@@ -246,7 +246,7 @@ def _names(sheet: Sheet, columns: Sequence[Column]) -> dict[int, str]:
 
 @dataclass(frozen=True)
 class _Known:
-    """What the columns of a sheet may be, besides the fields."""
+    """Possible meanings of a sheet's columns, besides the fields."""
 
     cue_prefix: str
     own: Mapping[str, OwnColumn]
@@ -423,7 +423,7 @@ def _by_column(faults: Sequence[RowFault], columns: Sequence[Column], sheet: She
 
 @dataclass(frozen=True)
 class _Into:
-    """What cells are read against."""
+    """The reference for the reading of cells."""
 
     cue_prefix: str
     own: Mapping[str, OwnColumn]

@@ -77,7 +77,7 @@ class Tab(TypedDict):
 
 
 class SheetNotes(TypedDict):
-    """What was guessed or left out on the way from a file to rows."""
+    """Guesses and omissions on the way from a file to rows."""
 
     tabs: list[Tab]  # none for a text
     encoding: str  # empty for a workbook, and for a text that came as text
@@ -93,7 +93,7 @@ ParsedSheet = tuple[int | None, tuple[str, ...], Rows, SheetNotes]
 
 
 class SheetOptions(NamedTuple):
-    """What a caller says of a file that the file does not."""
+    """Facts of a file that a caller gives and the file does not."""
 
     tab: str | None = None
     encoding: str | None = None
@@ -181,7 +181,7 @@ def decoded(data: bytes, encoding: str | None = None) -> tuple[str, SheetNotes]:
 
 @dataclass
 class _Hidden:
-    """What a tab hides, and cells with broken formulas; rows and columns count from 1."""
+    """Hidden parts of a tab, and cells with broken formulas; rows and columns count from 1."""
 
     rows: set[int] = field(default_factory=set)
     columns: set[int] = field(default_factory=set)
@@ -291,7 +291,7 @@ def _most_heads(rows: Rows, heads_in: HeadsIn) -> int:
 
 
 def _ensure_small(data: bytes) -> tuple[dict[str, _Hidden], dict[str, str]]:
-    """Return what the parts of a workbook hide, and the part of each tab.
+    """Return the hidden content of a workbook's parts, and the part of each tab.
 
     Raise SheetUnreadable for a workbook that would unpack to more than a list can need.
     """

@@ -59,7 +59,7 @@ def record_spoken_placeholder(
 
 @router.get("/cues/{cue_id}/spoken-placeholder", responses=problems(CueNotFound))
 def get_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> SpokenPlaceholderRead | None:
-    """Return what was said for a cue; null where nothing was."""
+    """Return a cue's spoken placeholder; null where there is none."""
     try:
         return _read(spoken.get_spoken_placeholder(session, actor, cue_id))
     except SpokenPlaceholderMissing:
@@ -72,7 +72,7 @@ def get_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = MAY_
     responses=problems(CueNotFound, TeamNeeded, CueIsCut, SpokenPlaceholderMissing),
 )
 def remove_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = TEAM) -> None:
-    """Remove what was said for a cue."""
+    """Remove a cue's spoken placeholder."""
     spoken.remove_said(session, actor, cue_id)
 
 
@@ -84,7 +84,7 @@ def remove_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = T
 def get_spoken_placeholder_file(
     cue_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
 ) -> Response:
-    """Send what was said for a cue, parts of it by Range."""
+    """Send a cue's spoken placeholder, parts of it by Range."""
     said = spoken.get_spoken_placeholder(session, actor, cue_id)
     headers = {"Cache-Control": WHILE_ASKED}
     return blob_response(request, runtime.store, said.studio_id, said.sha256, media_type="audio/wav", headers=headers)

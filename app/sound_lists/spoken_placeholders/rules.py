@@ -1,4 +1,4 @@
-"""What runs in the child that parses: a recording of a stranger, made into the sound of a placeholder."""
+"""Work in the child that parses: a recording of a stranger, made into the sound of a placeholder."""
 
 from app.sound_lists.errors import RecordingInvalid
 from audio_checks import RenderRefused, Unreadable, tidy_recording

@@ -12,13 +12,13 @@ MAX_RECORDING_CHARS = 4_000_000  # in base64: 10 s at 48 kHz and 24 bit take hal
 
 
 class RecordingAdd(Schema):
-    """What was said for a cue."""
+    """The recording spoken for a cue."""
 
     content_base64: str = Field(max_length=MAX_RECORDING_CHARS, description="A WAV file of at most 10 s.")
 
 
 class SpokenPlaceholderRead(Schema):
-    """What was said for a cue, trimmed and at one level."""
+    """The recording spoken for a cue, trimmed and at one level."""
 
     cue_id: UUID
     sha256: str

@@ -27,7 +27,7 @@ def ensure_may_say(session: Session, actor: Actor, cue_id: UUID) -> Cue:
 def save_spoken_placeholder(
     session: Session, actor: Actor, cue_id: UUID, *, content: bytes, duration_s: float, store: Store
 ) -> SpokenPlaceholder:
-    """Keep what was said for a cue in place of what was said before, and have its placeholder files made of it."""
+    """Keep the recording spoken for a cue in place of an earlier one, and have its placeholder files made of it."""
     cue = ensure_may_say(session, actor, cue_id)
     queries.lock_list(session, cue.project_id)
     stored = store.put(cue.studio_id, [content])
@@ -44,7 +44,7 @@ def save_spoken_placeholder(
 
 
 def get_spoken_placeholder(session: Session, actor: Actor, cue_id: UUID) -> SpokenPlaceholder:
-    """Return what was said for a cue within the caller's sight; raise NothingSaid where nothing was."""
+    """Return a cue's spoken placeholder within the caller's sight; raise NothingSaid where there is none."""
     visible_cue(session, actor, cue_id)
     said = queries.spoken_placeholder(session, cue_id)
     if said is None:
@@ -53,7 +53,7 @@ def get_spoken_placeholder(session: Session, actor: Actor, cue_id: UUID) -> Spok
 
 
 def remove_said(session: Session, actor: Actor, cue_id: UUID) -> None:
-    """Remove what was said for a cue; its placeholder files are made without it again."""
+    """Remove the spoken placeholder of a cue; its placeholder files are made without it again."""
     cue = ensure_may_say(session, actor, cue_id)
     session.delete(get_spoken_placeholder(session, actor, cue_id))
     session.flush()

@@ -1,4 +1,4 @@
-"""What a child's answer may be: bounded, plain, and of the types that the called function and its data classes declare.
+"""The form of a child's answer: bounded, plain, and of the types that the called function and its data classes declare.
 
 A child whose decoder was taken over answers what it likes. Nothing of it is used before it has passed here.
 """
@@ -103,7 +103,7 @@ def _hints(kind: type) -> dict[str, Any]:
 
 
 def _misfit(value: Any, wanted: Any, where: str) -> str:
-    """Return where a value is not of a declared type, and "" where it is; what is not understood here fits."""
+    """Return the place where a value is not of a declared type, "" if it is; anything not understood here fits."""
     if wanted is Any:
         return f"{where} is missing" if value is MISSING else ""
     origin, arguments = typing.get_origin(wanted), typing.get_args(wanted)

@@ -91,7 +91,7 @@ class Sandbox:
         self._server: _Server | None = None
 
     def call(self, function: Callable[P, R], /, *args: P.args, **kwargs: P.kwargs) -> R:
-        """Return what the function returns, from a child.
+        """Return the function's result, from a child.
 
         The function is one that can be imported by name; arguments can be pickled. A result is made of
         plain values, numpy arrays, paths and the data classes of audio_checks that this process has loaded, and is of
@@ -115,7 +115,7 @@ class Sandbox:
         reads: Iterable[str | os.PathLike[str]] = (),
         writes: Iterable[str | os.PathLike[str]] = (),
     ) -> SandboxChild:
-        """Return what answers a few calls that belong together; to be closed after the last.
+        """Return a child for a few calls that belong together; to be closed after the last.
 
         Parameters
         ----------
@@ -194,7 +194,7 @@ class SandboxChild:
         self.close()
 
     def call(self, function: Callable[P, R], /, *args: P.args, **kwargs: P.kwargs) -> R:
-        """Return what the function returns, as `Sandbox.call` does; see there for what is raised."""
+        """Return the function's result, as `Sandbox.call` does; see there for the errors raised."""
         limits = dataclasses.replace(self._sandbox._limits, cpu_s=int(self.timeout_s) + 2)
         if self._scratch is None:
             self._scratch = tempfile.mkdtemp(prefix="audio-checks-")
@@ -348,7 +348,7 @@ def _finish(status: socket.socket) -> None:
 
 
 def _ending(status: socket.socket, deadline: float) -> SandboxFailed:
-    """Return how a child ended that gave no answer."""
+    """Return the end of a child that gave no answer."""
     try:
         reply = receive(status, 4, min(deadline, time.monotonic() + GRACE_S))
     except (TimeoutError, ConnectionResetError):

@@ -1,4 +1,4 @@
-"""What a throw-away child gives up before it reads the first byte of a stranger, and what this kernel cannot take.
+"""Rights that a throw-away child drops before it reads a stranger's first byte, and those this kernel cannot take.
 
 In this order: root's user and capabilities, new privileges, files (Landlock), system calls (seccomp). See
 docs/decisions/0016-what-a-child-may-reach.md.

@@ -1,4 +1,4 @@
-"""What caller and child say to each other: a request, and an answer that is not trusted."""
+"""Messages of caller and child: a request, and an answer that is not trusted."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ DETAIL_CHARACTERS = 8_000
 
 @dataclasses.dataclass(frozen=True)
 class Limits:
-    """What a child may take for one call."""
+    """A child's limits for one call."""
 
     memory_bytes: int
     cpu_s: int

@@ -1,4 +1,4 @@
-"""How an answer goes from child to caller: as data, so that reading it builds values and runs nothing.
+"""An answer's way from child to caller: as data, so that reading it builds values and runs nothing.
 
 JSON, followed by the bytes that it names. In the JSON every value that is not a text, number, true, false or null is a
 list that begins with its kind. A data class, enumeration or error is named by module and name, and is looked up among

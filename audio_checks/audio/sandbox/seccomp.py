@@ -84,7 +84,7 @@ def install(pid: int) -> None:
 
 
 def _if_argument(number: int | None, offset: int, values: tuple[int, ...]) -> Iterator[bytes]:
-    """Yield what allows a system call where the lower half of one argument is one of some values."""
+    """Yield the code to allow a system call where the lower half of one argument is one of some values."""
     if number is None:
         return
     yield _instruction(IF_EQUAL, number, otherwise=2 * len(values) + 2)

@@ -151,7 +151,7 @@ class _Judging:
         return tasks
 
     def _less_well(self, tasks: Sequence["Task"]) -> Iterator[str]:
-        """Yield what is judged less well because the run was not told more of the sounds."""
+        """Yield points judged less well because the run was not told more of the sounds."""
         by_spec = [task for task in tasks if task.spec is not None]
         if by_spec and self.sound_list is None:
             yield (
@@ -243,7 +243,7 @@ class _Judging:
         ]
 
     def with_set_checks(self, tasks: Sequence["Task"], entries: Sequence[FileReport]) -> list[FileReport]:
-        """Return what is said of the files, with what is found over all of them together."""
+        """Return the reports on the files, with the findings over all of them together."""
         from audio_checks.run import runner
 
         return [with_waivers(entry, self._waived) for entry in runner.with_set_checks(tasks, entries)]
@@ -273,7 +273,7 @@ class _Judging:
 
 
 def _planned(judging: _Judging, tasks: Sequence["Task"], entries: Sequence[FileReport]) -> tuple[list["Change"], bool]:
-    """Return what can be put right; say what cannot, and whether there is any."""
+    """Return the possible fixes; name faults without a fix, and whether there are any."""
     from audio_checks.fixing.in_place import CannotFixInPlace, Repairs
 
     repairs, left = Repairs(judging.sound_list), False
@@ -290,7 +290,7 @@ def _planned(judging: _Judging, tasks: Sequence["Task"], entries: Sequence[FileR
 
 
 def _show(changes: Sequence["Change"]) -> None:
-    """Print what would be put right."""
+    """Print the fixes that would be made."""
     from audio_checks.fixing.in_place import shown
 
     ink = Ink(in_colour(sys.stdout))

@@ -49,7 +49,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def fingerprints_below(options: argparse.Namespace) -> list[FingerprintedFile]:
-    """Return what is known of every sound below the paths that were given, by its place below them."""
+    """Return the facts of every sound below the paths that were given, by its place below them."""
     found = found_files(options)
     jobs = process_count([one.path for one in found]) if options.jobs is None else options.jobs
     files = [(one.path, one.relative.replace("\\", "/")) for one in found]

@@ -64,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
 
 @dataclass(frozen=True)
 class _Order:
-    """What is the same for all files of a run."""
+    """The settings shared by all files of a run."""
 
     category: str | None
     kind: str | None

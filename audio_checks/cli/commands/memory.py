@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print what each target takes, by category; 1 when a budget is exceeded."""
+    """Print each target's memory, by category; 1 when a budget is exceeded."""
     spec = load_spec(options.spec)
     sounds = requested_sizes(named_list(options.sound_list).cues)
     names = options.target or list(spec.targets)

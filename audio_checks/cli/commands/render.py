@@ -84,7 +84,7 @@ def run(options: argparse.Namespace) -> int:
 
 @dataclass(frozen=True)
 class _Result:
-    """What is said of one render."""
+    """The statement on one render."""
 
     master: str
     target: str
@@ -97,7 +97,7 @@ class _Result:
 
     @property
     def line(self) -> str:
-        """What was made, or why not, in one line."""
+        """Return the render, or the obstacle, in one line."""
         rendered, refusal = self.outcome.rendered, self.outcome.refusal
         if rendered is None:
             return f"{self.master} -> {self.target}: refused: {refusal}; {refusal.fix if refusal else ''}"

@@ -17,7 +17,7 @@ from audio_checks.spec.check_names import Severity
 
 @dataclass(frozen=True)
 class Style:
-    """How a report is shown: coloured or not, the mildest severity that fails, where lines for people break, summed up.
+    """The look of a report: coloured or not, the mildest severity that fails, line breaks for people, summed up.
 
     Without `columns` no line is wrapped, so that a search in a log finds whole sentences.
     """

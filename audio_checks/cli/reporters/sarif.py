@@ -87,7 +87,7 @@ def _location(path: str, root: Any) -> dict[str, Any]:
 
 
 def _mark(entry: FileReport, finding: Finding) -> str:
-    """Return what a finding is known by; of a file that cannot be read only the path is known."""
+    """Return the mark of a finding; of a file that cannot be read only the path is known."""
     whole = f"{finding.code}\0{entry.pcm_sha256 or entry.path}"
     return hashlib.sha256(whole.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 

@@ -153,7 +153,7 @@ def _undecided(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
 
 
 def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
-    """Yield what would put several files right at once."""
+    """Yield steps that would put several files right at once."""
     codes = [{finding.code for finding in _counting(entry)} for entry in files]
     pointers = sum(LFS_POINTER in code for code in codes)
     if pointers:

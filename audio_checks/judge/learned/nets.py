@@ -30,7 +30,7 @@ class Nets:
         ]
 
     def mean(self, features: NDArray[np.float64]) -> float:
-        """Return what the nets say of one sound's features, shape (features,), on average; nan counts as usual."""
+        """Return the nets' mean answer to one sound's features, shape (features,); nan counts as usual."""
         held = np.clip(features, self._lowest, self._highest)
         scaled = np.nan_to_num((held - self._middle) / self._spread, nan=0.0)
         return float(np.mean([_passed(net, scaled) for net in self._nets]))

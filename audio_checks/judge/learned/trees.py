@@ -31,7 +31,7 @@ class Trees:
         self._value = np.array(numbers["value"], dtype=np.float64)
 
     def sum(self, features: NDArray[np.float64]) -> float:
-        """Return what the trees say of one sound's features, shape (features,), added up."""
+        """Return the sum of the trees' answers to one sound's features, shape (features,)."""
         node = self._roots
         while True:
             asked = features[self._feature[node]]
