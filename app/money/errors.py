@@ -1,4 +1,4 @@
-"""This room's refusals, each named after the fact."""
+"""Refusals of money, each named after the fact."""
 
 from app.core.errors import Conflict, Forbidden, Invalid, NotFound
 

@@ -1,4 +1,4 @@
-"""This room's reads of the sources of takes."""
+"""Queries of the sources of takes."""
 
 from collections.abc import Collection, Sequence
 from uuid import UUID
