@@ -40,8 +40,7 @@ test('the first screen is one sound to hear and to decide by one key, and can be
   await page.keyboard.press('1')
   await expect(page.getByRole('slider', { name: 'Position in shield_hit, A' })).toBeVisible()
 
-  await listenAndApprove(page)
-  await expect(page.getByRole('status').filter({ hasText: 'shield_hit A approved.' })).toBeVisible()
+  await listenAndApprove(page, 'shield_hit A approved.')
   await expect(first(page)).toBeHidden()
   await expect(page.getByText('First because it has waited longest')).toBeVisible()
   await page.keyboard.press('u')

@@ -2,18 +2,14 @@ import { type BrowserContext, expect, type Page } from '@playwright/test'
 
 import { ask, send } from './api'
 
-/** Approve by the key: what plays already may be heard to its end; what was not is played by the first press. */
-export async function listenAndApprove(page: Page): Promise<void> {
+/** Approve by the key: the first press approves what was heard already, and plays what was not. */
+export async function listenAndApprove(page: Page, done: string): Promise<void> {
   const heard = page.getByText(/^Heard\. Press Approve/)
-  const isHeard = await heard.waitFor({ timeout: 2_000 }).then(
-    () => true,
-    () => false,
-  )
-  if (!isHeard) {
-    await page.keyboard.press('a')
-    await expect(heard).toBeVisible({ timeout: 30_000 })
-  }
+  const approved = page.getByRole('status').filter({ hasText: done })
   await page.keyboard.press('a')
+  await expect(heard.or(approved).first()).toBeVisible({ timeout: 30_000 })
+  if (await heard.isVisible()) await page.keyboard.press('a')
+  await expect(approved).toBeVisible()
 }
 
 interface Queue {

@@ -238,8 +238,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await approver.keyboard.press('2')
     await expect(approver.getByRole('slider', { name: /shield_hit, B/ }).first()).toBeVisible()
     await approver.keyboard.press('Space')
-    await listenAndApprove(approver)
-    await toast(approver, 'shield_hit B approved.')
+    await listenAndApprove(approver, 'shield_hit B approved.')
   })
 
   await test.step('asks for a change where the playhead stopped, and sends it', async () => {
@@ -276,8 +275,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     ] as const) {
       await approver.getByRole('link', { name: new RegExp(name) }).click()
       await expect(approver.getByRole('heading', { level: 1, name })).toBeVisible()
-      await listenAndApprove(approver)
-      await toast(approver, done)
+      await listenAndApprove(approver, done)
     }
     await expect(approver.getByRole('heading', { name: 'Nothing to review' })).toBeVisible()
   })
