@@ -44,6 +44,8 @@ def erase_studio(studio_id: Annotated[UUID, typer.Argument(help="Id of the studi
 def _erase(what: str, erase: "Callable[[Session], Erased]", *, yes: bool) -> None:
     if not yes and not typer.confirm(f"Erase {what} for good?"):
         raise typer.Exit(1)
+    import app.tables  # noqa: F401  what is erased is looked for in every table
+
     runtime = opened(read_settings_or_exit())
     try:
         with runtime.database.writing() as session:

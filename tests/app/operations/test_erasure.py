@@ -1,5 +1,8 @@
 """What an erasure deletes, what stays and why, and that a neighbour loses nothing."""
 
+import os
+import subprocess
+import sys
 from collections.abc import Callable
 from datetime import timedelta
 from typing import Any
@@ -241,3 +244,17 @@ def test_the_commands_ask_first_and_say_what_they_did(server: RunningServer, mon
     assert (code, "erased: Test studio" in output) == (0, True), output
     code, output = ran("erase", "person", f"{world.producer_id}@example.test", "--yes")
     assert (code, "erased: Producer" in output) == (0, True), output
+
+
+@pytest.mark.slow
+def test_a_command_in_a_process_of_its_own_knows_every_table(server: RunningServer) -> None:
+    world = World(server)
+    settings = server.runtime.settings
+    done = subprocess.run(
+        [sys.executable, "-m", "app", "erase", "project", str(world.project_id), "--yes"],
+        env=os.environ
+        | {"SOUNDLIST_DATA_DIR": str(settings.data_dir), "SOUNDLIST_DATABASE_URL": settings.database_url},
+        capture_output=True,
+        text=True,
+    )
+    assert (done.returncode, "erased: Shield Wing" in done.stdout) == (0, True), done.stdout + done.stderr
