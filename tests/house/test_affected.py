@@ -13,13 +13,13 @@ def tree(tmp_path: Path) -> Path:
     """A small project: a server of two packages, and tests of each."""
     for name, source in {
         "app/main.py": "from app.money import endpoints\nfrom app.reviews import endpoints as reviews",
-        "app/money/ledger/rules.py": "",
-        "app/money/endpoints.py": "from app.money.ledger.rules import total",
-        "app/reviews/endpoints.py": "def late():\n    import app.money.ledger.rules",
+        "app/money/rules.py": "",
+        "app/money/endpoints.py": "from app.money.rules import total",
+        "app/reviews/endpoints.py": "def late():\n    import app.money.rules",
         "tests/support/server.py": "from app.main import create_app",
         "tests/support/sums.py": "from app.money import rules",
         "tests/app/money/conftest.py": "",
-        "tests/app/money/test_rules.py": "from app.money.ledger.rules import total",
+        "tests/app/money/test_rules.py": "from app.money.rules import total",
         "tests/app/money/test_invoices.py": "from tests.support.server import World",
         "tests/app/reviews/test_late.py": "from app.reviews import endpoints",
         "tests/app/hiring/test_bids.py": "from tests.support.server import World",
@@ -35,7 +35,7 @@ def tree(tmp_path: Path) -> Path:
     ("changed", "tests"),
     [
         (
-            "app/money/ledger/rules.py",
+            "app/money/rules.py",
             [
                 "tests/app/money/test_rules.py",
                 "tests/app/money/test_invoices.py",  # beside it

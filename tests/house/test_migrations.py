@@ -21,7 +21,7 @@ ROOMS = (
     "contracts",
     "deliveries",
     "hiring",
-    "kit",
+    "core",
     "notifications",
     "operations",
     "projects",
@@ -113,5 +113,5 @@ def test_tables_are_named_after_their_room():
 def test_every_tenant_table_names_its_studio():
     global_tables = UNGUARDED | SERVERS_OWN | PERSONAL | {"accounts_studios"}
     for name, table in Base.metadata.tables.items():
-        if name not in global_tables and not name.startswith("kit_"):
+        if name not in global_tables and not name.startswith("core_"):
             assert "studio_id" in table.columns, name

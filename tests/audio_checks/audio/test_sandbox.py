@@ -125,6 +125,7 @@ def spend_cpu(seconds):
     return resource.getrlimit(resource.RLIMIT_CPU)[0] - time.process_time()
 
 
+@pytest.mark.slow  # seconds of the clock count too
 def test_the_time_of_a_call_is_not_taken_from_the_next(sandbox):
     sandbox.call(spend_cpu, 0.0)  # what the server loads for it is not its time
     with sandbox.child(timeout_s=5.0) as child:
