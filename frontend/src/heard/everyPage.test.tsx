@@ -39,7 +39,7 @@ test('a sound of the palette that is played is reported as heard', async () => {
       'POST /v1/projects/p1/heard-takes': answer(null, 204),
     }),
   )
-  openApp('/projects/p1')
+  openApp('/projects/p1/progress')
   await userEvent.click(await screen.findByRole('button', { name: 'Play shield_hit' }))
   await reported(() => wrote(asked, 'POST /v1/projects/p1/heard-takes')[0]?.body)
 })

@@ -14,6 +14,7 @@ test('a filter is kept under a name, and opens the list as it was', async () => 
   server.answers['DELETE /v1/saved-views/v1'] = answer(null, 204)
   const app = openApp(`${server.path}?category=weapon`)
   await screen.findByRole('row', { name: /shield_hit/ })
+  await userEvent.click(screen.getByRole('button', { name: 'Display' }))
   await userEvent.click(screen.getByRole('button', { name: 'Views' }))
   await userEvent.type(await screen.findByLabelText('Name of the view'), 'Weapons')
   await userEvent.click(screen.getByRole('button', { name: 'Save view' }))

@@ -89,7 +89,7 @@ export function Form<V extends Values>({
     <State value={{ form, isPending }}>
       <form {...rest} className={[classes.form, className].filter(Boolean).join(' ')} onSubmit={send} noValidate>
         {children}
-        {!isSaidBelowFields && <Refusal error={error} className={classes.refusal} />}
+        {!isSaidBelowFields && <Refusal error={error} />}
       </form>
     </State>
   )

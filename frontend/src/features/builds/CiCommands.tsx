@@ -26,7 +26,7 @@ export function CiCommands({ projectId }: { projectId: string }) {
       </pre>
       <p className={`small mid ${classes.foot}`}>
         For levels, give <code className="mono">--project</code> with the project of Wwise, FMOD, Unity, Unreal or Godot
-        to <code className="mono">audio-checks audit</code>. Its steps and tokens are on the page of{' '}
+        to <code className="mono">audio-checks audit</code>. Its steps are on the page of{' '}
         <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
           builds
         </Link>

@@ -159,7 +159,7 @@ function BuildsCard({ audits, current, projectId }: OfAudits) {
         title="Builds"
         end={
           <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
-            Checks and tokens
+            All builds
           </Link>
         }
       />

@@ -41,7 +41,7 @@ describe('before the NDA is agreed', () => {
     answers['GET /v1/me'] = ME
     await userEvent.type(screen.getByLabelText('Your full name'), 'N. Designer{Enter}')
     await screen.findByText('Agreed')
-    await userEvent.click(screen.getByRole('link', { name: /Sound list/ }))
+    await userEvent.click(screen.getByRole('link', { name: 'Sounds' }))
     expect(app.at()).toBe('/projects/p1/sound-list')
     expect(screen.queryByRole('heading', { name: 'Read and sign the NDA to see this project' })).toBeNull()
   })

@@ -94,13 +94,14 @@ test('a closed delivery says what happened to each file', async () => {
   expect(within(files[0] as HTMLElement).getByRole('link')).toHaveAttribute('href', '/takes/shield_hit')
   const left = screen.getByRole('list', { name: 'Entries of round two.zip that were left out' })
   expect(left).toHaveTextContent('notes.txtNot a sound.')
-  expect(screen.getByRole('link', { name: 'Review' })).toHaveAttribute('href', '/projects/p1/review')
+  const review = await within(screen.getByRole('main')).findByRole('link', { name: 'Review' })
+  expect(review).toHaveAttribute('href', '/projects/p1/review')
 })
 
 test('a designer is led back to the desk and not to Review', async () => {
   open('/deliveries/d4', {}, 'designer')
   expect(await screen.findByRole('link', { name: 'Desk' })).toHaveAttribute('href', '/projects/p1/desk')
-  expect(screen.queryByRole('link', { name: 'Review' })).toBeNull()
+  expect(within(screen.getByRole('main')).queryByRole('link', { name: 'Review' })).toBeNull()
 })
 
 test('one that is not there, or not for these eyes, says so', async () => {

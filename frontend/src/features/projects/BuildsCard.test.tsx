@@ -103,10 +103,9 @@ describe('builds', () => {
     }
     serve({
       ...withBuilds(),
-      'GET /v1/projects/p1/builds': { items: [build('482', 2, 0)], next: null },
       'GET /v1/projects/p1/tokens': [token],
     })
-    openApp('/projects/p1/builds')
+    openApp('/projects/p1/tokens')
     expect(await screen.findByText('Ended')).toBeVisible()
     expect(screen.getByText(/ended Saturday 1 March 2025/)).toBeVisible()
     expect(screen.queryByRole('button', { name: 'Revoke Nightly' })).toBeNull()
@@ -125,12 +124,11 @@ describe('builds', () => {
     }
     const { asked, answers } = serve({
       ...withBuilds(),
-      'GET /v1/projects/p1/builds': { items: [build('482', 2, 0)], next: null },
       'GET /v1/projects/p1/tokens': [token],
       'DELETE /v1/projects/p1/tokens/t1': answer(null, 204),
     })
     const press = userEvent.setup()
-    openApp('/projects/p1/builds')
+    openApp('/projects/p1/tokens')
     await press.click(await screen.findByRole('button', { name: 'Revoke Nightly' }))
     expect(wrote(asked, 'DELETE /v1/projects/p1/tokens/t1')).toHaveLength(0)
     answers['GET /v1/projects/p1/tokens'] = [{ ...token, revoked_at: '2026-11-21T10:00:00Z' }]

@@ -31,7 +31,7 @@ export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsC
       </Link>
       <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
         {builds.length > 0 ? 'All' : 'Builds'}
-        <span className="visually-hidden">{builds.length > 0 ? ' builds and tokens' : ' and tokens'}</span>
+        {builds.length > 0 && <span className="visually-hidden"> builds</span>}
       </Link>
     </>
   )

@@ -14,7 +14,7 @@ import { BuildLine, BuildReasons } from './BuildLines'
 import classes from './Builds.module.css'
 import { CiCard } from './CiLines'
 
-/** Every build that reported, and the tokens of builds. */
+/** Every build that reported, and the steps by which a CI reports. */
 export function BuildsPage() {
   useTitle('Builds')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/builds' })

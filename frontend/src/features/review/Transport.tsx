@@ -49,7 +49,6 @@ export function Transport({ player, playing, durationS, trouble, isSilent, onNex
         keyLabel="Play, pause"
         keyGroup="Review"
         icon={isPlaying ? 'pause' : 'play'}
-        className={classes.play}
         disabled={isSilent}
         onPress={() => void player.toggle()}
       >
