@@ -15,7 +15,7 @@ const alternate = (letter: string) =>
 
 /** Open More and press one of its lines. */
 const fromMore = async (line: string | RegExp, role = 'menuitem') => {
-  await userEvent.click(screen.getByRole('button', { name: /^More/ }))
+  await userEvent.click(within(screen.getByRole('main')).getByRole('button', { name: /^More/ }))
   await userEvent.click(await screen.findByRole(role, { name: line }))
 }
 
