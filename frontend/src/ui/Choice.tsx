@@ -23,7 +23,6 @@ function step(event: KeyboardEvent<HTMLElement>): void {
 export function Choice({ checked, onChoose, children, ...rest }: ChoiceProps) {
   return (
     // The arrows are its keys; Enter and Space choose nothing that the arrows have not chosen.
-     
     <div {...rest} role="radio" aria-checked={checked} tabIndex={checked ? 0 : -1} onClick={onChoose} onKeyDown={step}>
       {children}
     </div>
