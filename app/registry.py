@@ -67,6 +67,7 @@ from app.notifications.preferences.endpoints import router as mail_preferences
 from app.notifications.service import drop_news_of_member
 from app.operations.endpoints import router as operations
 from app.operations.erasure.endpoints import router as erasures
+from app.operations.retention.endpoints import router as master_retention
 from app.projects.approval.endpoints import router as approval
 from app.projects.budgets.endpoints import router as budgets
 from app.projects.endpoints import router as projects
@@ -183,6 +184,7 @@ ROUTERS: tuple[APIRouter, ...] = (
     webhooks,
     operations,
     erasures,
+    master_retention,
 )
 JOB_MODULES = (
     "app.projects.jobs",

@@ -74,6 +74,7 @@ CHORES = (
     "webhooks.delete_old_calls",
     "operations.scrub_blobs",
     "operations.carry_out_erasures",
+    "operations.end_masters",
 )
 
 

@@ -49,6 +49,7 @@ from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.bodies import REPORT_BODY_BYTES, accepts_body
 from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
+from app.deliveries.errors import MasterDeleted
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
 
@@ -83,6 +84,7 @@ def get_pack(
             ProjectNotFound,
             TeamNeeded,
             TargetUnknown,
+            MasterDeleted,
             NothingAccepted,
             PackIncomplete,
             PlaceholderAccepted,

@@ -20,7 +20,7 @@ from app.conformance.schemas import (
     WaiverAdd,
 )
 from app.core.web.http import DbSession, problems
-from app.deliveries.errors import OwnDesignerNeeded, TakeNotFound, VariationUnknown, WrongState
+from app.deliveries.errors import MasterDeleted, OwnDesignerNeeded, TakeNotFound, VariationUnknown, WrongState
 from app.deliveries.schemas import TakeRead
 from app.deliveries.service import read_take, take_for
 from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
@@ -98,7 +98,7 @@ def see_fix(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PR
     "/takes/{take_id}/fix",
     status_code=202,
     response_model=FixRead,
-    responses=problems(TakeNotFound, OwnDesignerNeeded, NothingToFix),
+    responses=problems(TakeNotFound, OwnDesignerNeeded, MasterDeleted, NothingToFix),
 )
 def request_fix(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> FixRead:
     """Request a fixed copy, to see and play before it is used."""

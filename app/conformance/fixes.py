@@ -21,6 +21,7 @@ from app.core.events import publish
 from app.deliveries import queries as deliveries
 from app.deliveries.dry_stems import copy_to_fix
 from app.deliveries.models import Take
+from app.deliveries.rules import ensure_master_kept
 from app.deliveries.schemas import CueBrief
 from app.deliveries.service import add_fixed_take, check_name, ensure_own_designer, take_for
 from app.projects.service import ProjectAccess, project_access
@@ -93,6 +94,7 @@ def request_fix(session: Session, actor: Actor, take_id: UUID) -> FixRead:
     """Request a fixed copy to see and play; the same copy is made once."""
     take, access = take_for(session, actor, take_id, locked=True)
     ensure_own_designer(access, take)
+    ensure_master_kept(take.master_deleted_at)
     run = queries.current_run(session, take.id)
     chance = _fix_outlook(session, take, run) if run else None
     if run is None or chance is None or not (chance.is_open and chance.is_enough):

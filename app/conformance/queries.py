@@ -65,7 +65,7 @@ class ToCheck(NamedTuple):
 
 
 def take_to_check(session: Session, take_id: UUID) -> ToCheck | None:
-    """Return a take, the newest spec of its project and what the list calls it."""
+    """Return a take, the newest spec of its project and what the list calls it; None once its master is deleted."""
     row = session.execute(_to_check(), {"take_id": take_id}).one_or_none()
     return ToCheck._make(row) if row else None
 
@@ -80,7 +80,7 @@ def _to_check() -> Select[Take, Spec, str, bool]:
         .select_from(Take)
         .join(Spec, Spec.id == newest.scalar_subquery())
         .outerjoin(Stem, and_(Stem.cue_id == Take.cue_id, Stem.variation == Take.variation))
-        .where(Take.id == bindparam("take_id"))
+        .where(Take.id == bindparam("take_id"), Take.master_deleted_at.is_(None))
         .options(joinedload(Take.cue))
     )
 

@@ -26,13 +26,14 @@ from app.deliveries.errors import (
     DeliveryNotFound,
     DryStemNotFound,
     InHouseDesignerNeeded,
+    MasterDeleted,
     OwnDesignerNeeded,
     TakeNotFound,
     VariationUnknown,
     WrongState,
 )
 from app.deliveries.models import Archive, Delivery
-from app.deliveries.rules import TakeState, base_name, shown_name
+from app.deliveries.rules import TakeState, base_name, ensure_master_kept, shown_name
 from app.deliveries.schemas import (
     ArchiveAdd,
     ArchiveRead,
@@ -262,7 +263,7 @@ def match_take(take_id: UUID, body: TakeMatch, session: DbSession, actor: Actor 
 @router.get(
     "/takes/{take_id}/master",
     response_class=Response,
-    responses=problems(TakeNotFound, DownloadUnpaid, BlobMissing)
+    responses=problems(TakeNotFound, DownloadUnpaid, MasterDeleted, BlobMissing)
     | {200: {"content": {"application/octet-stream": {}}}},
 )
 def download_master(
@@ -275,6 +276,7 @@ def download_master(
     """Give a take's master exactly as it was delivered; ranges may be asked for."""
     take, access = service.take_for(session, actor, take_id)
     ensure_open(session, actor, take.cue_id, take.designer_id)
+    ensure_master_kept(take.master_deleted_at)
     return blob_response(
         request,
         runtime.store,

@@ -79,6 +79,12 @@ class WrongContentType(Refused):
     status = 415
 
 
+class MasterDeleted(Refused):
+    """The master was deleted when the contract's years of keeping it were over."""
+
+    status = 410
+
+
 class ArchiveRefused(Exception):
     """A ZIP that cannot or should not be unpacked; the message says why."""
 

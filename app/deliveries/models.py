@@ -53,7 +53,7 @@ class Take(Base):
             "studio_id",  # which the row policies of PostgreSQL ask for
         ),
         Index("ix_deliveries_takes_project_id_id", "project_id", "id"),
-        Index("ix_deliveries_takes_kept", "studio_id", "master_sha256", "master_bytes"),
+        Index("ix_deliveries_takes_kept", "studio_id", "master_sha256", "master_bytes", "master_deleted_at"),
         # Labels that hold typed words are found, the newest take first, without a look at takes that have none.
         Index(
             "ix_deliveries_takes_labelled",
@@ -91,6 +91,7 @@ class Take(Base):
     edition: Mapped[int] = mapped_column(default=1)  # counts matches and re-checks: a job writes only for its own
     rechecked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # who asked for the last check
     discarded_at: Mapped[datetime | None]  # out of the list and the tray, its master kept; has no cue then
+    master_deleted_at: Mapped[datetime | None]  # when the contract's years of keeping it were over
     label: Mapped[str | None]  # what it is among alternates, in the words of its designer or the team
     labelled_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     labelled_at: Mapped[datetime | None]

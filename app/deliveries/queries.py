@@ -29,7 +29,9 @@ _WITH_CUE_AND_DESIGNER = (joinedload(Take.cue), joinedload(Take.designer))
 _OF_UPLOAD = select(Take).where(Take.upload_id == bindparam("upload_id")).options(*_WITH_CUE_AND_DESIGNER)
 
 
-kept_master_bytes = Usage(Take.studio_id, sha256=Take.master_sha256, size_bytes=Take.master_bytes)
+kept_master_bytes = Usage(
+    Take.studio_id, Take.master_deleted_at.is_(None), sha256=Take.master_sha256, size_bytes=Take.master_bytes
+)
 open_uploads = Usage(Upload.studio_id, Upload.sha256.is_(None))
 
 
@@ -228,6 +230,7 @@ def _of_bytes() -> Select[Take]:
         Take.project_id == bindparam("project_id"),
         Take.designer_id == bindparam("designer_id"),
         Take.master_sha256 == bindparam("sha256"),
+        Take.master_deleted_at.is_(None),
         Take.discarded_at.is_(None),
     )
 
@@ -252,6 +255,7 @@ def _same(*, is_matched: bool) -> Select[Take]:
         Take.master_sha256 == bindparam("sha256"),
         Take.cue_id == bindparam("cue_id") if is_matched else Take.cue_id.is_(None),
         Take.variation == bindparam("variation"),
+        Take.master_deleted_at.is_(None),
         Take.discarded_at.is_(None),
     )
 

@@ -12,7 +12,8 @@ from typing import NamedTuple
 from uuid import UUID
 
 import audio_checks
-from app.deliveries.errors import VariationUnknown, WrongState
+from app.core.plural import day_in_words
+from app.deliveries.errors import MasterDeleted, VariationUnknown, WrongState
 
 MAX_FILE_BYTES = 2 << 30
 MAX_ARCHIVE_BYTES = 5 << 30  # the largest object that S3 copies in one request
@@ -203,6 +204,15 @@ def ensure_kept(discarded_at: datetime | None) -> None:
     """Raise WrongState for a take that was discarded."""
     if discarded_at is not None:
         raise WrongState("this file was discarded; restore it first")
+
+
+def ensure_master_kept(deleted_at: datetime | None) -> None:
+    """Raise MasterDeleted for a take whose master was deleted."""
+    if deleted_at is not None:
+        raise MasterDeleted(
+            f"its master was deleted on {day_in_words(deleted_at)}: the contract's years of keeping it were over",
+            fix="use its game files, or ask its designer for a copy",
+        )
 
 
 def alternate_of(file_name: str) -> int | None:

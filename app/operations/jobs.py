@@ -10,6 +10,8 @@ from app.core.runtime import Runtime
 from app.operations.erasure import queries as erasure_queries
 from app.operations.erasure import requests as erasure_requests
 from app.operations.errors import ErasureRefused
+from app.operations.retention import queries as retention_queries
+from app.operations.retention import service as retention
 from app.operations.scrubbing import queries as blob_queries
 from app.operations.scrubbing import service as scrubbing
 
@@ -52,3 +54,15 @@ def carry_out_erasures(runtime: Runtime, _payload: Payload) -> None:
         except ErasureRefused as error:
             with runtime.database.writing() as session:
                 erasure_requests.give_up(session, erasure_id, error.message)
+
+
+@job("operations.end_masters")
+def end_masters(runtime: Runtime, _payload: Payload) -> None:
+    """Announce the deletion of masters whose contracts' years are over, and delete those whose day has come."""
+    with runtime.database.reading() as session:
+        candidates = retention_queries.candidates(session, clock.now())
+    for project_id, designer_id in candidates:
+        with runtime.database.writing() as session:
+            done = retention.look_after(session, project_id, designer_id, base_url=runtime.settings.base_url)
+        if done:
+            log.info("masters end", done=done, project_id=str(project_id), designer_id=str(designer_id))

@@ -1,6 +1,6 @@
 """The tables of this room: passes over all stored files, the files that they found damaged, and erasures to come."""
 
-from datetime import datetime
+from datetime import date, datetime
 from enum import StrEnum
 from uuid import UUID
 
@@ -46,6 +46,21 @@ class DamagedBlob(Base):
     kind: Mapped[str]
     state: Mapped[BlobState]
     found_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class MasterRetention(Base):
+    """The announced deletion, or a producer's choice to keep, of the masters of a designer in a project."""
+
+    __tablename__ = "operations_master_retentions"
+
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
+    designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
+    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
+    ends_on: Mapped[date | None]  # as announced; None: not yet
+    announced_at: Mapped[datetime | None]
+    kept_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: by the contracts' years
+    kept_at: Mapped[datetime | None]
+    deleted_at: Mapped[datetime | None]  # what was delivered later is kept
 
 
 class Erasure(Base):

@@ -64,6 +64,7 @@ KEPT = (
 )
 ONLY: dict[type[Base], ColumnElement[bool]] = {
     Fix: Fix.new_take_id.is_(None),  # the others are masters
+    Take: Take.master_deleted_at.is_(None),
     PackedFile: literal_column(
         "kind = 'key'", Boolean
     ),  # as its index says it; all else in a pack is kept as what it is

@@ -1,6 +1,6 @@
 """The bodies of this room."""
 
-from datetime import datetime
+from datetime import date, datetime
 from enum import StrEnum
 from uuid import UUID
 
@@ -219,3 +219,22 @@ class ErasureRequest(Schema):
     confirmation: str = Field(
         max_length=400, description="The `confirmation` of the list of what is deleted, typed by the person."
     )
+
+
+class MasterRetentionRead(Schema):
+    """The retention of the masters that a contract's designer delivered in its project."""
+
+    years: int | None = Field(description="From the last delivery, as the contracts have it; null: without an end.")
+    last_delivery_on: date | None = Field(description="Null while nothing was delivered.")
+    masters: int = Field(description="The number of masters that are kept.")
+    ends_on: date | None = Field(description="When they are deleted, or are to be; null: without an end.")
+    announced_at: datetime | None = Field(description="When both parties were mailed; null: not yet.")
+    obstacles: list[str] = Field(description="What must be settled before they are deleted.")
+    kept_by: str | None = Field(description="The producer who keeps them longer; null: nobody.")
+    deleted_at: datetime | None = Field(description="When masters were deleted; null: none were.")
+
+
+class MasterRetentionSet(Schema):
+    """The choice to keep masters longer than the contracts ask."""
+
+    keep: bool = Field(description="False: they are deleted after the contracts' years.")

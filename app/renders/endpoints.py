@@ -9,7 +9,7 @@ from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.web.blob_response import blob_response
 from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.deliveries.errors import TakeNotFound
+from app.deliveries.errors import MasterDeleted, TakeNotFound
 from app.money.errors import DownloadUnpaid
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.renders import service
@@ -242,7 +242,7 @@ def get_reel_file(
     "/takes/{take_id}/master-exports",
     status_code=201,
     response_model=MasterExportRead,
-    responses=problems(TakeNotFound, DownloadUnpaid),
+    responses=problems(TakeNotFound, DownloadUnpaid, MasterDeleted),
 )
 def add_master_export(take_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> MasterExportRead:
     """Have a take's master copied with what is known of it written into it; the master stays as it was delivered."""

@@ -187,7 +187,7 @@ def order_renders(session: Session, take_id: UUID) -> RenderOrder | None:
 def order_renders_and_drawing(session: Session, take_id: UUID) -> RenderOrder | None:
     """Return the order for a take that may ship, and whether its master is to be drawn; None for neither."""
     take = take_with_cue(session, take_id)
-    if take is None:
+    if take is None or take.master_deleted_at is not None:
         return None
     is_drawn, has_renders = queries.current_state(session, take)
     may_ship = take.cue is not None and take.state in RENDERED_STATES

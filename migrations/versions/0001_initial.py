@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_7b49fccf"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_67a00ef7"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -962,6 +962,23 @@ def upgrade() -> None:
     op.create_index(op.f("ix_operations_erasures_requested_by"), "operations_erasures", ["requested_by"])
     op.create_index("uq_operations_erasures_of_project", "operations_erasures", ["project_id"], unique=True)
     op.create_index("uq_operations_erasures_of_studio", "operations_erasures", ["studio_id"], unique=True, sqlite_where=sa.text("project_id is null"), postgresql_where=sa.text("project_id is null"))
+    op.create_table(
+        "operations_master_retentions",
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("designer_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("ends_on", sa.Date()),
+        sa.Column("announced_at", sa.DateTime(timezone=True)),
+        sa.Column("kept_by", sa.Uuid()),
+        sa.Column("kept_at", sa.DateTime(timezone=True)),
+        sa.Column("deleted_at", sa.DateTime(timezone=True)),
+        sa.ForeignKeyConstraint(["designer_id"], ["accounts_people.id"], name=op.f("fk_operations_master_retentions_designer_id")),
+        sa.ForeignKeyConstraint(["kept_by"], ["accounts_people.id"], name=op.f("fk_operations_master_retentions_kept_by")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_operations_master_retentions_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_operations_master_retentions_studio_id")),
+        sa.PrimaryKeyConstraint("project_id", "designer_id", name=op.f("pk_operations_master_retentions")),
+    )
+    op.create_index(op.f("ix_operations_master_retentions_studio_id"), "operations_master_retentions", ["studio_id"])
     op.create_table(
         "projects_approver_changes",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -2353,6 +2370,7 @@ def upgrade() -> None:
         sa.Column("edition", sa.Integer(), nullable=False),
         sa.Column("rechecked_by", sa.Uuid()),
         sa.Column("discarded_at", sa.DateTime(timezone=True)),
+        sa.Column("master_deleted_at", sa.DateTime(timezone=True)),
         sa.Column("label", sa.String()),
         sa.Column("labelled_by", sa.Uuid()),
         sa.Column("labelled_at", sa.DateTime(timezone=True)),
@@ -2376,7 +2394,7 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_deliveries_takes_delivery_id"), "deliveries_takes", ["delivery_id"])
     op.create_index(op.f("ix_deliveries_takes_fix_of_id"), "deliveries_takes", ["fix_of_id"])
-    op.create_index("ix_deliveries_takes_kept", "deliveries_takes", ["studio_id", "master_sha256", "master_bytes"])
+    op.create_index("ix_deliveries_takes_kept", "deliveries_takes", ["studio_id", "master_sha256", "master_bytes", "master_deleted_at"])
     op.create_index("ix_deliveries_takes_labelled", "deliveries_takes", ["project_id", "id", "label", "designer_id", "studio_id"], sqlite_where=sa.text("label is not null"), postgresql_where=sa.text("label is not null"))
     op.create_index(op.f("ix_deliveries_takes_master_sha256"), "deliveries_takes", ["master_sha256"])
     op.create_index("ix_deliveries_takes_project_id_id", "deliveries_takes", ["project_id", "id"])

@@ -126,7 +126,11 @@ def _files(session: Session, project: Project, folder: str, takes: Sequence[Take
             sha256=take.master_sha256,
             version=take.number,
             sources=words_of(stated[take.id]) if take.id in stated else "",
-            left_out=closed.get((take.cue_id, take.designer_id), ""),
+            left_out=(
+                "its master was deleted: the contract's years of keeping it were over"
+                if take.master_deleted_at
+                else closed.get((take.cue_id, take.designer_id), "")
+            ),
         )
         for take in takes
         if take.cue_id is not None and take.variation is not None

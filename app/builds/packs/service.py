@@ -22,6 +22,7 @@ from app.builds.schemas import ChangedPath, MissingFile, PackChanges, PackRead
 from app.conformance.queries import takes_with_finding
 from app.core.storage import READ_AGAIN_FIX, BlobAltered, BlobMissing, Store
 from app.deliveries.models import Take
+from app.deliveries.rules import ensure_master_kept
 from app.deliveries.schemas import Sources
 from app.deliveries.sources.service import sources_of
 from app.deliveries.sources.statements import words_of
@@ -340,6 +341,8 @@ def pack_files(
         for placeholder_file in pack.placeholder_files
     ]
     if masters:
+        for sound in pack.sounds:
+            ensure_master_kept(sound.take.master_deleted_at)
         files += [
             Packed(
                 stored_entry(store, studio_id, sound.master_name, sound.take.master_sha256, sound.take.master_bytes),

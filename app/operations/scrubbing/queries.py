@@ -1,20 +1,23 @@
 """The blobs that rows name. Every column that names one is listed here; a test compares the list with all tables."""
 
 from datetime import timedelta
+from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, String, func, literal, select, union_all
+from sqlalchemy import ColumnElement, Select, String, exists, func, literal, select, union_all
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
+from app.conformance.models import Fix
 from app.core import clock
 from app.core.db import Base
 from app.core.uploads.model import FINISHED_KEPT_FOR, Upload
+from app.deliveries.models import Archive, DryStem, Take
 from app.operations.models import DamagedBlob, Scrub
 from app.operations.queries import KEPT, Source
 from app.operations.schemas import KeptKind
 from app.references.models import Reference, ReferenceVersion
-from app.renders.models import Picture
+from app.renders.models import MasterExport, Picture
 from app.sound_lists.models import SpokenPlaceholder
 from app.voice_lines.models import Release
 
@@ -27,10 +30,23 @@ NAMING = (
     ),
     Source(KeptKind.UPLOADS, Upload.studio_id, Upload.sha256, None),
 )
+MASTERLESS = select(Take.id).where(Take.master_deleted_at.is_not(None))
+
+
+def _came_with_deleted_masters(delivery_id: Any, received_at: Any) -> ColumnElement[bool]:
+    """Return whether masters of a delivery were deleted after a file of it came."""
+    return exists().where(Take.delivery_id == delivery_id, Take.master_deleted_at >= received_at)
+
+
 UPLOADS_NAME_FOR = FINISHED_KEPT_FOR + timedelta(days=1)  # a request that uses one at the last moment may still run
 REMOVED: dict[type[Base], ColumnElement[bool]] = {  # rows that stay as history, and whose files go
     ReferenceVersion: ReferenceVersion.reference_id.in_(select(Reference.id).where(Reference.removed_at.is_not(None))),
     Release: Release.removed_at.is_not(None),
+    Take: Take.master_deleted_at.is_not(None),
+    DryStem: _came_with_deleted_masters(DryStem.delivery_id, DryStem.received_at),
+    Archive: _came_with_deleted_masters(Archive.delivery_id, Archive.received_at),
+    Fix: Fix.take_id.in_(MASTERLESS),
+    MasterExport: MasterExport.take_id.in_(MASTERLESS),
 }
 
 

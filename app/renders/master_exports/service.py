@@ -15,7 +15,7 @@ from app.accounts.security_log.service import record
 from app.core.events import publish
 from app.core.storage import StoredBlob
 from app.deliveries.models import Take
-from app.deliveries.rules import base_name, shown_name
+from app.deliveries.rules import base_name, ensure_master_kept, shown_name
 from app.deliveries.schemas import Sources
 from app.deliveries.service import take_for
 from app.deliveries.sources.service import sources_of
@@ -36,6 +36,7 @@ def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
     """Return a take's master with what is known of it now, and have it made unless it was or is."""
     take, access = take_for(session, actor, take_id)
     ensure_open(session, actor, take.cue_id, take.designer_id)
+    ensure_master_kept(take.master_deleted_at)
     known = asdict(_provenance(session, take, access.project))
     made_of = [EXPORT_VERSION, take.master_sha256, known]
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()

@@ -202,7 +202,15 @@ type SoundListPart =
   | 'to choose from'
   | 'to pin to'
 type ContractPart =
-  'versions' | 'comparison' | 'preview' | 'record' | 'redlines' | 'redline-preview' | 'change-orders' | 'ending'
+  | 'versions'
+  | 'comparison'
+  | 'preview'
+  | 'record'
+  | 'redlines'
+  | 'redline-preview'
+  | 'change-orders'
+  | 'ending'
+  | 'masters'
 type MoneyPart =
   | 'cue'
   | 'ledger'

@@ -73,10 +73,23 @@ export const ME = {
   studios: [],
   projects: [PROJECT],
 }
+/** A contract under which nothing was delivered yet. */
+export const NO_MASTERS = {
+  years: 5,
+  last_delivery_on: null,
+  masters: 0,
+  ends_on: null,
+  announced_at: null,
+  obstacles: [],
+  kept_by: null,
+  deleted_at: null,
+}
+
 export const contractAnswers = (more: Answers = {}): Answers => ({
   'GET /v1/session': { signed_in: true, demo: false, person: ME.person },
   'GET /v1/me': ME,
   'GET /v1/contracts/c1': CONTRACT,
+  'GET /v1/contracts/c1/master-retention': NO_MASTERS,
   'GET /v1/contracts/c1/versions': [VERSION, { ...VERSION, number: 1 }],
   ...more,
 })

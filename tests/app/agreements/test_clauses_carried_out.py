@@ -10,6 +10,7 @@ from app.agreements.clauses.deemed_acceptance import DeemedAcceptance
 from app.agreements.clauses.named_days import DAY_TERMS
 from app.agreements.clauses.rules import library, variables_in
 from app.agreements.clauses.terms import MoneyTerms
+from app.operations.retention.service import TERM
 
 ROOT = Path(__file__).resolve().parents[3]
 DOCUMENT = ROOT / "docs/clauses.md"
@@ -39,7 +40,7 @@ def terms_of_the_code() -> set[str]:
     assert by_studio.by_studio_calendar
     silence |= {"silence_calendar"}
     looked_up = re.findall(r'_number\(terms, "(\w+)"\)', (ROOT / "app/amendments/change_order_review.py").read_text())
-    return money | silence | set(looked_up) | {*DAY_TERMS, "credit_line"}
+    return money | silence | set(looked_up) | {*DAY_TERMS, "credit_line", TERM}
 
 
 def test_every_clause_is_in_the_table_and_no_other() -> None:

@@ -19,6 +19,7 @@ import { State } from '@/ui/State'
 import { type Contract, useDeed, useKeepAsTemplate, versionsQuery } from './api'
 import classes from './Contracts.module.css'
 import { isOrder } from './questions'
+import { MastersCard } from './MastersCard'
 import { OffersNote } from './OffersNote'
 import { RedlinesNote } from './RedlinesNote'
 import { SignatureTime } from './SignatureTime'
@@ -79,6 +80,7 @@ export function ContractPage() {
               Milestones, invoices and ledger
             </ButtonLink>
           )}
+          {contract.kind !== 'nda' && contract.agreed_at !== null && <MastersCard contract={contract} />}
           <Signers contract={contract} />
           <Said contract={contract} />
           <Versions contract={contract} projectId={projectId} />

@@ -28,6 +28,7 @@ export type Change = Schemas['ChangeOrderAdd']['changes'][number]
 export type Ending = Schemas['EndingRead']
 export type StatedCue = Schemas['StatedCueRead']
 export type Verified = Schemas['VerifiedRead']
+export type MasterRetention = Schemas['MasterRetentionRead']
 export type Template = Schemas['TemplateBrief']
 
 const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
@@ -50,6 +51,25 @@ export const versionQuery = (contractId: string, version: number) =>
       ),
     staleTime: Infinity,
   })
+
+export const masterRetentionQuery = (contractId: string) =>
+  queryOptions({
+    queryKey: queryKeys.contract(contractId, 'masters'),
+    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/master-retention', of(contractId))),
+  })
+
+/** Keep masters longer than the contract asks, or no longer. */
+export function useKeepMasters(contractId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (keep: boolean) =>
+      answered(api.PUT('/v1/contracts/{contract_id}/master-retention', { ...of(contractId), body: { keep } })),
+    onSuccess: (retention) => {
+      client.setQueryData(queryKeys.contract(contractId, 'masters'), retention)
+      return invalidate(client, queryKeys.contract(contractId, 'record'))
+    },
+  })
+}
 
 export const comparisonQuery = (contractId: string, from: number, to: number) =>
   queryOptions({

@@ -111,6 +111,11 @@ const EVENT_WORDS: Record<string, string> = {
   invoiced: 'Invoiced',
   refunded: 'Refunded',
   sealed: 'Sealed',
+  masters_end_announced: 'Deletion of masters announced',
+  masters_end_postponed: 'Deletion of masters postponed',
+  masters_deleted: 'Masters deleted',
+  masters_kept_longer: 'Masters kept longer',
+  masters_not_kept_longer: 'Masters no longer kept longer',
   written: 'Data recorded',
 }
 

@@ -7,6 +7,7 @@ import type { JobCount, JobState, Lane, Scope, Scrub } from './api'
 const JOBS: Partial<Record<string, string>> = {
   'operations.scrub_blobs': 'Read stored files and compare them with their hashes',
   'operations.carry_out_erasures': 'Erase projects and studios whose days of grace are over',
+  'operations.end_masters': 'Announce and delete masters whose contract’s years are over',
   'agreements.seal_contract': 'Seal the PDF of a signed contract',
   'agreements.seal_unsealed': 'Seal signed contracts that have no seal yet',
   'notifications.delete_old_notices': 'Delete old notices',

@@ -1,0 +1,1 @@
+"""The deletion of masters when their contracts' retention period is over."""
