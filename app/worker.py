@@ -82,8 +82,8 @@ def start_worker(runtime: Runtime) -> Worker:
     """Start running jobs in this process."""
     for module in registry.JOB_MODULES:
         importlib.import_module(module)
-    wanted = {name for names in registry.SUBSCRIBERS.values() for name in names}
-    if missing := wanted - job_names():
+    subscribers = {name for names in registry.SUBSCRIBERS.values() for name in names}
+    if missing := subscribers - job_names():
         raise RuntimeError(f"no worker runs the jobs {', '.join(sorted(missing))}")
     events.connect(registry.SUBSCRIBERS, handlers=registry.HANDLERS, low_priority=registry.LOW_PRIORITY_JOBS)
     settings = runtime.settings

@@ -120,7 +120,7 @@ def signatures(
 
 
 def _yeses(given: Sequence[AmendmentAcceptance]) -> list[Signature]:
-    return [Signature(one.party, one.person_id) for one in given]
+    return [Signature(acceptance.party, acceptance.person_id) for acceptance in given]
 
 
 def _called(kind: str) -> str:

@@ -49,6 +49,6 @@ def waiting_amendments(session: Session, actor: Actor, contract: Contract, party
         is_mine = ending.ending(session, actor, contract.id).may.agree
         yield Waiting(Amendment.STATEMENT, is_mine, 1, notice.given_at)
         return  # what changed belongs to the statement now
-    found = [offer for offer in offers(session, Reviewer(session, contract), party) if offer.dismissed is None]
-    if found:
-        yield Waiting(Amendment.OFFERS, True, len(found), found[-1].at)
+    open_offers = [offer for offer in offers(session, Reviewer(session, contract), party) if offer.dismissed is None]
+    if open_offers:
+        yield Waiting(Amendment.OFFERS, True, len(open_offers), open_offers[-1].at)

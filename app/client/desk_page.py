@@ -54,7 +54,7 @@ class Line(NamedTuple):
 
 def html_of(heads: Sequence[str], lines: Sequence[Line], remarks: Sequence[str], written_at: datetime) -> str:
     """Return the page; remarks name servers that did not answer, or not in full."""
-    said = "".join(f"<li>{_text(remark)}</li>" for remark in remarks)
+    items = "".join(f"<li>{_text(remark)}</li>" for remark in remarks)
     count = counted(len(lines), "cue")
     if lines:
         head = "".join(f'<th scope="col">{_text(one)}</th>' for one in heads)
@@ -77,7 +77,7 @@ def html_of(heads: Sequence[str], lines: Sequence[Line], remarks: Sequence[str],
 <h1>What you owe</h1>
 <p class="quiet">{count}, what is due soonest first. Written on {written_at:%Y-%m-%d at %H:%M}.
 For what is new: soundlist desk --page</p>
-{f'<section aria-label="Not in full"><ul>{said}</ul></section>' if said else ""}
+{f'<section aria-label="Not in full"><ul>{items}</ul></section>' if items else ""}
 {body}
 </main>
 </body>

@@ -69,7 +69,7 @@ class Matching:
     def guesses(self, take: Take) -> list[CueGuess]:
         """Return up to three cues that a take may be for, the likeliest first."""
         found = self.names.guesses(take.file_name, [take.designer.name], self.prefixes)
-        return [guess_slot(take, one) for one in found]
+        return [guess_slot(take, slot) for slot in found]
 
 
 def matching_for(session: Session, project_id: UUID, designer_id: UUID | None) -> Matching:

@@ -96,8 +96,8 @@ def _project_in(folder: Path) -> Path:
     if (folder / "Assets").is_dir() and (folder / "ProjectSettings").is_dir():
         return folder
     files = [one for one in sorted(folder.iterdir()) if not one.name.startswith("._")]  # which macOS leaves
-    found = [file for file in files if file.suffix.lower() in (".wproj", ".fspro") or file.name == "project.godot"]
-    if len(found) != 1:
-        which = f"more than one project: {', '.join(one.name for one in found[:4])}" if found else "no project"
+    projects = [file for file in files if file.suffix.lower() in (".wproj", ".fspro") or file.name == "project.godot"]
+    if len(projects) != 1:
+        which = f"more than one project: {', '.join(one.name for one in projects[:4])}" if projects else "no project"
         raise ProjectRefused(f"{folder}: holds {which}; {WANTED}")
-    return found[0]
+    return projects[0]

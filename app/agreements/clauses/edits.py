@@ -341,8 +341,8 @@ def _is_after(glyph: _Glyph, last: int) -> bool:
 
 
 def _words(glyphs: Sequence[_Glyph], letters: Sequence[Letter]) -> str:
-    said = (letters[glyph.said].letter if isinstance(glyph.said, int) else glyph.said for glyph in glyphs)
-    return "".join(one for one in said if isinstance(one, str))
+    texts = (letters[glyph.said].letter if isinstance(glyph.said, int) else glyph.said for glyph in glyphs)
+    return "".join(one for one in texts if isinstance(one, str))
 
 
 def _value_in(name: str, words: str, currency: str) -> TermValue | None:

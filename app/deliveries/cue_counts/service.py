@@ -87,5 +87,5 @@ def _summed() -> Select[*tuple[Any, ...]]:
 
 @cache
 def _kept() -> Select[*tuple[Any, ...]]:
-    said = (getattr(CueSums, field.name) for field in fields(Sums))
-    return select(CueSums.cue_id, CueSums.viewer_id, *said).where(in_array(CueSums.cue_id, "cue_ids"))
+    columns = (getattr(CueSums, field.name) for field in fields(Sums))
+    return select(CueSums.cue_id, CueSums.viewer_id, *columns).where(in_array(CueSums.cue_id, "cue_ids"))

@@ -62,7 +62,7 @@ def _members(
     people |= {person_id for deputy in deputies for person_id in (deputy.person_id, deputy.deputy_id)}
     if not people:
         return ()
-    studios = {one.studio_id for one in named} | {deputy.studio_id for deputy in deputies}
+    studios = {approver.studio_id for approver in named} | {deputy.studio_id for deputy in deputies}
     with bypass_row_policies(session):  # a designer does not see the members of the studio
         return approval_queries.leads(session, studios, people)
 

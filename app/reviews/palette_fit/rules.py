@@ -103,11 +103,11 @@ def fit_of(sound: Likeness, others: Sequence[Likeness]) -> dict[Measure, Fit]:
         Measure.LOUDNESS: lambda one: one.loudness_lufs,
         Measure.DRYNESS: lambda one: one.reverb_score,
     }
-    found = {measure: _placed(measure, of(sound), [of(other) for other in others]) for measure, of in plain.items()}
+    places = {measure: _placed(measure, of(sound), [of(other) for other in others]) for measure, of in plain.items()}
     bands = _apart(sound.bands_db, [other.bands_db for other in others], distance_db)
     timbre = _apart(sound.timbre, [other.timbre for other in others], timbre_distance_db)
-    found |= {Measure.SPECTRUM: _placed(Measure.SPECTRUM, *bands), Measure.TIMBRE: _placed(Measure.TIMBRE, *timbre)}
-    return {measure: fit for measure in Measure if (fit := found[measure]) is not None}
+    places |= {Measure.SPECTRUM: _placed(Measure.SPECTRUM, *bands), Measure.TIMBRE: _placed(Measure.TIMBRE, *timbre)}
+    return {measure: fit for measure in Measure if (fit := places[measure]) is not None}
 
 
 def _placed(measure: Measure, value: float | None, others: list[float | None]) -> Fit | None:

@@ -85,9 +85,11 @@ def get_spoken_placeholder_file(
     cue_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
 ) -> Response:
     """Send a cue's spoken placeholder, parts of it by Range."""
-    said = spoken.get_spoken_placeholder(session, actor, cue_id)
+    placeholder = spoken.get_spoken_placeholder(session, actor, cue_id)
     headers = {"Cache-Control": WHILE_ASKED}
-    return blob_response(request, runtime.store, said.studio_id, said.sha256, media_type="audio/wav", headers=headers)
+    return blob_response(
+        request, runtime.store, placeholder.studio_id, placeholder.sha256, media_type="audio/wav", headers=headers
+    )
 
 
 def _read(said: SpokenPlaceholder) -> SpokenPlaceholderRead:

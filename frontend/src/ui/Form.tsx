@@ -8,6 +8,7 @@ import {
   type ReactNode,
   useContext,
   useEffect,
+  useEffectEvent,
 } from 'react'
 
 import { ApiProblem } from '@/api/problem'
@@ -65,17 +66,17 @@ export function Form<V extends Values>({
   const errors = error instanceof ApiProblem ? error.errors : []
   const isSaidBelowFields = errors.length > 0 && errors.every(({ field }) => field in initialValues)
 
-  useEffect(() => {
-    if (!(error instanceof ApiProblem)) return
-    const [first] = error.errors
-    setErrors(Object.fromEntries(error.errors.map(({ field, message }) => [field, sentence(message)])))
+  const showRefusal = useEffectEvent((refusal: ApiProblem) => {
+    const [first] = refusal.errors
+    setErrors(Object.fromEntries(refusal.errors.map(({ field, message }) => [field, sentence(message)])))
     if (first) getInputNode(first.field)?.focus()
-    // setErrors and getInputNode are new at every draw and do the same
-    // eslint-disable-next-line react-hooks/exhaustive-deps
-  }, [error])
+  })
   useEffect(() => {
-    if (resets && isSuccess) reset()
-    // eslint-disable-next-line react-hooks/exhaustive-deps
+    if (error instanceof ApiProblem) showRefusal(error)
+  }, [error])
+  const clear = useEffectEvent(() => reset())
+  useEffect(() => {
+    if (resets && isSuccess) clear()
   }, [resets, isSuccess])
 
   const send = (event: FormEvent<HTMLFormElement>) => {
