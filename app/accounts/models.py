@@ -8,6 +8,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.rules import AddressProof
 from app.core import clock
+from app.core.columns import Dated, StudioOwned
 from app.core.db import Base, new_id
 
 
@@ -18,7 +19,7 @@ class MailedLink:
     is_sent_by_mail_only: Mapped[bool] = mapped_column(default=False)  # the link was shown nowhere but in the mail
 
 
-class Studio(Base):
+class Studio(Dated, Base):
     """A game team; the tenant that everything belongs to."""
 
     __tablename__ = "accounts_studios"
@@ -29,7 +30,6 @@ class Studio(Base):
     time_zone: Mapped[str] = mapped_column(default="UTC")  # an IANA name: Europe/Berlin
     second_factor_for: Mapped[list[str]] = mapped_column(default=list)  # each a SecondFactorUse
     opened_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)  # None: by the server
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 class Holiday(Base):
@@ -43,7 +43,7 @@ class Holiday(Base):
     created_at: Mapped[datetime] = mapped_column(default=clock.now)  # a cue that waits since before is not delayed
 
 
-class Person(Base):
+class Person(Dated, Base):
     """A person with an email address; people are global, their memberships and engagements are not."""
 
     __tablename__ = "accounts_people"
@@ -60,7 +60,6 @@ class Person(Base):
     email_verified_at: Mapped[datetime | None]  # None: not verified
     email_proof: Mapped[AddressProof | None]  # how it was verified
     picture_sha256: Mapped[str | None]  # of its PersonPicture; None: initials are shown
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
     @property
     def picture(self) -> str | None:
@@ -79,7 +78,7 @@ class PersonPicture(Base):
     saved_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Membership(Base):
+class Membership(Dated, Base):
     """A person's place in a studio, with the roles held there."""
 
     __tablename__ = "accounts_memberships"
@@ -87,12 +86,11 @@ class Membership(Base):
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), primary_key=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True, index=True)
     roles: Mapped[list[str]]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise")
     studio: Mapped[Studio] = relationship(lazy="raise")
 
 
-class SignIn(Base):
+class SignIn(Dated, Base):
     """One signed-in browser; the cookie's secret is kept as its SHA-256 only."""
 
     __tablename__ = "accounts_sign_ins"
@@ -102,13 +100,12 @@ class SignIn(Base):
     secret_sha256: Mapped[str] = mapped_column(unique=True)
     device: Mapped[str] = mapped_column(default="")  # browser and system, in words
     place: Mapped[str] = mapped_column(default="")  # network address that it signed in from
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_seen_at: Mapped[datetime] = mapped_column(default=clock.now)  # to within ten minutes
     second_factor_studio_id: Mapped[UUID | None]  # whose provider says that a second factor was used; None: none does
     expires_at: Mapped[datetime]
 
 
-class TotpFactor(Base):
+class TotpFactor(Dated, Base):
     """A person's authenticator app (TOTP), one at most."""
 
     __tablename__ = "accounts_totp_factors"
@@ -116,11 +113,10 @@ class TotpFactor(Base):
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id", ondelete="CASCADE"), primary_key=True)
     sealed_secret: Mapped[bytes]  # encrypted with a key that follows from the server's secret key
     last_step: Mapped[int] = mapped_column(BigInteger, default=0)  # of the last code used; codes up to it are refused
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     confirmed_at: Mapped[datetime | None]  # None: is being set up, and not asked for
 
 
-class RecoveryCode(Base):
+class RecoveryCode(Dated, Base):
     """A code that stands in for a lost second factor, once."""
 
     __tablename__ = "accounts_recovery_codes"
@@ -128,11 +124,10 @@ class RecoveryCode(Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id", ondelete="CASCADE"), index=True)
     code_sha256: Mapped[str]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     used_at: Mapped[datetime | None]
 
 
-class Passkey(Base):
+class Passkey(Dated, Base):
     """A key on a person's device that signs in alone (WebAuthn)."""
 
     __tablename__ = "accounts_passkeys"
@@ -144,7 +139,6 @@ class Passkey(Base):
     sign_count: Mapped[int] = mapped_column(BigInteger)  # of the device, which never falls; 0 where it does not count
     challenge_made_at_us: Mapped[int] = mapped_column(BigInteger)  # of the last challenge answered; none counts twice
     name: Mapped[str]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_used_at: Mapped[datetime | None]
 
 
@@ -164,13 +158,12 @@ class SignInProvider(Base):
     saved_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class SignInDomain(Base):
+class SignInDomain(StudioOwned, Base):
     """A mail domain whose addresses a studio's provider vouches for; bound on the command line only."""
 
     __tablename__ = "accounts_sign_in_domains"
 
     domain: Mapped[str] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     bound_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
@@ -240,19 +233,17 @@ class RateLimit(Base):
     free_at_s: Mapped[float] = mapped_column(index=True)  # Unix time from which every try is free again
 
 
-class Token(Base):
+class Token(StudioOwned, Dated, Base):
     """A machine's key to one project, with narrow scopes."""
 
     __tablename__ = "accounts_tokens"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(index=True)  # projects stand above this room: an id, not a relation
     name: Mapped[str]
     secret_sha256: Mapped[str] = mapped_column(unique=True)
     scopes: Mapped[list[str]]
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_used_at: Mapped[datetime | None]
     expires_at: Mapped[datetime] = mapped_column(index=True)
     warned_at: Mapped[datetime | None]  # when its end was announced
@@ -260,7 +251,7 @@ class Token(Base):
     creator: Mapped[Person] = relationship(lazy="raise")
 
 
-class DeskToken(Base):
+class DeskToken(Dated, Base):
     """A person's key for `soundlist desk`, which reads what they owe and nothing else."""
 
     __tablename__ = "accounts_desk_tokens"
@@ -269,7 +260,6 @@ class DeskToken(Base):
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     name: Mapped[str]
     secret_sha256: Mapped[str] = mapped_column(unique=True)
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     last_used_at: Mapped[datetime | None]
     expires_at: Mapped[datetime]
     warned_at: Mapped[datetime | None]  # when its end was announced
@@ -286,18 +276,16 @@ class Quota(Base):
     maximum: Mapped[int] = mapped_column(BigInteger)
 
 
-class StudioInvitation(MailedLink, Base):
+class StudioInvitation(MailedLink, StudioOwned, Dated, Base):
     """A mailed link that makes its holder a member of the studio."""
 
     __tablename__ = "accounts_studio_invitations"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     email: Mapped[str]
     roles: Mapped[list[str]]
     approves_project_id: Mapped[UUID | None]  # becomes the approver of this project on joining
     invited_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     expires_at: Mapped[datetime]
     accepted_at: Mapped[datetime | None]
     accepted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))

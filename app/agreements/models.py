@@ -11,6 +11,7 @@ from app.accounts.models import Person
 from app.accounts.rules import AddressProof
 from app.agreements.rules import AcceptedBy, ContractKind, ContractState, Party, ReleaseClause, WorkState
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.core.record import START
 from app.core.recorded_rows import declare
@@ -18,7 +19,7 @@ from app.projects.models import Engagement, Project
 from app.sound_lists.models import Cue
 
 
-class Contract(Base):
+class Contract(StudioOwned, Dated, Base):
     """An agreement of a studio and one designer in a project, from the first draft on."""
 
     __tablename__ = "contracts_contracts"
@@ -32,7 +33,6 @@ class Contract(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     engagement_id: Mapped[UUID] = mapped_column(ForeignKey("projects_engagements.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
@@ -46,7 +46,6 @@ class Contract(Base):
     deposit_bp: Mapped[int] = mapped_column(default=0)
     holdback_bp: Mapped[int] = mapped_column(default=0)
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     signs_first: Mapped[Party | None]  # None: in any order
     agreed_at: Mapped[datetime | None]
     ended_at: Mapped[datetime | None]
@@ -63,7 +62,7 @@ class Contract(Base):
     framework: Mapped["Contract | None"] = relationship(lazy="raise", remote_side="Contract.id")
 
 
-class ContractVersion(Base):
+class ContractVersion(ProjectOwned, Dated, Base):
     """One state of a contract's text, with the clauses and figures that it was written from; never altered."""
 
     __tablename__ = "contracts_versions"
@@ -73,8 +72,6 @@ class ContractVersion(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     number: Mapped[int]
     clauses: Mapped[list[dict[str, Any]]]  # key, title, text and whether it stands, in order
@@ -83,36 +80,31 @@ class ContractVersion(Base):
     text_sha256: Mapped[str]
     note: Mapped[str] = mapped_column(default="")
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     sent_at: Mapped[datetime | None]
     pdf_sha256: Mapped[str | None]
     pdf_bytes: Mapped[int | None]
     author: Mapped[Person] = relationship(lazy="raise")
 
 
-class ContractSigner(Base):
+class ContractSigner(ProjectOwned, Base):
     """A producer who is to sign a contract for the studio; without any, one of its producers does."""
 
     __tablename__ = "contracts_signers"
     __table_args__ = (UniqueConstraint("contract_id", "position"), UniqueConstraint("contract_id", "person_id"))
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     position: Mapped[int]  # they sign in this order
     person: Mapped[Person] = relationship(lazy="raise")
 
 
-class SigningCode(Base):
+class SigningCode(ProjectOwned, Base):
     """A code mailed to a person, to be typed when they sign one text; kept as a slow hash only."""
 
     __tablename__ = "contracts_signing_codes"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     text_sha256: Mapped[str]
@@ -122,15 +114,13 @@ class SigningCode(Base):
     used_at: Mapped[datetime | None]
 
 
-class ContractAcceptance(Base):
+class ContractAcceptance(ProjectOwned, Base):
     """One person's yes to one version: under which name, when, from where, and what shows that it was them."""
 
     __tablename__ = "contracts_acceptances"
     __table_args__ = (UniqueConstraint("version_id", "person_id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     version_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_versions.id"))
     party: Mapped[Party]
@@ -145,14 +135,12 @@ class ContractAcceptance(Base):
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Seal(Base):
+class Seal(ProjectOwned, Base):
     """The sealed PDF of a text that all have signed: the text, the certificate of its signatures, the server's seal."""
 
     __tablename__ = "contracts_seals"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)  # the file names it
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     version_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_versions.id"), unique=True)
     file_sha256: Mapped[str] = mapped_column(index=True)
@@ -164,15 +152,13 @@ class Seal(Base):
     contract: Mapped[Contract] = relationship(lazy="raise")
 
 
-class ContractEvent(Base):
+class ContractEvent(ProjectOwned, Base):
     """One entry of a contract's record, chained to the one before; never altered, never deleted."""
 
     __tablename__ = "contracts_events"
     __table_args__ = (UniqueConstraint("contract_id", "seq"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     seq: Mapped[int]
     at: Mapped[datetime]
@@ -182,24 +168,22 @@ class ContractEvent(Base):
     sha256: Mapped[str]
 
 
-class ContractTemplate(Base):
+class ContractTemplate(StudioOwned, Dated, Base):
     """Clauses and figures that a studio keeps to begin contracts from."""
 
     __tablename__ = "contracts_templates"
     __table_args__ = (UniqueConstraint("studio_id", "name"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     name: Mapped[str]
     kind: Mapped[ContractKind]
     clauses: Mapped[list[dict[str, Any]]]
     terms: Mapped[dict[str, Any]]
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     changed_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Milestone(Base):
+class Milestone(ProjectOwned, Base):
     """A dated part of a contract: cues and an amount; a deposit has no cues and is due at signing."""
 
     __tablename__ = "contracts_milestones"
@@ -210,8 +194,6 @@ class Milestone(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     position: Mapped[int]
     name: Mapped[str]
@@ -221,7 +203,7 @@ class Milestone(Base):
     tax_bp: Mapped[int | None]  # None: the contract's rate
 
 
-class ContractCue(Base):
+class ContractCue(ProjectOwned, Base):
     """A cue that a contract covers: its price, fixed when agreed, and what happened to it."""
 
     __tablename__ = "contracts_cues"
@@ -235,8 +217,6 @@ class ContractCue(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     milestone_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_milestones.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
@@ -252,7 +232,7 @@ class ContractCue(Base):
     cue: Mapped[Cue] = relationship(lazy="raise")
 
 
-class DateReminder(Base):
+class DateReminder(ProjectOwned, Base):
     """A reminder of a day that a contract names, sent once to both parties."""
 
     __tablename__ = "contracts_date_reminders"
@@ -260,8 +240,6 @@ class DateReminder(Base):
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), primary_key=True)
     term: Mapped[str] = mapped_column(primary_key=True)  # that names the day
     day: Mapped[date] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     sent_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 

@@ -12,11 +12,12 @@ from app.accounts.rules import AddressProof
 from app.agreements.rules import Party
 from app.amendments.rules import ChangeOrderState
 from app.core import clock
+from app.core.columns import ProjectOwned
 from app.core.db import Base, new_id
 from app.core.recorded_rows import declare
 
 
-class Notice(Base):
+class Notice(ProjectOwned, Base):
     """A party's notice that a contract ends early: until when it can be withdrawn, and what was settled."""
 
     __tablename__ = "contracts_notices"
@@ -35,8 +36,6 @@ class Notice(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     number: Mapped[int]  # counts in the contract
     party: Mapped[Party]
@@ -51,7 +50,7 @@ class Notice(Base):
     giver: Mapped[Person] = relationship(lazy="raise")
 
 
-class ChangeOrder(Base):
+class ChangeOrder(ProjectOwned, Base):
     """A change of an agreed contract as one party proposes it; it holds once both have accepted its text."""
 
     __tablename__ = "contracts_change_orders"
@@ -61,8 +60,6 @@ class ChangeOrder(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     number: Mapped[int]  # counts in the contract
     state: Mapped[ChangeOrderState] = mapped_column(default=ChangeOrderState.PROPOSED)
@@ -79,7 +76,7 @@ class ChangeOrder(Base):
     proposer: Mapped[Person] = relationship(lazy="raise")
 
 
-class AmendmentAcceptance(Base):
+class AmendmentAcceptance(ProjectOwned, Base):
     """A person's yes to the text of a statement or change order: for which party, by which name, when, from where."""
 
     __tablename__ = "contracts_amendment_acceptances"
@@ -88,8 +85,6 @@ class AmendmentAcceptance(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     text_sha256: Mapped[str]
     party: Mapped[Party]

@@ -9,17 +9,17 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 
 
-class Brief(Base):
+class Brief(StudioOwned, Base):
     """The answers of a project as they stand; a project without a brief has no row."""
 
     __tablename__ = "briefs_briefs"
     __table_args__ = (UniqueConstraint("project_id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     revision: Mapped[int] = mapped_column(default=0)  # counts saves; each answer names the one that changed it last
     answers: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by question, as rules.Answer
@@ -27,14 +27,13 @@ class Brief(Base):
     changed_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class BriefVersion(Base):
+class BriefVersion(StudioOwned, Base):
     """The answers as they were when a version was published; never changed."""
 
     __tablename__ = "briefs_versions"
     __table_args__ = (UniqueConstraint("project_id", "number"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     number: Mapped[int]
     answers: Mapped[dict[str, Any]]
@@ -44,27 +43,23 @@ class BriefVersion(Base):
     publisher: Mapped[Person] = relationship(lazy="raise")
 
 
-class BriefRead(Base):
+class BriefRead(ProjectOwned, Base):
     """The first time that a designer opened a version of the brief."""
 
     __tablename__ = "briefs_reads"
 
     version_id: Mapped[UUID] = mapped_column(ForeignKey("briefs_versions.id"), primary_key=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True, index=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     read_at: Mapped[datetime] = mapped_column(default=clock.now)
     version: Mapped[BriefVersion] = relationship(lazy="raise")
 
 
-class FollowUp(Base):
+class FollowUp(ProjectOwned, Base):
     """A designer's question about a question of the brief, and the team's answer."""
 
     __tablename__ = "briefs_follow_ups"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     question: Mapped[str]  # its key
     text: Mapped[str]
     asked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))

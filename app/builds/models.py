@@ -11,17 +11,16 @@ from app.accounts.models import Person
 from app.builds.engine_export.cues import Handoff
 from app.builds.rules import FileKind, PackState
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 
 
-class Build(Base):
+class Build(ProjectOwned, Dated, Base):
     """One run of audio-checks in the game's CI, with its whole report."""
 
     __tablename__ = "builds_builds"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     label: Mapped[str]
     commit: Mapped[str] = mapped_column(default="")
     target: Mapped[str] = mapped_column(default="")
@@ -30,10 +29,9 @@ class Build(Base):
     warnings: Mapped[int]
     report: Mapped[dict[str, Any]]
     token_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_tokens.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class SealedPack(Base):
+class SealedPack(StudioOwned, Dated, Base):
     """A pack as it was handed out: numbered for its target, and never changed."""
 
     __tablename__ = "builds_packs"
@@ -43,7 +41,6 @@ class SealedPack(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     target: Mapped[str]
     number: Mapped[int]
@@ -57,12 +54,11 @@ class SealedPack(Base):
     state: Mapped[PackState] = mapped_column(default=PackState.SEALING)
     refusal: Mapped[str] = mapped_column(default="")
     sealed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     sealed_at: Mapped[datetime | None]
     sealer: Mapped[Person] = relationship(lazy="raise")
 
 
-class PackedFile(Base):
+class PackedFile(StudioOwned, Base):
     """One file of a sealed pack."""
 
     __tablename__ = "builds_packed_files"
@@ -78,7 +74,6 @@ class PackedFile(Base):
 
     pack_id: Mapped[UUID] = mapped_column(ForeignKey("builds_packs.id"), primary_key=True)
     place: Mapped[int] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     path: Mapped[str]
     kind: Mapped[FileKind]
     sha256: Mapped[str]
@@ -99,7 +94,7 @@ class Fingerprint(Base):
     fingerprinted_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class PlaceholderFile(Base):
+class PlaceholderFile(ProjectOwned, Base):
     """A placeholder that was made for one variation of a cue and one target, marked as such in the file."""
 
     __tablename__ = "builds_placeholder_files"
@@ -109,8 +104,6 @@ class PlaceholderFile(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
     variation: Mapped[int]
     target: Mapped[str]

@@ -9,11 +9,11 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.conformance.rules import FixState
-from app.core import clock
+from app.core.columns import Dated, ProjectOwned
 from app.core.db import Base, new_id
 
 
-class CheckRun(Base):
+class CheckRun(ProjectOwned, Dated, Base):
     """The result of the checks of one master against one spec, as one cue."""
 
     __tablename__ = "conformance_check_runs"
@@ -34,8 +34,6 @@ class CheckRun(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     spec_id: Mapped[UUID] = mapped_column(ForeignKey("projects_specs.id"))
     key: Mapped[str] = mapped_column(index=True)  # hash of master, resolved spec, cue facts and tool version
@@ -45,28 +43,24 @@ class CheckRun(Base):
     pcm_sha256: Mapped[str | None]
     report: Mapped[dict[str, Any]]  # the file object of the report: facts, measurements, judgements, findings
     tool_version: Mapped[str]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Waiver(Base):
+class Waiver(ProjectOwned, Dated, Base):
     """The approver let a returned take through, with a reason; its findings stay."""
 
     __tablename__ = "conformance_waivers"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     check_run_id: Mapped[UUID] = mapped_column(ForeignKey("conformance_check_runs.id"))
     master_sha256: Mapped[str]
     codes: Mapped[list[str]]
     reason: Mapped[str]
     waived_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     approver: Mapped[Person] = relationship(lazy="raise")
 
 
-class Fix(Base):
+class Fix(ProjectOwned, Dated, Base):
     """A fixed copy of a take's master, to see and play; its designer's consent makes it a take."""
 
     __tablename__ = "conformance_fixes"
@@ -77,13 +71,10 @@ class Fix(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
     key: Mapped[str]  # of the check that it answers: master, resolved spec, cue facts and tool version
     state: Mapped[FixState] = mapped_column(default=FixState.MAKING)
     asked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: made ready by the check
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     made_at: Mapped[datetime | None]
     refusal: Mapped[str | None]  # in words, with what the designer can do
     sha256: Mapped[str | None] = mapped_column(index=True)

@@ -9,6 +9,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.core.recorded_rows import declare
 from app.core.uploads import Upload
@@ -17,19 +18,16 @@ from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
 
-class Delivery(Base):
+class Delivery(ProjectOwned, Dated, Base):
     """One upload of takes by a designer, with notes."""
 
     __tablename__ = "deliveries_deliveries"
     __table_args__ = (UniqueConstraint("project_id", "number"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     number: Mapped[int]
     note: Mapped[str] = mapped_column(default="")
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     closed_at: Mapped[datetime | None]
     designer: Mapped[Person] = relationship(lazy="raise")
 
@@ -222,7 +220,7 @@ class SourceStatement(Base):
     designer: Mapped[Person] = relationship(lazy="raise")
 
 
-class Adoption(Base):
+class Adoption(StudioOwned, Dated, Base):
     """A folder of shipped files that becomes cues with approved takes, in one revision and one delivery.
 
     It stays on record when it is undone.
@@ -237,13 +235,11 @@ class Adoption(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     folder: Mapped[str]  # its name, without the path to it
     files: Mapped[list[dict[str, Any]]]  # see ShippedFileIn
     game: Mapped[dict[str, Any] | None]  # what the game's project says of its sounds; None: no project was sent
     opened_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: a build
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     delivery_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_deliveries.id"))  # that holds its takes
     adopted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     adopted_at: Mapped[datetime | None]
@@ -252,14 +248,12 @@ class Adoption(Base):
     adopter: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[adopted_by])
 
 
-class Archive(Base):
+class Archive(ProjectOwned, Base):
     """A delivered ZIP and what happened to it."""
 
     __tablename__ = "deliveries_archives"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     delivery_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_deliveries.id"), index=True)
     upload_id: Mapped[UUID] = mapped_column(ForeignKey(Upload.id), unique=True)
     file_name: Mapped[str]

@@ -9,20 +9,19 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import MailedLink, Person
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.hiring.roster.rules import BusyKind, Exclusivity, RateUnit
 from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
 from app.projects.models import Project
 
 
-class Posting(Base):
+class Posting(ProjectOwned, Dated, Base):
     """Work that a studio offers: what is asked for, when, and how it is open."""
 
     __tablename__ = "hiring_postings"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     title: Mapped[str]
     text: Mapped[str] = mapped_column(default="")
     phase: Mapped[PostingPhase]
@@ -44,7 +43,6 @@ class Posting(Base):
     secret_sha256: Mapped[str | None] = mapped_column(unique=True)  # of the link for everyone; None: there is none
     link_made_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     opened_at: Mapped[datetime | None]
     closed_at: Mapped[datetime | None]
     awarded_bid_id: Mapped[UUID | None]
@@ -53,20 +51,17 @@ class Posting(Base):
     project: Mapped[Project] = relationship(lazy="raise")
 
 
-class Candidate(MailedLink, Base):
+class Candidate(MailedLink, ProjectOwned, Dated, Base):
     """A person who may bid on a posting: invited by mail, or come by its link."""
 
     __tablename__ = "hiring_candidates"
     __table_args__ = (UniqueConstraint("posting_id", "email"), UniqueConstraint("posting_id", "person_id"))
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     posting_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_postings.id"))
     email: Mapped[str]
     person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     invited_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: came by the link
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     expires_at: Mapped[datetime]
     joined_at: Mapped[datetime | None]
     revoked_at: Mapped[datetime | None]
@@ -74,15 +69,13 @@ class Candidate(MailedLink, Base):
     person: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[person_id])
 
 
-class Bid(Base):
+class Bid(ProjectOwned, Base):
     """A designer's offer on a posting: as it is typed, and as it was sent last."""
 
     __tablename__ = "hiring_bids"
     __table_args__ = (UniqueConstraint("posting_id", "designer_id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     posting_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_postings.id"))
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     state: Mapped[BidState] = mapped_column(default=BidState.DRAFT)
@@ -97,15 +90,13 @@ class Bid(Base):
     designer: Mapped[Person] = relationship(lazy="raise")
 
 
-class Sample(Base):
+class Sample(ProjectOwned, Base):
     """A sound that a designer adds to a bid; it is checked by the project's spec and is never a take."""
 
     __tablename__ = "hiring_samples"
     __table_args__ = (CheckConstraint("file_bytes > 0", name="not_empty"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     bid_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_bids.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     line_key: Mapped[str]  # of the posting's line that it is for
@@ -120,14 +111,12 @@ class Sample(Base):
     added_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class PostingQuestion(Base):
+class PostingQuestion(ProjectOwned, Base):
     """A candidate's question about a posting, and the team's answer, for all or for one."""
 
     __tablename__ = "hiring_questions"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     posting_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_postings.id"), index=True)
     text: Mapped[str]
     asked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
@@ -140,22 +129,20 @@ class PostingQuestion(Base):
     asker: Mapped[Person] = relationship(lazy="raise", foreign_keys=[asked_by])
 
 
-class Score(Base):
+class Score(ProjectOwned, Base):
     """The scores of one person of the team for a bid under each heading, 1 to 5, with a note."""
 
     __tablename__ = "hiring_scores"
 
     bid_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_bids.id"), primary_key=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     scores: Mapped[dict[str, Any]]  # by heading
     note: Mapped[str] = mapped_column(default="")
     changed_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise")
 
 
-class RosterEntry(Base):
+class RosterEntry(StudioOwned, Base):
     """A sound designer whom a studio keeps on file, as the studio knows them; the designer may have no account."""
 
     __tablename__ = "hiring_roster_entries"
@@ -167,7 +154,6 @@ class RosterEntry(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     name: Mapped[str]
     email: Mapped[str]  # imports and accounts are matched by it
     specialities: Mapped[list[str]]
@@ -193,14 +179,13 @@ class RosterEntry(Base):
     changed_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class BusyRange(Base):
+class BusyRange(StudioOwned, Base):
     """Days on which a designer of the roster is booked, or has half days only."""
 
     __tablename__ = "hiring_busy_ranges"
     __table_args__ = (CheckConstraint("from_on <= to_on", name="in_order"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     entry_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_roster_entries.id"), index=True)
     from_on: Mapped[date]
     to_on: Mapped[date]  # the last day
@@ -209,14 +194,13 @@ class BusyRange(Base):
     is_from_calendar: Mapped[bool] = mapped_column(default=False)  # replaced when a calendar file is read again
 
 
-class ReelSound(Base):
+class ReelSound(StudioOwned, Base):
     """A sound of a designer's reel that a studio keeps, to play on the page."""
 
     __tablename__ = "hiring_reel_sounds"
     __table_args__ = (CheckConstraint("file_bytes > 0", name="not_empty"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     entry_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_roster_entries.id"), index=True)
     title: Mapped[str]
     file_name: Mapped[str]

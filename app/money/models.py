@@ -8,13 +8,14 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned
 from app.core.db import Base, new_id
 from app.core.recorded_rows import declare
 from app.money.ledger.rules import LineKind
 from app.sound_lists.models import Cue
 
 
-class Invoice(Base):
+class Invoice(Dated, Base):
     """A designer's request for payment by a studio; its amounts are those of its lines."""
 
     __tablename__ = "contracts_invoices"
@@ -39,18 +40,15 @@ class Invoice(Base):
     note: Mapped[str] = mapped_column(default="")
     reverse_charge: Mapped[bool] = mapped_column(default=False)
     issued_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Payment(Base):
+class Payment(ProjectOwned, Dated, Base):
     """Money that changed hands for an invoice, as recorded by a person; a refund names the payment it gives back."""
 
     __tablename__ = "contracts_payments"
     __table_args__ = (CheckConstraint("amount_minor <> 0", name="not_nothing"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     invoice_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_invoices.id"), index=True)
     refund_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_payments.id"), index=True)
@@ -58,10 +56,9 @@ class Payment(Base):
     reference: Mapped[str]
     paid_on: Mapped[date]
     recorded_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class LedgerLine(Base):
+class LedgerLine(ProjectOwned, Dated, Base):
     """One line of a contract's ledger; lines are added, never changed."""
 
     __tablename__ = "contracts_ledger_lines"
@@ -108,8 +105,6 @@ class LedgerLine(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     kind: Mapped[LineKind]
     amount_minor: Mapped[int] = mapped_column(BigInteger)
@@ -125,24 +120,21 @@ class LedgerLine(Base):
     worked_day_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_worked_days.id"))  # of hours
     month_number: Mapped[int | None]  # the month of a retainer, counted from the agreement
     person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # whose act it follows; None: none
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person | None] = relationship(lazy="raise")
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 
-class InvoiceLine(Base):
+class InvoiceLine(ProjectOwned, Base):
     """Puts a line of the ledger on an invoice; once, for good."""
 
     __tablename__ = "contracts_invoice_lines"
 
     ledger_line_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_ledger_lines.id"), primary_key=True)
     invoice_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_invoices.id"), index=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     text: Mapped[str]  # as printed
 
 
-class ExtraRound(Base):
+class ExtraRound(ProjectOwned, Base):
     """A round beyond the included ones: it waits until the studio agrees to its price, or the designer lets it go."""
 
     __tablename__ = "contracts_extra_rounds"
@@ -152,8 +144,6 @@ class ExtraRound(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     number: Mapped[int]
@@ -165,24 +155,21 @@ class ExtraRound(Base):
     cue: Mapped[Cue] = relationship(lazy="raise")
 
 
-class WorkLog(Base):
+class WorkLog(ProjectOwned, Dated, Base):
     """Time that a designer says went into a cue; seen by the two parties only."""
 
     __tablename__ = "contracts_work_logs"
     __table_args__ = (CheckConstraint("minutes > 0", name="minutes_positive"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     minutes: Mapped[int]
     worked_on: Mapped[date]
     logged_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class WorkedDay(Base):
+class WorkedDay(ProjectOwned, Dated, Base):
     """Work of a day, in quarters of a day or in minutes; due once the studio has agreed to it, up to the cap."""
 
     __tablename__ = "contracts_worked_days"
@@ -203,8 +190,6 @@ class WorkedDay(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     milestone_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_milestones.id"))  # of days
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))  # that hours went into
@@ -213,7 +198,6 @@ class WorkedDay(Base):
     minutes: Mapped[int | None]
     note: Mapped[str]
     logged_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     agreed_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: by the settlement
     agreed_at: Mapped[datetime | None]
     refused_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
@@ -222,17 +206,14 @@ class WorkedDay(Base):
     cue: Mapped[Cue | None] = relationship(lazy="raise")
 
 
-class CalendarLink(Base):
+class CalendarLink(ProjectOwned, Dated, Base):
     """A secret address at which a person's calendar reads the dates of their contracts in a project."""
 
     __tablename__ = "contracts_calendar_links"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     secret_sha256: Mapped[str] = mapped_column(unique=True)
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     revoked_at: Mapped[datetime | None]
 
 

@@ -8,10 +8,11 @@ from sqlalchemy import ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.core import clock
+from app.core.columns import Dated, StudioOwned
 from app.core.db import Base, new_id
 
 
-class Mail(Base):
+class Mail(Dated, Base):
     """One mail to one person, gathering news of one kind until it is sent."""
 
     __tablename__ = "notifications_mails"
@@ -39,7 +40,6 @@ class Mail(Base):
     link: Mapped[str | None]  # cleared once the mail is sent
     secret_of: Mapped[str | None]  # the event whose secret link it contains; made when sent or, without SMTP, shown
     secret_of_id: Mapped[UUID | None]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     send_after: Mapped[datetime] = mapped_column(default=clock.now)
     sealed_at: Mapped[datetime | None]  # from here on nothing is added
     claimed_until: Mapped[datetime | None]  # until then one worker hands it to the server, and no other does
@@ -60,7 +60,7 @@ class MailPreferences(Base):
     quiet_until: Mapped[time | None]
 
 
-class Notice(Base):
+class Notice(StudioOwned, Base):
     """News for one person, shown in the app whatever they are mailed."""
 
     __tablename__ = "notifications_notices"
@@ -84,7 +84,6 @@ class Notice(Base):
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID | None] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     topic: Mapped[str]
     event_id: Mapped[str]  # the first, where several are folded into it

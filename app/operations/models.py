@@ -8,6 +8,7 @@ from sqlalchemy import BigInteger, ForeignKey, Index, text
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.core import clock
+from app.core.columns import StudioOwned
 from app.core.db import Base, new_id
 
 
@@ -48,14 +49,13 @@ class DamagedBlob(Base):
     found_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class MasterRetention(Base):
+class MasterRetention(StudioOwned, Base):
     """The announced deletion, or a producer's choice to keep, of the masters of a designer in a project."""
 
     __tablename__ = "operations_master_retentions"
 
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     ends_on: Mapped[date | None]  # as announced; None: not yet
     announced_at: Mapped[datetime | None]
     kept_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: by the contracts' years

@@ -8,22 +8,21 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import MailedLink, Person, Studio
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.projects.rules import DesignersHear, EngagementKind
 
 
-class Project(Base):
+class Project(StudioOwned, Dated, Base):
     """One game, or one part of it, that needs sounds."""
 
     __tablename__ = "projects_projects"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     name: Mapped[str]
     description: Mapped[str] = mapped_column(default="")
     cue_prefix: Mapped[str]  # SW makes SW-001
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     archived_at: Mapped[datetime | None]
     nda_needed: Mapped[bool] = mapped_column(default=False)  # designers see brief, list and spec once they accepted it
     designers_hear: Mapped[DesignersHear] = mapped_column(default=DesignersHear.APPROVED)  # of other designers' sounds
@@ -35,68 +34,57 @@ class Project(Base):
         return self.id
 
 
-class Spec(Base):
+class Spec(ProjectOwned, Dated, Base):
     """One version of a project's delivery spec, as TOML; the newest holds."""
 
     __tablename__ = "projects_specs"
     __table_args__ = (UniqueConstraint("project_id", "version"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     version: Mapped[int]
     toml: Mapped[str]
     sha256: Mapped[str]
     note: Mapped[str] = mapped_column(default="")
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person] = relationship(lazy="raise")
 
 
-class Liaison(Base):
+class Liaison(StudioOwned, Dated, Base):
     """A member of the studio who acts for the team in a project."""
 
     __tablename__ = "projects_liaisons"
 
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise")
 
 
-class ApproverChange(Base):
+class ApproverChange(ProjectOwned, Dated, Base):
     """The approvers of a project, since when, and why it changed; the newest row holds."""
 
     __tablename__ = "projects_approver_changes"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     reason: Mapped[str]
     changed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise", foreign_keys=[person_id])
     changer: Mapped[Person] = relationship(lazy="raise", foreign_keys=[changed_by])
 
 
-class CategoryApprover(Base):
+class CategoryApprover(ProjectOwned, Dated, Base):
     """The approvers of a category of the sound list; of each category the newest row holds."""
 
     __tablename__ = "projects_category_approvers"
     __table_args__ = (CheckConstraint("category <> ''", name="names_a_category"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     category: Mapped[str]
     person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: the project's approver
     named_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Deputy(Base):
+class Deputy(ProjectOwned, Dated, Base):
     """A member of the studio who may approve in place of another person, from one day to another, both included."""
 
     __tablename__ = "projects_deputies"
@@ -106,20 +94,17 @@ class Deputy(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     deputy_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     from_on: Mapped[date]  # in the time zone of the studio
     until_on: Mapped[date]
     named_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     withdrawn_at: Mapped[datetime | None]
     person: Mapped[Person] = relationship(lazy="raise", foreign_keys=[person_id])
     deputy: Mapped[Person] = relationship(lazy="raise", foreign_keys=[deputy_id])
 
 
-class Engagement(Base):
+class Engagement(ProjectOwned, Dated, Base):
     """A designer's engagement on a project; while it lasts the designer sees spec, list and their own work."""
 
     __tablename__ = "projects_engagements"
@@ -129,30 +114,24 @@ class Engagement(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     kind: Mapped[EngagementKind]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     ended_at: Mapped[datetime | None]
     nda_sha256: Mapped[str | None]  # of the document that the designer accepted
     nda_accepted_at: Mapped[datetime | None]
     designer: Mapped[Person] = relationship(lazy="raise")
 
 
-class ProjectInvitation(MailedLink, Base):
+class ProjectInvitation(MailedLink, ProjectOwned, Dated, Base):
     """A mailed link that shows a designer the list at once, and makes an engagement when accepted."""
 
     __tablename__ = "projects_invitations"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     email: Mapped[str]
     kind: Mapped[EngagementKind]
     note: Mapped[str] = mapped_column(default="")
     invited_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     expires_at: Mapped[datetime]
     accepted_at: Mapped[datetime | None]
     accepted_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
@@ -161,35 +140,32 @@ class ProjectInvitation(MailedLink, Base):
     inviter: Mapped[Person] = relationship(lazy="raise", foreign_keys=[invited_by])
 
 
-class CreditName(Base):
+class CreditName(StudioOwned, Base):
     """A person's name in the credits of a project, or their omission, as they said themselves."""
 
     __tablename__ = "projects_credit_names"
 
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True, index=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     name: Mapped[str]  # empty: the name of their account
     is_left_out: Mapped[bool] = mapped_column(default=False)
     changed_at: Mapped[datetime] = mapped_column(default=clock.now, onupdate=clock.now)
 
 
-class CreditLine(Base):
+class CreditLine(ProjectOwned, Base):
     """A name that was added to the credits of a project by hand: of a performer, for instance."""
 
     __tablename__ = "projects_credit_lines"
     __table_args__ = (CheckConstraint("role <> '' and name <> ''", name="role_and_name"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     role: Mapped[str]
     name: Mapped[str]
     added_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     added_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Budget(Base):
+class Budget(StudioOwned, Base):
     """The permitted cost of a project in one currency, as a producer set it; no designer sees it."""
 
     __tablename__ = "projects_budgets"
@@ -197,7 +173,6 @@ class Budget(Base):
 
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
     currency: Mapped[str] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     amount_minor: Mapped[int] = mapped_column(BigInteger)
     set_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     set_at: Mapped[datetime] = mapped_column(default=clock.now)

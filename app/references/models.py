@@ -8,11 +8,12 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import StudioOwned
 from app.core.db import Base, new_id
 from app.references.rules import PreviewState, ReferenceKind
 
 
-class Reference(Base):
+class Reference(StudioOwned, Base):
     """A thing that shows or says how something is meant: pinned to a cue, to a category, or to the whole project."""
 
     __tablename__ = "references_references"
@@ -24,7 +25,6 @@ class Reference(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     category: Mapped[str | None]
@@ -79,7 +79,7 @@ class ReferenceVersion(Base):
     author: Mapped[Person] = relationship(lazy="raise")
 
 
-class ReferenceOpening(Base):
+class ReferenceOpening(StudioOwned, Base):
     """One time that a person opened a version; what is opened again within minutes is one opening."""
 
     __tablename__ = "references_openings"
@@ -89,7 +89,6 @@ class ReferenceOpening(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     version_id: Mapped[UUID] = mapped_column(ForeignKey("references_versions.id"))
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)

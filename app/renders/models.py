@@ -8,11 +8,12 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.renders.rules import BatchState, ItemState, RenderState
 
 
-class Render(Base):
+class Render(Dated, Base):
     """One game file made from a take's master for one target, or the reason why not; never replaced."""
 
     __tablename__ = "renders_renders"
@@ -38,22 +39,20 @@ class Render(Base):
     attenuation_db: Mapped[float | None]
     # What was lost, with both spectra; read alone. None: refused, or made before losses were measured.
     loss: Mapped[dict[str, Any] | None] = mapped_column(deferred=True)
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class RenderSet(Base):
+class RenderSet(StudioOwned, Base):
     """Every target's render of a take is made or refused, for one version of the spec and one edition of the take."""
 
     __tablename__ = "renders_sets"
 
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     spec_id: Mapped[UUID] = mapped_column(ForeignKey("projects_specs.id"))
     edition: Mapped[int]
     completed_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Batch(Base):
+class Batch(StudioOwned, Dated, Base):
     """A re-render of a project's game files in one action: at a changed spec, or for a new target."""
 
     __tablename__ = "renders_batches"
@@ -63,7 +62,6 @@ class Batch(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     number: Mapped[int]
     state: Mapped[BatchState] = mapped_column(default=BatchState.PLANNING)
@@ -71,11 +69,10 @@ class Batch(Base):
     targets: Mapped[list[str]] = mapped_column(default=list)  # empty: all of the spec's
     asked_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: the spec was changed
     note: Mapped[str] = mapped_column(default="")  # why it ended early
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     ended_at: Mapped[datetime | None]
 
 
-class BatchItem(Base):
+class BatchItem(StudioOwned, Base):
     """One game file of a batch: what it replaces in the game, and what happened to it."""
 
     __tablename__ = "renders_batch_items"
@@ -86,7 +83,6 @@ class BatchItem(Base):
 
     batch_id: Mapped[UUID] = mapped_column(ForeignKey("renders_batches.id"), primary_key=True)
     place: Mapped[int] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     target: Mapped[str]
     category: Mapped[str] = mapped_column(default="")
@@ -96,7 +92,7 @@ class BatchItem(Base):
     reason: Mapped[str] = mapped_column(default="")  # why there is none, in words
 
 
-class Picture(Base):
+class Picture(Dated, Base):
     """The pictures and preview of one stored sound: its waveform at two sizes, its spectrum, a preview to play."""
 
     __tablename__ = "renders_pictures"
@@ -117,24 +113,21 @@ class Picture(Base):
     preview_media_type: Mapped[str | None]
     light_sha256: Mapped[str | None]  # of the preview in Ogg Vorbis; None: small, of a game file, or drawn before
     drawn_bytes: Mapped[int | None] = mapped_column(BigInteger)  # of all together; None: drawn before it was noted
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Timbre(Base):
+class Timbre(StudioOwned, Dated, Base):
     """Features of a stored sound for comparison with others: its timbre and its spectrum."""
 
     __tablename__ = "renders_timbres"
     __table_args__ = (UniqueConstraint("studio_id", "sound_sha256"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     sound_sha256: Mapped[str]  # of a master
     timbre: Mapped[list[float]] = mapped_column(default=list)  # empty, like the bands, for silence
     bands_db: Mapped[list[float]] = mapped_column(default=list)  # from 20 Hz on, under the loudest
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Reel(Base):
+class Reel(ProjectOwned, Dated, Base):
     """All takes of a cue that a person may see, joined into one file for listening; it never ships."""
 
     __tablename__ = "renders_reels"
@@ -144,8 +137,6 @@ class Reel(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
     key: Mapped[str]  # hash of the takes and of how they follow one another
     gap_ms: Mapped[int]
@@ -158,10 +149,9 @@ class Reel(Base):
     sha256: Mapped[str | None]
     file_bytes: Mapped[int | None] = mapped_column(BigInteger)
     refusal: Mapped[str | None]  # in words
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class MasterExport(Base):
+class MasterExport(ProjectOwned, Dated, Base):
     """A copy of a take's master with its provenance, as known when it was requested."""
 
     __tablename__ = "renders_master_exports"
@@ -171,8 +161,6 @@ class MasterExport(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
     key: Mapped[str]  # hash of the master and of what was known of it
     provenance: Mapped[dict[str, Any]]  # as audio_checks names it
@@ -181,4 +169,3 @@ class MasterExport(Base):
     sha256: Mapped[str | None]  # None until it is made
     file_bytes: Mapped[int | None] = mapped_column(BigInteger)
     refusal: Mapped[str | None]  # in words
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)

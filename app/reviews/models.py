@@ -9,6 +9,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.core.recorded_rows import declare
 from app.deliveries.models import Take
@@ -18,7 +19,7 @@ from app.reviews.rules import ApprovalBlockers, VerdictKind, mentioned_in
 from app.sound_lists.models import Cue
 
 
-class Verdict(Base):
+class Verdict(StudioOwned, Dated, Base):
     """The approver's verdict on a take; rows are added, never changed."""
 
     __tablename__ = "reviews_verdicts"
@@ -28,7 +29,6 @@ class Verdict(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID] = mapped_column(index=True)  # no foreign key: an undone adoption removes cues, not verdicts
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
@@ -47,67 +47,56 @@ class Verdict(Base):
     # The adoption that approved it, with no review before; None: it was reviewed.
     adoption_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_adoptions.id"), index=True)
     without_listening: Mapped[bool] = mapped_column(default=False)  # approved by a person who had not heard it
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[given_by])
     represented: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[on_behalf_of])
 
 
-class GameLevel(Base):
+class GameLevel(ProjectOwned, Base):
     """The game's playback of a variation of a cue when its folder was adopted: the level that counts as approved."""
 
     __tablename__ = "reviews_game_levels"
 
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), primary_key=True)
     variation: Mapped[int] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     plays: Mapped[list[dict[str, Any]]]  # as a manifest for audits has them
 
 
-class ClockPause(Base):
+class ClockPause(ProjectOwned, Base):
     """A time in which the days of a contract's clause on silence did not count, because a change order was open."""
 
     __tablename__ = "reviews_clock_pauses"
     __table_args__ = (CheckConstraint("ended_at is null or ended_at >= began_at", name="ends_after_it_began"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
     change_order: Mapped[int]  # its number in the contract
     began_at: Mapped[datetime] = mapped_column(default=clock.now)
     ended_at: Mapped[datetime | None]
 
 
-class Reminder(Base):
+class Reminder(ProjectOwned, Dated, Base):
     """One mail to the approver of a cue that a clause on silence will accept."""
 
     __tablename__ = "reviews_reminders"
     __table_args__ = (UniqueConstraint("cue_id", "waiting_since", "number"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
     waiting_since: Mapped[datetime]  # another version of the cue starts a new wait
     number: Mapped[int]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Feedback(Base):
+class Feedback(ProjectOwned, Dated, Base):
     """One consolidated set of notes that the approver sent to a designer."""
 
     __tablename__ = "reviews_feedback"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     sent_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     note: Mapped[str] = mapped_column(default="")
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class ChangeRequest(Base):
+class ChangeRequest(StudioOwned, Dated, Base):
     """A change request for a take, at a time in the sound; a draft until it is sent."""
 
     __tablename__ = "reviews_change_requests"
@@ -130,7 +119,6 @@ class ChangeRequest(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
@@ -139,7 +127,6 @@ class ChangeRequest(Base):
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     feedback_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_feedback.id"), index=True)
     sends_at: Mapped[datetime | None]  # when it leaves by itself; None: it waits until its approver sends it
     mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name after the @
@@ -154,7 +141,7 @@ class ChangeRequest(Base):
         return mentioned_in(self.mentions)
 
 
-class Round(Base):
+class Round(ProjectOwned, Dated, Base):
     """One sending counted once for a cue or set, or the reason why it is not counted."""
 
     __tablename__ = "reviews_rounds"
@@ -165,16 +152,13 @@ class Round(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
     feedback_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_feedback.id"))
     number: Mapped[int | None]  # None: not counted
     why_not_counted: Mapped[str | None]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Comment(Base):
+class Comment(StudioOwned, Dated, Base):
     """Advice on a take, at a time in the sound."""
 
     __tablename__ = "reviews_comments"
@@ -184,7 +168,6 @@ class Comment(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
     reply_to_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_comments.id"), index=True)  # no reply itself
@@ -195,7 +178,6 @@ class Comment(Base):
     written_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: a guest
     guest_name: Mapped[str | None]  # as a guest without an account typed it
     decides: Mapped[bool]  # whether the author was the approver when writing; all others advise
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     resolved_at: Mapped[datetime | None]
     resolved_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     mentions: Mapped[dict[str, Any]] = mapped_column(default=dict)  # by person: the name after the @
@@ -215,22 +197,19 @@ class Comment(Base):
         return mentioned_in(self.mentions)
 
 
-class Acknowledgement(Base):
+class Acknowledgement(ProjectOwned, Dated, Base):
     """A person who is mentioned in a comment, or made the sound, has seen it."""
 
     __tablename__ = "reviews_acknowledgements"
     __table_args__ = (UniqueConstraint("comment_id", "person_id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     comment_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_comments.id"))
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise")
 
 
-class NoteAnswer(Base):
+class NoteAnswer(ProjectOwned, Dated, Base):
     """Whether a version did what a note on an earlier one asked; rows are added, and a note's newest counts."""
 
     __tablename__ = "reviews_note_answers"
@@ -241,19 +220,16 @@ class NoteAnswer(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # the later version
     comment_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_comments.id"))
     change_request_id: Mapped[UUID | None] = mapped_column(ForeignKey("reviews_change_requests.id"))
     is_done: Mapped[bool]
     given_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     take: Mapped[Take] = relationship(lazy="raise")
     author: Mapped[Person] = relationship(lazy="raise")
 
 
-class ChecklistItem(Base):
+class ChecklistItem(StudioOwned, Dated, Base):
     """Something to check of every version of a category's cues before it is approved."""
 
     __tablename__ = "reviews_checklist_items"
@@ -263,25 +239,21 @@ class ChecklistItem(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     category: Mapped[str]  # empty: of every cue
     text: Mapped[str]
     place: Mapped[int]  # in its checklist, from 0
     written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     removed_at: Mapped[datetime | None]  # kept with its checks, and back with them once it is written again
 
 
-class ItemCheck(Base):
+class ItemCheck(ProjectOwned, Base):
     """A person checked an item of the checklist for one take."""
 
     __tablename__ = "reviews_item_checks"
 
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
     item_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_checklist_items.id"), primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     checked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     checked_at: Mapped[datetime] = mapped_column(default=clock.now)
     person: Mapped[Person] = relationship(lazy="raise")
@@ -297,13 +269,12 @@ class HeardTake(Base):
     heard_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class ApprovalRule(Base):
+class ApprovalRule(StudioOwned, Base):
     """The blockers of approval in a project, as a producer set them; without a row there are none."""
 
     __tablename__ = "reviews_approval_rules"
 
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     blockers: Mapped[ApprovalBlockers]
     set_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     set_at: Mapped[datetime] = mapped_column(default=clock.now)
@@ -321,7 +292,7 @@ class ReasonList(Base):
     set_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class GivenReason(Base):
+class GivenReason(StudioOwned, Base):
     """One reason of a verdict that was not taken back, so that reasons are counted by an index."""
 
     __tablename__ = "reviews_given_reasons"
@@ -338,7 +309,6 @@ class GivenReason(Base):
     verdict_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_verdicts.id"), primary_key=True)
     reason: Mapped[str] = mapped_column(primary_key=True)
     kind: Mapped[ReasonKind]
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID]  # of the verdict, without a foreign key as there
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))  # of the take

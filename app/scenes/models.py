@@ -8,11 +8,12 @@ from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueCon
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.core import clock
+from app.core.columns import Dated, StudioOwned
 from app.core.db import Base, new_id
 from app.scenes.rules import BedRole
 
 
-class Bed(Base):
+class Bed(StudioOwned, Base):
     """The sound under those of a project, or under those of one category, where it replaces the project's."""
 
     __tablename__ = "scenes_beds"
@@ -23,7 +24,6 @@ class Bed(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     category: Mapped[str]  # empty: the whole project
     role: Mapped[BedRole]
@@ -35,7 +35,7 @@ class Bed(Base):
     changed_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class SceneSound(Base):
+class SceneSound(Dated, Base):
     """A stored sound's excitation of the ear; of a reference also the part that plays, in a form for browsers."""
 
     __tablename__ = "scenes_sounds"
@@ -54,10 +54,9 @@ class SceneSound(Base):
     preview_sha256: Mapped[str | None]
     preview_bytes: Mapped[int | None] = mapped_column(BigInteger)
     problem: Mapped[str] = mapped_column(default="")
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class Comparison(Base):
+class Comparison(Dated, Base):
     """One sound against another: both spectra, and what is left of the one without the other, as a track to hear."""
 
     __tablename__ = "scenes_comparisons"
@@ -79,4 +78,3 @@ class Comparison(Base):
     sha256: Mapped[str | None]
     file_bytes: Mapped[int | None] = mapped_column(BigInteger)
     refusal: Mapped[str | None]  # in words
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)

@@ -10,6 +10,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.sound_lists.own_columns.rules import ColumnKind
 from app.sound_lists.rules import CueState, Need, Reverb, folded
@@ -20,7 +21,7 @@ def _folded_stem(context: DefaultExecutionContext) -> str:
     return folded(parameters["stem"])
 
 
-class Cue(Base):
+class Cue(StudioOwned, Dated, Base):
     """One line of the list: one sound that the game needs."""
 
     __tablename__ = "sound_lists_cues"
@@ -43,7 +44,6 @@ class Cue(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     number: Mapped[int]  # shown as SW-014
     position: Mapped[int]
@@ -72,18 +72,16 @@ class Cue(Base):
     edition: Mapped[int] = mapped_column(default=1)  # counts edits, so that two editors notice each other
     cut_reason: Mapped[str | None]
     cut_at: Mapped[datetime | None]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     stems: Mapped[list["Stem"]] = relationship(lazy="raise", back_populates="cue", cascade="all, delete-orphan")
 
 
-class OwnColumn(Base):
+class OwnColumn(StudioOwned, Base):
     """A column of the project's own; each cue keeps its value under the column's name, in `extra`."""
 
     __tablename__ = "sound_lists_columns"
     __table_args__ = (UniqueConstraint("project_id", "folded"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     name: Mapped[str]
     folded: Mapped[str]  # two names that differ in case only cannot both be
@@ -92,14 +90,13 @@ class OwnColumn(Base):
     position: Mapped[int]
 
 
-class Stem(Base):
+class Stem(StudioOwned, Base):
     """A file name without its ending that one variation of a cue owns; unique in the project."""
 
     __tablename__ = "sound_lists_stems"
     __table_args__ = (UniqueConstraint("project_id", "folded"), UniqueConstraint("cue_id", "variation"))
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
     variation: Mapped[int]
@@ -108,30 +105,26 @@ class Stem(Base):
     cue: Mapped[Cue] = relationship(lazy="raise", back_populates="stems")
 
 
-class Revision(Base):
+class Revision(ProjectOwned, Dated, Base):
     """One saved change of the list, with what each touched cue said before and after."""
 
     __tablename__ = "sound_lists_revisions"
     __table_args__ = (UniqueConstraint("project_id", "number"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     number: Mapped[int]
     summary: Mapped[str]
     changed_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     author: Mapped[Person] = relationship(lazy="raise")
 
 
-class CueChange(Base):
+class CueChange(StudioOwned, Base):
     """The change of one cue by one revision: only the facts that differ."""
 
     __tablename__ = "sound_lists_cue_changes"
 
     revision_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_revisions.id"), primary_key=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), primary_key=True, index=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     before: Mapped[dict[str, Any]]  # empty: the cue was added
     after: Mapped[dict[str, Any]]
 
@@ -158,7 +151,7 @@ class SpokenPlaceholder(Base):
     speaker: Mapped[Person] = relationship(lazy="raise")
 
 
-class Question(Base):
+class Question(ProjectOwned, Base):
     """A designer's question on a cue; the answer becomes part of the cue."""
 
     __tablename__ = "sound_lists_questions"
@@ -173,8 +166,6 @@ class Question(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
     text: Mapped[str]
     asked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))

@@ -8,12 +8,13 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.sound_lists.models import Cue
 from app.voice_lines.rules import DEFAULT_TOLERANCE_PERCENT, SyntheticUse
 
 
-class VoiceSettings(Base):
+class VoiceSettings(StudioOwned, Base):
     """Settings for all voice lines of a project; a project without it has the defaults."""
 
     __tablename__ = "voice_lines_settings"
@@ -23,48 +24,43 @@ class VoiceSettings(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     original_language: Mapped[str]
     tolerance_percent: Mapped[int] = mapped_column(default=DEFAULT_TOLERANCE_PERCENT)
 
 
-class Character(Base):
+class Character(StudioOwned, Base):
     """A speaking part of the script."""
 
     __tablename__ = "voice_lines_characters"
     __table_args__ = (UniqueConstraint("project_id", "folded"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     name: Mapped[str]
     folded: Mapped[str]  # two characters that differ in case only are one
     notes: Mapped[str] = mapped_column(default="")  # how the voice is meant
 
 
-class Performer(Base):
+class Performer(StudioOwned, Base):
     """The person behind one or more voices, by the name on their releases."""
 
     __tablename__ = "voice_lines_performers"
     __table_args__ = (UniqueConstraint("project_id", "folded"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     name: Mapped[str]
     folded: Mapped[str]
 
 
-class Casting(Base):
+class Casting(ProjectOwned, Base):
     """A character's performer in one language, the session director, and the person who casts."""
 
     __tablename__ = "voice_lines_castings"
     __table_args__ = (UniqueConstraint("character_id", "language"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     character_id: Mapped[UUID] = mapped_column(ForeignKey("voice_lines_characters.id"))
     language: Mapped[str]
     performer_id: Mapped[UUID | None] = mapped_column(ForeignKey("voice_lines_performers.id"), index=True)
@@ -74,7 +70,7 @@ class Casting(Base):
     performer: Mapped[Performer | None] = relationship(lazy="raise")
 
 
-class VoiceLine(Base):
+class VoiceLine(StudioOwned, Dated, Base):
     """One line of the script, whatever its language."""
 
     __tablename__ = "voice_lines_lines"
@@ -84,7 +80,6 @@ class VoiceLine(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     character_id: Mapped[UUID] = mapped_column(ForeignKey("voice_lines_characters.id"), index=True)
     key: Mapped[str]  # its id in the script, by which a later script finds it
@@ -93,11 +88,10 @@ class VoiceLine(Base):
     scene: Mapped[str] = mapped_column(default="")
     direction: Mapped[str] = mapped_column(default="")
     position: Mapped[int]
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     character: Mapped[Character] = relationship(lazy="raise")
 
 
-class VoiceText(Base):
+class VoiceText(StudioOwned, Base):
     """A line in one language: the cue that its takes belong to, and its newest text."""
 
     __tablename__ = "voice_lines_texts"
@@ -107,7 +101,6 @@ class VoiceText(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     line_id: Mapped[UUID] = mapped_column(ForeignKey("voice_lines_lines.id"))
     language: Mapped[str]
@@ -118,7 +111,7 @@ class VoiceText(Base):
     cue: Mapped[Cue] = relationship(lazy="raise")
 
 
-class VoiceTextVersion(Base):
+class VoiceTextVersion(ProjectOwned, Base):
     """A text as it was from one moment on; what a take was recorded from is known by its time."""
 
     __tablename__ = "voice_lines_text_versions"
@@ -128,8 +121,6 @@ class VoiceTextVersion(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     text_id: Mapped[UUID] = mapped_column(ForeignKey("voice_lines_texts.id"))
     number: Mapped[int]
     text: Mapped[str]

@@ -7,12 +7,13 @@ from sqlalchemy import ForeignKey, Index, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.core import clock
+from app.core.columns import Dated, StudioOwned
 from app.core.db import Base, new_id
 from app.projects.models import Project
 from app.webhooks.rules import CallState, WebhookForm
 
 
-class Webhook(Base):
+class Webhook(StudioOwned, Dated, Base):
     """An address that is called when something happens in a project, or in any project of the studio.
 
     Its secret follows from the server's secret key, its id and `secret_number`, so that no table holds it.
@@ -21,7 +22,6 @@ class Webhook(Base):
     __tablename__ = "webhooks_webhooks"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID | None] = mapped_column(ForeignKey("projects_projects.id"), index=True)  # None: all
     url: Mapped[str]
     form: Mapped[WebhookForm]
@@ -31,11 +31,10 @@ class Webhook(Base):
     failing_since: Mapped[datetime | None]  # the first failure since the last success
     disabled_at: Mapped[datetime | None]
     created_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     project: Mapped[Project | None] = relationship(lazy="raise")
 
 
-class WebhookCall(Base):
+class WebhookCall(StudioOwned, Base):
     """One message to one address, with what was answered last."""
 
     __tablename__ = "webhooks_calls"
@@ -45,7 +44,6 @@ class WebhookCall(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     webhook_id: Mapped[UUID] = mapped_column(ForeignKey("webhooks_webhooks.id"))
     event_id: Mapped[str]
     event: Mapped[str]
@@ -64,13 +62,12 @@ class WebhookCall(Base):
     attempts: Mapped[list["WebhookAttempt"]] = relationship(lazy="raise", order_by="WebhookAttempt.id")
 
 
-class WebhookAttempt(Base):
+class WebhookAttempt(StudioOwned, Base):
     """One sending of a message, with what was answered."""
 
     __tablename__ = "webhooks_attempts"
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     call_id: Mapped[UUID] = mapped_column(ForeignKey("webhooks_calls.id"), index=True)
     tried_at: Mapped[datetime]
     took_ms: Mapped[int]

@@ -10,17 +10,17 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 from app.accounts.models import Person
 from app.builds.audits.rules import AuditStatus, CueMark, Drift, HeardAs, TaskKind, TaskRole
 from app.core import clock
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 
 
-class BuildAudit(Base):
+class BuildAudit(StudioOwned, Dated, Base):
     """One audit of a game build by `audio-checks audit`, as the game's CI posted it."""
 
     __tablename__ = "builds_audits"
     __table_args__ = (Index("ix_builds_audits_newest", "project_id", "target", "id"),)
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     label: Mapped[str]
     commit: Mapped[str] = mapped_column(default="")
@@ -31,10 +31,9 @@ class BuildAudit(Base):
     new_drifts: Mapped[int]  # those that the audit before did not have, and that nobody had accepted
     unread: Mapped[list[dict[str, Any]]]  # files of the game's project that could not be read
     token_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_tokens.id"))
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class AuditedSound(Base):
+class AuditedSound(StudioOwned, Base):
     """One audit's result on one sound."""
 
     __tablename__ = "builds_audited_sounds"
@@ -45,7 +44,6 @@ class AuditedSound(Base):
 
     audit_id: Mapped[UUID] = mapped_column(ForeignKey("builds_audits.id"), primary_key=True)
     place: Mapped[int] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     path: Mapped[str]
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
@@ -67,7 +65,7 @@ class AuditedSound(Base):
         return Drift(self.path, self.status, self.played_status, self.gain_db)
 
 
-class AcceptedDrift(Base):
+class AcceptedDrift(StudioOwned, Base):
     """A drift that a person accepted with a reason; it holds while the drift stays the same."""
 
     __tablename__ = "builds_accepted_drifts"
@@ -77,7 +75,6 @@ class AcceptedDrift(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     target: Mapped[str]
     path: Mapped[str]
@@ -97,7 +94,7 @@ class AcceptedDrift(Base):
         return Drift(self.path, self.status, self.played_status, self.gain_db)
 
 
-class ListeningPass(Base):
+class ListeningPass(ProjectOwned, Base):
     """A session in which people listen to the cues of one build in the running game."""
 
     __tablename__ = "builds_listening_passes"
@@ -110,8 +107,6 @@ class ListeningPass(Base):
     )  # fmt: skip
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     audit_id: Mapped[UUID] = mapped_column(ForeignKey("builds_audits.id"))
     started_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     started_at: Mapped[datetime] = mapped_column(default=clock.now)
@@ -120,7 +115,7 @@ class ListeningPass(Base):
     audit: Mapped[BuildAudit] = relationship(lazy="raise")
 
 
-class ListeningNote(Base):
+class ListeningNote(StudioOwned, Base):
     """One person's remark on one cue in a listening pass; its id is made where it was written, so it counts once."""
 
     __tablename__ = "builds_listening_notes"
@@ -131,7 +126,6 @@ class ListeningNote(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     pass_id: Mapped[UUID] = mapped_column(ForeignKey("builds_listening_passes.id"))
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
@@ -147,7 +141,7 @@ class ListeningNote(Base):
     author: Mapped[Person] = relationship(lazy="raise")
 
 
-class GameTask(Base):
+class GameTask(StudioOwned, Base):
     """Something to do so that the game plays a sound as it should: from a note of a listening pass, or a drift."""
 
     __tablename__ = "builds_game_tasks"
@@ -159,7 +153,6 @@ class GameTask(Base):
     )
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))
     path: Mapped[str]  # of the sound in the build; empty where the build was not asked
@@ -178,14 +171,12 @@ class GameTask(Base):
     author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[asked_by])
 
 
-class MarkedCue(Base):
+class MarkedCue(ProjectOwned, Base):
     """A state of a cue in the game that a person set by hand, where no audit or listening pass says it."""
 
     __tablename__ = "builds_marked_cues"
 
     cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), primary_key=True)
     mark: Mapped[CueMark] = mapped_column(primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
-    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), index=True)
     marked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     marked_at: Mapped[datetime] = mapped_column(default=clock.now)

@@ -8,6 +8,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
+from app.core.columns import StudioOwned
 from app.core.db import Base, new_id
 
 
@@ -27,7 +28,7 @@ class SoundLibrary(Base):
     person: Mapped[Person] = relationship(lazy="raise")
 
 
-class LibrarySound(Base):
+class LibrarySound(StudioOwned, Base):
     """A file of a sound library: its fingerprint, and never its sound."""
 
     __tablename__ = "builds_library_sounds"
@@ -36,7 +37,6 @@ class LibrarySound(Base):
         ForeignKey("builds_sound_libraries.id", ondelete="CASCADE"), primary_key=True
     )
     path: Mapped[str] = mapped_column(primary_key=True)  # below the folder that was fingerprinted
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     fingerprint_version: Mapped[int]
     pcm_sha256: Mapped[str]

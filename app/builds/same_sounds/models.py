@@ -7,6 +7,7 @@ from sqlalchemy import ForeignKey
 from sqlalchemy.orm import Mapped, mapped_column
 
 from app.core import clock
+from app.core.columns import StudioOwned
 from app.core.db import Base
 
 
@@ -25,14 +26,13 @@ class MasterFingerprint(Base):
     made_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
-class SameSound(Base):
+class SameSound(StudioOwned, Base):
     """A take that holds the same sound as one of another project; each of the two has a row."""
 
     __tablename__ = "builds_same_sounds"
 
     take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
     other_take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
-    studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"), index=True)
     project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"))  # of the take, not of the other
     score: Mapped[float]
     gain_db: Mapped[float]  # by how much the take is louder than the other

@@ -8,13 +8,14 @@ from sqlalchemy import BigInteger, CheckConstraint, bindparam, insert, select, u
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.core import clock
+from app.core.columns import Dated
 from app.core.db import Base, new_id
 from app.core.uploads.errors import UploadNotFound, UploadUnfinished
 
 FINISHED_KEPT_FOR = timedelta(days=30)  # by then something was made of it, or nothing will be
 
 
-class Upload(Base):
+class Upload(Dated, Base):
     """One file on its way in, or arrived; `scope` and `owner_id` mean something to the caller only."""
 
     __tablename__ = "core_uploads"
@@ -32,7 +33,6 @@ class Upload(Base):
     expected_sha256: Mapped[str | None]
     sha256: Mapped[str | None]  # once it is in the store
     multipart_id: Mapped[str | None]  # what the store calls it, where it comes there in parts
-    created_at: Mapped[datetime] = mapped_column(default=clock.now)
     finished_at: Mapped[datetime | None]
 
 
