@@ -55,7 +55,7 @@ def login_warning(database: Database) -> str | None:
         return None
     return (
         f"the login {database.engine.url.username} is a superuser of PostgreSQL, who may read files and run programs "
-        "on its machine; Soundlist needs none. docs/operate.md, PostgreSQL, explains how to create a separate login"
+        "on its machine; Soundlist needs none. docs/reference/settings.md, Database, says how to create another login"
     )
 
 

@@ -300,7 +300,7 @@ def _unknown_names() -> list[str]:
         bare = name.removeprefix(PREFIX)
         if bare != name and bare not in known:
             near = difflib.get_close_matches(bare, known, n=1, cutoff=0.7)
-            hint = f"is it {PREFIX}{near[0]}?" if near else "docs/settings.md lists them"
+            hint = f"is it {PREFIX}{near[0]}?" if near else "docs/reference/settings.md lists them"
             lines.append(f"{name} is not a setting; {hint}")
     return lines
 

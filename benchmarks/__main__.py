@@ -1,7 +1,8 @@
 """Speed and exactness compared with other tools, in one run: `make bench`, or `python -m benchmarks checking --quick`.
 
 Prints Markdown and writes benchmarks/results.json. Ratios are what counts: machines are shared and noisy, so ours
-and theirs take turns, and figures are medians of their runs. `--docs` writes promised figures into docs/benchmarks.md.
+and theirs take turns, and figures are medians of their runs. `--docs` writes promised figures into
+docs/reference/benchmarks.md.
 """
 
 import argparse
@@ -26,7 +27,7 @@ def main() -> None:
     parser.add_argument("subjects", nargs="*", help=f"{', '.join(SUBJECTS)}; all without")
     parser.add_argument("--quick", action="store_true", help="fewer runs")
     parser.add_argument("--full", action="store_true", help="rendering: all 33 pairs of rates")
-    parser.add_argument("--docs", action="store_true", help="write what is promised into docs/benchmarks.md")
+    parser.add_argument("--docs", action="store_true", help="write what is promised into docs/reference/benchmarks.md")
     asked = parser.parse_args()
     if unknown := set(asked.subjects) - set(SUBJECTS):
         parser.error(f"no subject {', '.join(sorted(unknown))}; there are {', '.join(SUBJECTS)}")
@@ -39,7 +40,7 @@ def main() -> None:
         measured_on = f"{machine()}; load average {os.getloadavg()[0]:.1f}."
         print(f"\n## {subject.capitalize()}\n\n{markdown(rows)}\n\n{measured_on}", flush=True)
         if asked.docs:
-            write_between(DOCS / "benchmarks.md", subject, f"{markdown(promised(rows))}\n\n{measured_on}")
+            write_between(DOCS / "reference/benchmarks.md", subject, f"{markdown(promised(rows))}\n\n{measured_on}")
     RESULTS.write_text(json.dumps(results, indent=1) + "\n")
 
 

@@ -21,7 +21,7 @@ Times = dict[str, tuple[float, float, float]]
 def options_of(module: str, purpose: str) -> argparse.Namespace:
     """Read the options of a benchmark: whether its table goes into the docs."""
     parser = argparse.ArgumentParser(prog=f"python -m {module}", description=purpose.partition("\n")[0])
-    parser.add_argument("--docs", action="store_true", help="write the table into docs/large-teams.md")
+    parser.add_argument("--docs", action="store_true", help="write the table into docs/reference/benchmarks.md")
     return parser.parse_args()
 
 
@@ -49,7 +49,7 @@ def times_of(client: httpx.Client, paths: Mapping[str, str], web_pid: int) -> Ti
 
 
 def write_down(times: Mapping[str, Times], about: str, section: str, *, in_docs: bool) -> None:
-    """Print the table of both databases, and write it into its section of docs/large-teams.md where wanted."""
+    """Print the table of both databases, and write it into its section of docs/reference/benchmarks.md where wanted."""
     head = ["ms", *(f"{database} {figure}" for database in times for figure in ("p50", "p95", "CPU"))]
     pages = next(iter(times.values()))
     rows = [[page, *(f"{one:.0f}" for of_one in times.values() for one in of_one[page])] for page in pages]
@@ -57,4 +57,4 @@ def write_down(times: Mapping[str, Times], about: str, section: str, *, in_docs:
     text = f"One web process; {about}; {machine()}; {load}.\n\n{table(head, rows)}"
     print(text)
     if in_docs:
-        write_between(DOCS / "large-teams.md", section, text)
+        write_between(DOCS / "reference/benchmarks.md", section, text)

@@ -1,7 +1,7 @@
 """How the page Reasons and the search for reasons answer in a list of 5,000 cues, on SQLite and on PostgreSQL.
 
 python -m benchmarks.found_reasons        both databases, one after the other; about four minutes
-… --docs                                  and write the table into docs/large-teams.md
+… --docs                                  and write the table into docs/reference/benchmarks.md
 """
 
 import httpx

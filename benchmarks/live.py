@@ -198,7 +198,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.live", description=__doc__.partition("\n")[0])
     parser.add_argument("--seconds", type=float, default=300.0)
     parser.add_argument("--people", type=int, default=50)
-    parser.add_argument("--docs", action="store_true", help="write the table into docs/large-teams.md")
+    parser.add_argument("--docs", action="store_true", help="write the table into docs/reference/benchmarks.md")
     options = parser.parse_args()
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="soundlist-live-"))).resolve()
@@ -212,7 +212,7 @@ def main() -> None:
     text = report(outcome, options)
     print(text)
     if options.docs:
-        write_between(DOCS / "large-teams.md", "live", text)
+        write_between(DOCS / "reference/benchmarks.md", "live", text)
     if outcome.wrong:
         raise SystemExit("\n".join([f"{len(outcome.wrong)} errors; the first of them:", *outcome.wrong[:5]]))
 

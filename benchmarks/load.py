@@ -57,7 +57,7 @@ APPROVES_EVERY = 5  # rounds of requests of each kind: the approver decides once
 CALM_S = 5.0  # before anything is timed
 WARM_UP, ALONE = 6, 15  # answers of each kind before the load; psycopg prepares a statement at its sixth time
 TYPED = ("laser", "door close", "SC-77", "water", "too bright", "wing_land", "zzz", "metal hull", "music", "step")
-WEB_PROCESSES = 2 * (os.cpu_count() or 1)  # as docs/settings.md says
+WEB_PROCESSES = 2 * (os.cpu_count() or 1)  # as docs/reference/settings.md says
 WORKER_NICENESS = 19  # as in deploy/systemd: people who wait for an answer go first
 HEADER_BYTES, SAMPLE_BYTES = 44, 3
 Answered = Coroutine[Any, Any, Answer]
@@ -247,7 +247,7 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=300.0)
     parser.add_argument("--uploads", type=int, default=200, help="at once")
     parser.add_argument("--rate", type=float, default=50.0, help="requests a second")
-    parser.add_argument("--docs", action="store_true", help="write the table into docs/scale.md")
+    parser.add_argument("--docs", action="store_true", help="write the table into docs/reference/benchmarks.md")
     options = parser.parse_args()
     outcome = Outcome()
     with ExitStack() as stack:
@@ -280,7 +280,7 @@ def main() -> None:
     text = report(outcome, options, spent, checked)
     print(text)
     if options.docs:
-        write_between(DOCS / "scale.md", "load", text)
+        write_between(DOCS / "reference/benchmarks.md", "load", text)
     if outcome.wrong:
         raise SystemExit("\n".join([f"{len(outcome.wrong)} errors; the first of them:", *outcome.wrong[:5]]))
 

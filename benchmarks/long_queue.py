@@ -1,7 +1,7 @@
 """How the review queue answers where 5,000 versions wait, on SQLite and on PostgreSQL.
 
 python -m benchmarks.long_queue           both databases, one after the other; about three minutes
-… --docs                                  and write the table into docs/large-teams.md
+… --docs                                  and write the table into docs/reference/benchmarks.md
 """
 
 from urllib.parse import quote

@@ -220,7 +220,7 @@ def plans(place: Place, made: Made) -> tuple[dict[str, set[str]], dict[str, set[
 
 
 def in_docs(name: str) -> bool:
-    """Return whether docs/scale.md shows this row of the table."""
+    """Return whether docs/reference/benchmarks.md shows this row of the table."""
     return name.removesuffix(FURTHER) in IN_DOCS
 
 
@@ -253,7 +253,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.scale", description=__doc__.partition("\n")[0])
     parser.add_argument("--quick", action="store_true", help="small sizes; nothing is written to docs")
     parser.add_argument("--postgresql", action="store_true", help="on a PostgreSQL server of its own; else on SQLite")
-    parser.add_argument("--docs", action="store_true", help="write the main rows and the picture into docs/scale.md")
+    parser.add_argument(
+        "--docs", action="store_true", help="write the main rows and the picture into docs/reference/benchmarks.md"
+    )
     parser.add_argument("--keep", type=Path, help="a folder to keep the data in, or to find it in")
     options = parser.parse_args()
     logs.configure()
@@ -285,7 +287,7 @@ def main() -> None:
         return
     load = ", ".join(f"{each:.1f}" for each in os.getloadavg())
     note = f"{kind}, {size.server:,} takes on the server; {machine()}; {clock.now():%-d %B %Y}, load {load} at the end."
-    write_between(DOCS / "scale.md", f"screens {kind.lower()}", f"{note}\n\n{text}")
+    write_between(DOCS / "reference/benchmarks.md", f"screens {kind.lower()}", f"{note}\n\n{text}")
     draw_growth(
         DOCS / "pictures" / f"growth_{kind.lower()}.svg",
         title=f"CPU time of an answer, p95, {kind}",

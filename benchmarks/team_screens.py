@@ -2,7 +2,7 @@
 
 python -m benchmarks.team_screens                 5,000 cues, 500 people on the roster; about three minutes
 python -m benchmarks.team_screens --keep DIR      what was filled once in a folder is asked again
-… --docs                                          and write the table into docs/large-teams.md
+… --docs                                          and write the table into docs/reference/benchmarks.md
 """
 
 import argparse
@@ -192,7 +192,7 @@ def ask(client: httpx.Client, path: str, web_pid: int) -> tuple[float, float, fl
 def main() -> None:
     """Fill, ask, and write down."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.team_screens", description=__doc__.partition("\n")[0])
-    parser.add_argument("--docs", action="store_true", help="write the table into docs/large-teams.md")
+    parser.add_argument("--docs", action="store_true", help="write the table into docs/reference/benchmarks.md")
     parser.add_argument("--keep", type=Path, help="a folder to keep the data in, or to find it in")
     options = parser.parse_args()
     logs.configure()
@@ -219,7 +219,7 @@ def main() -> None:
     text = f"{about}\n\n{table(head, rows)}"
     print(text)
     if options.docs:
-        write_between(DOCS / "large-teams.md", "team screens", text)
+        write_between(DOCS / "reference/benchmarks.md", "team screens", text)
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ def main() -> None:
     parser.add_argument("--takes", type=int, default=200, help="to each number of workers")
     parser.add_argument("--workers", type=int, nargs="+", default=[1, 2, 4], help="numbers of workers to try")
     parser.add_argument("--postgres", action="store_true", help="on PostgreSQL in place of SQLite")
-    parser.add_argument("--docs", action="store_true", help="write the table into docs/scale.md")
+    parser.add_argument("--docs", action="store_true", help="write the table into docs/reference/benchmarks.md")
     options = parser.parse_args()
     events.connect(registry.SUBSCRIBERS, handlers=registry.HANDLERS, low_priority=registry.LOW_PRIORITY_JOBS)
     kind = "PostgreSQL" if options.postgres else "SQLite"
@@ -105,7 +105,7 @@ def main() -> None:
     text = f"{text}\n\n{table(HEAD, rows)}"
     print(f"\n{text}")
     if options.docs:
-        write_between(DOCS / "scale.md", f"throughput {kind.lower()}", text)
+        write_between(DOCS / "reference/benchmarks.md", f"throughput {kind.lower()}", text)
 
 
 def sound(seed: int) -> bytes:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-DOCUMENTS = Path(__file__).parents[1] / "docs" / "judgements.md", Path(__file__).with_name("README.md")
+DOCUMENTS = Path(__file__).parents[1] / "docs" / "reference" / "judgements.md", Path(__file__).with_name("README.md")
 
 
 def write_tables(tables: dict[str, str]) -> None:

@@ -29,7 +29,7 @@ MANIFEST_WAITS_S = (5.0, 10.0, 20.0, 30.0)  # while newly approved sounds are fi
 LABELS = ("BUILD", "GITHUB_RUN_NUMBER", "CI_PIPELINE_IID", "BUILD_BUILDNUMBER", "BUILD_NUMBER")
 COMMITS = ("COMMIT", "GITHUB_SHA", "CI_COMMIT_SHA", "BUILD_SOURCEVERSION", "GIT_COMMIT", "P4_CHANGELIST")
 MAX_LABEL_CHARS = 200
-INSTALLING = "pip install audio-checks into the environment of this job; docs/ci.md says from where"
+INSTALLING = "pip install audio-checks into the environment of this job; docs/how-to/ci.md says from where"
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:

@@ -6,8 +6,8 @@ How to fix: deliver the sound dry, with its own decay but without sends, rooms o
 part of the design, say so in the sound list (`designed-tail`), or deliver it as a layer of its own.
 Source: the delivery spec, `[engine] adds`. A cue that the sound list calls `dry` is judged in any project, and one
 with a designed tail in none. Reverb is judged, not measured: by how the bands fall, what the tail is made of beside
-the head, and how alike left and right stay; docs/judgements.md says how often that is right. Beside a dry stem
-(`warp_in__dry.wav` beside `warp_in.wav`) it is what was added that counts. What likely has reverb is told as
+the head, and how alike left and right stay; docs/reference/judgements.md says how often that is right. Beside a dry
+stem (`warp_in__dry.wav` beside `warp_in.wav`) it is what was added that counts. What likely has reverb is told as
 information, for an ear; it returns no file. "Cannot tell" is not a finding: the report says in how many files.
 """
 

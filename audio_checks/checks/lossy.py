@@ -5,8 +5,8 @@ coded again for the game, it is heard that something is missing; and a library's
 How to fix: deliver the sound from a source that was never coded, or say in the delivery's note where it comes from: a
 voice over a radio, or a find that exists no other way, is everyday craft.
 Source: judged, not measured: by spectral lines that fall silent on the codec's own frames (ISO/IEC 11172-3,
-ISO/IEC 14496-3, Vorbis I, RFC 6716, ATSC A/52); docs/judgements.md says how often that is right. "Cannot tell" is not a
-finding.
+ISO/IEC 14496-3, Vorbis I, RFC 6716, ATSC A/52); docs/reference/judgements.md says how often that is right. "Cannot
+tell" is not a finding.
 """
 
 from collections.abc import Iterator

@@ -7,7 +7,7 @@ is part of the design (`designed-tail`).
 Source: the delivery spec, `[engine] adds`. Together are the sounds of one folder and one category, at least 4 of them;
 on the server the variations of a cue. Those count whose own score is 0.7 or more, three of them and a third of all at
 least: their scores as logits within 4 of 0 are averaged. Named are those of them that `baked-reverb` leaves undecided
-alone. docs/judgements.md says how often that is right. The server returns no take for it.
+alone. docs/reference/judgements.md says how often that is right. The server returns no take for it.
 """
 
 import math

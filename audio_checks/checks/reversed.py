@@ -3,8 +3,8 @@
 Why: a recording turned round may hide whose it is, or what is said in it: profanity has shipped as a spell. Turned
 round on purpose, as a suck-in or a swell, it is everyday craft.
 How to fix: say in the delivery's note that it is meant so and what was turned round, or deliver it forwards.
-Source: judged, not measured: by how each octave rises against how it falls; docs/judgements.md says how often that
-is right. "Cannot tell" is not a finding. Every take plays backwards at one key on its page and in review.
+Source: judged, not measured: by how each octave rises against how it falls; docs/reference/judgements.md says how often
+that is right. "Cannot tell" is not a finding. Every take plays backwards at one key on its page and in review.
 """
 
 from collections.abc import Iterator

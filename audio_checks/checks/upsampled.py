@@ -5,7 +5,7 @@ made of the lower rate. A master at its true rate is the better one.
 How to fix: deliver the sound at the rate it was made or recorded at, or say in the delivery's note what it is: a
 library sound pitched down, or a vintage source, ends as steeply, and is everyday craft.
 Source: judged, not measured: by where the mean spectrum ends, how steeply, and whether a resampler from a common
-rate would end there; docs/judgements.md says how often that is right. "Cannot tell" is not a finding.
+rate would end there; docs/reference/judgements.md says how often that is right. "Cannot tell" is not a finding.
 """
 
 from collections.abc import Iterator

@@ -7,7 +7,7 @@ from recordings in measured rooms, weigh the same and what the first models say 
 is set for each kind of sound, for mono and stereo, and for short and long decay times.
 
 A single burst of noise may be its own tail: for mono bursts and long natural decays the answer is often
-"cannot tell". `docs/judgements.md` has the table of how often it is right, and where it fails.
+"cannot tell". `docs/reference/judgements.md` has the table of how often it is right, and where it fails.
 """
 
 from __future__ import annotations

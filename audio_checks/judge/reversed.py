@@ -5,7 +5,8 @@ octaves at once, and its highs die first. Boosted trees weigh these; they were l
 half of them turned round (`make weights`).
 
 A sound that is alike from both ends (wind, an engine, a rustle) has no direction, and a riser or a
-suck-in that was made to swell looks turned round; `docs/judgements.md` has the table of how often it is right.
+suck-in that was made to swell looks turned round; `docs/reference/judgements.md` has the table of how often it is
+right.
 """
 
 from __future__ import annotations

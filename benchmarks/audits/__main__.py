@@ -1,4 +1,4 @@
-"""Writes the table of docs/audit.md: `SOUNDS_DIR=... make audit`.
+"""Writes the table of docs/reference/audit.md: `SOUNDS_DIR=... make audit`.
 
 The real masters are looked at here alone, and each look is written down in looks.csv.
 """
@@ -15,7 +15,7 @@ from benchmarks.audits.changes import CHANGES, MEASURED_GAIN, TRIMS
 from benchmarks.audits.trial import OF_EACH, Found, generated, real, trial
 from benchmarks.faults.sounds import FAMILIES
 
-PAGE = Path("docs/audit.md")
+PAGE = Path("docs/reference/audit.md")
 LOOKS = Path(__file__).with_name("looks.csv")
 MARK = "<!-- From here to the end made by `SOUNDS_DIR=... make audit`. Change it there. -->\n"
 MASTERS = 128

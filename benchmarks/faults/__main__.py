@@ -1,4 +1,4 @@
-"""Writes docs/false-alarms.md and RESULTS.md, its full tables: `SOUNDS_DIR=... make false-alarms`.
+"""Writes docs/reference/false-alarms.md and RESULTS.md, its full tables: `SOUNDS_DIR=... make false-alarms`.
 
 The held-out set is evaluated here alone, and each run appends its figures to looks.csv.
 """
@@ -20,7 +20,7 @@ from benchmarks.faults.sounds import Family
 from benchmarks.faults.thresholds import thresholds
 from benchmarks.faults.trial import AUDIBLE, CHECKS, NO_PLACE, Trial, counts, false_alarms, trials
 
-PAGE = Path("docs/false-alarms.md")
+PAGE = Path("docs/reference/false-alarms.md")
 RESULTS = Path(__file__).with_name("RESULTS.md")
 RECORDINGS = Path(__file__).with_name("RECORDINGS.md")  # by `on_recordings`
 WARNINGS = Path(__file__).with_name("WARNINGS.md")  # by `warnings`
@@ -146,7 +146,7 @@ These faults were tried and are not promised:
 |---|---|---|---|---|
 {_beyond_rows(development, held_out)}
 - Not every way within the promise is tried: the tables of RESULTS.md name each fault that is. Faults of a new shape are
-  found less often than these ([why no more is promised](decisions/0013-what-a-detector-promises.md)).
+  found less often than these ([why no more is promised](../decisions/0013-what-a-detector-promises.md)).
 - A sound may have by its nature what a fault would leave. These were left out: {_left_out()}.
 
 ## On real recordings
@@ -197,7 +197,7 @@ def _results(
 
 # Every fault that was tried
 
-docs/false-alarms.md has the summary.
+docs/reference/false-alarms.md has the summary.
 
 ## Thresholds
 {_list(thresholds())}

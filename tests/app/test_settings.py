@@ -61,7 +61,7 @@ def test_a_short_key_is_no_key(environment):
 
 def test_a_name_like_none_of_ours_is_reported_too(environment):
     environment(SECRET_KEY="k" * 32, ZZZ="1")
-    assert wrong() == ["SOUNDLIST_ZZZ is not a setting; docs/settings.md lists them"]
+    assert wrong() == ["SOUNDLIST_ZZZ is not a setting; docs/reference/settings.md lists them"]
 
 
 def test_trusted_proxies_are_networks(environment):

@@ -12,8 +12,8 @@ from audio_checks.cli import COMMANDS, parser_of, reporters
 pytestmark = pytest.mark.lint
 
 ROOT = Path(__file__).resolve().parents[2]
-DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-GUIDE = (ROOT / "docs" / "command-line.md").read_text()
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+GUIDE = (ROOT / "docs" / "reference" / "command-line.md").read_text()
 
 
 def lines_of(document):

@@ -464,7 +464,7 @@ class TestHost:
 
 def test_the_documented_upgrade_leaves_no_stopped_container_behind():
     """One that stays would be started again, with the old version, by the next upgrade."""
-    docs = (ROOT / "docs" / "operate.md").read_text()
+    docs = (ROOT / "docs" / "how-to" / "operate.md").read_text()
     [commands] = [block for block in docs.split("```") if "--no-recreate" in block]
     order = (
         "git pull",

@@ -56,14 +56,16 @@ SERVER_COMMANDS = {
 
 def test_every_setting_that_the_documents_name_is_one():
     known = {f"SOUNDLIST_{name.upper()}" for name in Settings.model_fields} | {"SOUNDLIST_LOG_LEVEL", "SOUNDLIST_TOKEN"}
-    for path in [ROOT / "README.md", *(ROOT / "docs").glob("*.md")]:
+    for path in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]:
         named = set(re.findall(r"SOUNDLIST_[A-Z_]+[A-Z]", path.read_text()))
         assert named <= known, path
 
 
 def test_the_page_of_settings_lists_each_with_its_default():
     rows = re.findall(
-        r"^\| `([A-Z_]+)` \| .+ \| (?:`(.+)`|none\b.*) \|$", (ROOT / "docs/settings.md").read_text(), re.MULTILINE
+        r"^\| `([A-Z_]+)` \| .+ \| (?:`(.+)`|none\b.*) \|$",
+        (ROOT / "docs/reference/settings.md").read_text(),
+        re.MULTILINE,
     )
     own = {"demo", "frontend_dir"}  # set by `soundlist demo`, and by where the checkout is
     fields = {

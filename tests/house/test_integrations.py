@@ -180,7 +180,7 @@ class TestInstalling:
     def test_the_tag_in_the_documents_is_this_version(self):
         tag = f"v{PROJECT['project']['version']}"
         assert GITLAB["variables"]["AUDIO_CHECKS_TAG"] == tag
-        for document in ("README.md", "docs/ci.md"):
+        for document in ("README.md", "docs/how-to/ci.md"):
             assert tag in (ROOT / document).read_text()
 
 

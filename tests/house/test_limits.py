@@ -1,4 +1,4 @@
-"""The limits in docs/limits.md are those in the code."""
+"""The limits in docs/reference/limits.md are those in the code."""
 
 import re
 from datetime import timedelta
@@ -14,7 +14,7 @@ from app.settings import Settings
 
 pytestmark = pytest.mark.lint
 
-TEXT = (Path(__file__).resolve().parents[2] / "docs/limits.md").read_text()
+TEXT = (Path(__file__).resolve().parents[2] / "docs/reference/limits.md").read_text()
 TABLE = TEXT.partition("\n## ")[0]
 ROWS = re.findall(r"^\| ([^|]+) \| ([^|]+) \| `([\w.]+)` \|$", TABLE, re.MULTILINE)
 UNITS = {"KiB": 1 << 10, "MiB": 1 << 20, "GiB": 1 << 30, "minutes": 60, "hours": 3600, "days": 86_400}

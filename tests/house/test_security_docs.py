@@ -1,4 +1,4 @@
-"""docs/security.md has a row for each chapter, and each row a test that is there, a reason, or an open mark."""
+"""docs/reference/security.md has a row for each chapter, and each row a test, a reason, or an open mark."""
 
 import re
 from pathlib import Path
@@ -8,7 +8,7 @@ import pytest
 pytestmark = pytest.mark.lint
 
 ROOT = Path(__file__).resolve().parents[2]
-TEXT = (ROOT / "docs/security.md").read_text()
+TEXT = (ROOT / "docs/reference/security.md").read_text()
 ROWS = re.findall(r"^\| ((?:V?\d)[^|]*) \| ([^|]+) \| ([^|]+) \|$", TEXT, re.MULTILINE)
 
 

@@ -1,4 +1,4 @@
-"""docs/clauses.md says of every clause of the library who carries it out, and by which terms the software goes."""
+"""docs/reference/contracts.md says of each clause who carries it out, and by which terms the software goes."""
 
 import dataclasses
 import re
@@ -13,7 +13,7 @@ from app.agreements.clauses.terms import MoneyTerms
 from app.operations.retention.service import TERM
 
 ROOT = Path(__file__).resolve().parents[3]
-DOCUMENT = ROOT / "docs/clauses.md"
+DOCUMENT = ROOT / "docs/reference/contracts.md"
 BY = {"Soundlist", "parties", "both"}
 
 
