@@ -57,13 +57,13 @@ async function walk(server: SharedServer, browser: Browser): Promise<void> {
     await send(producer.page, 'Sound designer')
     await propose(designer.page, address, '40')
     await answer(producer.page, address, async (page) => {
-      await page.getByRole('button', { name: 'Refuse change 1' }).click()
+      await page.getByRole('button', { name: 'Keep as it was, change 1' }).click()
       await page.getByLabel('Why it is refused').fill('That is too much.')
       await page.getByRole('button', { name: 'Refuse the change' }).click()
     })
     await propose(designer.page, address, '30')
     await answer(producer.page, address, async (page) => {
-      await page.getByRole('button', { name: 'Counter change 2' }).click()
+      await page.getByRole('button', { name: 'Counter-propose to change 2' }).click()
       const form = page.getByRole('form', { name: 'Counter change 2' })
       await form.getByLabel(ROUND).fill('25')
       await form.getByRole('button', { name: 'Send the counter' }).click()

@@ -23,7 +23,12 @@ async def _slow(_request: Request) -> PlainTextResponse:
     return PlainTextResponse("late")
 
 
+async def _endless(request: Request) -> PlainTextResponse:
+    await request.body()  # of which the rest never comes
+    return PlainTextResponse("read")
+
+
 def application() -> ASGIApp:
     """Return the application of one process."""
-    paths = {"/": _process, "/readyz": _process, "/slow": _slow}
-    return Draining(Starlette(routes=[Route(path, answer) for path, answer in paths.items()]))
+    paths = {"/": _process, "/readyz": _process, "/slow": _slow, "/endless": _endless}
+    return Draining(Starlette(routes=[Route(path, answer, methods=["GET", "PUT"]) for path, answer in paths.items()]))

@@ -135,4 +135,4 @@ class Draining:
 def _stop_with_parent() -> None:
     if (parent := multiprocessing.parent_process()) is not None:
         parent.join()
-        os.kill(os.getpid(), signal.SIGTERM)
+        os.kill(os.getpid(), signal.SIGKILL)  # nobody is left to bound the wait for open requests

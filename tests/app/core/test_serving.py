@@ -175,8 +175,12 @@ def test_one_that_dies_is_replaced_and_none_outlives_the_first(serve: Callable[.
     os.kill(dead, signal.SIGKILL)
     until(lambda: server.answering() not in (dead, alive, None))
     assert server.process.poll() is None
-    server.process.kill()
-    until(lambda: server.answering() is None)
+    with socket.create_connection(("127.0.0.1", server.port), timeout=WITHIN_S) as upload:
+        upload.sendall(b"PUT /endless HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\n\r\nab")
+        server.process.kill()
+        until(lambda: server.answering() is None)
+        with suppress(ConnectionResetError):
+            assert upload.recv(1) == b"", "an upload that cannot end keeps nothing alive"
 
 
 @pytest.mark.slow
