@@ -9,7 +9,7 @@ from types import FrameType
 import structlog
 from sqlalchemy.exc import SQLAlchemyError
 
-from app import registry
+from app import registry, tables  # noqa: F401  every model, which relations name
 from app.accounts import rate_limits
 from app.accounts.security_log import service as security_log
 from app.core import clock, events

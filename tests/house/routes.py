@@ -15,9 +15,9 @@ from fastapi.testclient import TestClient
 from httpx import Response
 from starlette.routing import BaseRoute
 
-from app import registry
 from app.accounts.rules import Policy
 from app.accounts.web.policies import PolicyDependency
+from app.routers import ROUTERS
 from tests.house.library_objects import SHEET_BASE64
 from tests.house.objects import FILE, PASSWORD, House
 from tests.house.reports import report
@@ -62,7 +62,7 @@ def policy_of(route: APIRoute) -> Policy | None:
 def document() -> dict[str, Any]:
     """Return the OpenAPI document of the rooms, operations named after their endpoints."""
     app = FastAPI(generate_unique_id_function=lambda route: route.name)
-    for router in registry.ROUTERS:
+    for router in ROUTERS:
         app.include_router(router)
     return app.openapi()
 
@@ -70,7 +70,7 @@ def document() -> dict[str, Any]:
 @cache
 def operations() -> list[Operation]:
     """Return every operation of the API."""
-    policies = {route.name: policy_of(route) for router in registry.ROUTERS for route in api_routes(router.routes)}
+    policies = {route.name: policy_of(route) for router in ROUTERS for route in api_routes(router.routes)}
     found = []
     for path, methods in document()["paths"].items():
         for method, said in methods.items():

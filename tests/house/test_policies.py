@@ -19,12 +19,12 @@ from httpx import Response
 from sqlalchemy import delete, update
 from sqlalchemy.orm import Session
 
-from app import registry
 from app.accounts.models import Membership, SignIn
 from app.accounts.rules import Audience, Scope
 from app.core import clock
 from app.core.web.http import SAFE_METHODS
 from app.projects.models import Engagement
+from app.routers import ROUTERS
 from tests.house.objects import House
 from tests.house.routes import Operation, api_routes, ask, document, operations, policy_of
 from tests.support.server import RunningServer
@@ -153,7 +153,7 @@ def house(server: RunningServer) -> SharedHouse:
 
 
 def test_every_endpoint_declares_its_policy() -> None:
-    routes = [route for router in registry.ROUTERS for route in api_routes(router.routes)]
+    routes = [route for router in ROUTERS for route in api_routes(router.routes)]
     assert len(routes) > 80
     assert [route.name for route in routes if policy_of(route) is None] == []
 
@@ -170,7 +170,7 @@ def test_an_endpoint_without_policy_would_be_named() -> None:
 
 
 def test_every_endpoint_is_in_the_document_under_a_name_of_its_own() -> None:
-    named = Counter(route.name for router in registry.ROUTERS for route in api_routes(router.routes))
+    named = Counter(route.name for router in ROUTERS for route in api_routes(router.routes))
     documented = Counter(said["operationId"] for path in document()["paths"].values() for said in path.values())
     assert named == documented
     assert [name for name, times in named.items() if times > 1] == []

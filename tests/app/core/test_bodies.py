@@ -10,11 +10,11 @@ from typing import Any
 
 import pytest
 
-from app import registry
 from app.accounts import rate_limits
 from app.accounts.rules import Audience
 from app.core.web import bodies
 from app.core.web.bodies import SMALL_BODY_BYTES
+from app.routers import ROUTERS
 from tests.house.routes import api_routes, policy_of
 from tests.support.deliver import open_delivery
 from tests.support.listening import listening
@@ -101,7 +101,7 @@ def test_a_large_sheet_of_a_signed_in_person_is_read(world: World):
 
 
 def test_nobody_unknown_may_send_more_than_the_default_but_a_pdf_to_verify():
-    routes = [route for router in registry.ROUTERS for route in api_routes(router.routes)]
+    routes = [route for router in ROUTERS for route in api_routes(router.routes)]
     large = [route for route in routes if getattr(route.endpoint, "body_limit", 0) > SMALL_BODY_BYTES]
     assert len(large) > 10
     policies = {route.name: policy_of(route) for route in large}
