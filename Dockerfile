@@ -7,18 +7,33 @@ COPY frontend ./
 COPY docs/checks /src/docs/checks
 RUN npm run build
 
-# The compiled kernel is built here, so that what runs has no compiler.
+# Both wheels are built here, so that what runs has neither compiler nor sources. Nothing is installed that the lock does
+# not name, with its hash. tests/house/test_image.py runs the commands of this stage where there are no containers.
 FROM python:3.13-slim-trixie AS packages
 RUN apt-get update && apt-get install -y --no-install-recommends gcc libc6-dev && rm -rf /var/lib/apt/lists/*
 WORKDIR /src
-COPY pyproject.toml uv.lock setup.py MANIFEST.in README.md LICENSE ./
+COPY pyproject.toml uv.lock ./
+COPY packages/soundlist/pyproject.toml packages/soundlist/
 COPY .ci/locked.py .ci/
-RUN python .ci/locked.py uv setuptools > build.txt \
+RUN python .ci/locked.py uv > build.txt \
     && pip install --no-cache-dir --require-hashes --only-binary :all: --requirement build.txt
-ENV UV_PROJECT_ENVIRONMENT=/opt/soundlist UV_COMPILE_BYTECODE=1 UV_NO_CACHE=1 UV_PYTHON_DOWNLOADS=never
-RUN uv sync --frozen --no-build --no-install-project --extra server
+ENV UV_COMPILE_BYTECODE=1 UV_NO_CACHE=1 UV_PYTHON_DOWNLOADS=never
+RUN UV_PROJECT_ENVIRONMENT=/opt/build uv sync --frozen --no-build --no-install-workspace --only-group build \
+    && UV_PROJECT_ENVIRONMENT=/opt/soundlist uv sync --frozen --no-build --no-install-workspace --no-dev --package soundlist
+COPY setup.py MANIFEST.in LICENSE ./
+COPY packages ./packages
 COPY audio_checks ./audio_checks
-RUN pip wheel --no-cache-dir --no-deps --no-build-isolation --wheel-dir /wheels . \
+COPY app ./app
+COPY migrations ./migrations
+COPY --from=page /src/frontend/dist ./frontend/dist
+# The tag that is checked out, as git describe says it; without it two versions could not be told apart.
+ARG VERSION
+RUN case "$VERSION" in v[0-9]*) ;; *) \
+      echo "VERSION is '$VERSION'; name the tag that is checked out: --build-arg VERSION=\$(git describe --tags)" >&2; exit 1 ;; \
+    esac \
+    && printf 'describe-name: %s\n' "$VERSION" > .git_archival.txt \
+    && uv build --wheel --no-build-isolation --python /opt/build/bin/python --package audio-checks --out-dir /wheels \
+    && uv build --wheel --no-build-isolation --python /opt/build/bin/python --package soundlist --out-dir /wheels \
     && uv pip install --python /opt/soundlist/bin/python --no-deps /wheels/*.whl
 
 FROM python:3.13-slim-trixie
@@ -27,13 +42,8 @@ FROM python:3.13-slim-trixie
 RUN apt-get update && apt-get install -y --no-install-recommends postgresql-client espeak-ng && rm -rf /var/lib/apt/lists/*
 COPY --from=packages /opt/soundlist /opt/soundlist
 ENV PATH=/opt/soundlist/bin:$PATH
-WORKDIR /srv/soundlist
-COPY app ./app
-COPY migrations ./migrations
-COPY --from=page /src/frontend/dist ./frontend/dist
-RUN printf '#!/bin/sh\ncd /srv/soundlist && exec python -m app "$@"\n' > /usr/local/bin/soundlist \
-    && chmod +x /usr/local/bin/soundlist \
-    && useradd --system --uid 10001 --create-home soundlist \
+WORKDIR /srv
+RUN useradd --system --uid 10001 --create-home soundlist \
     && mkdir /data /backups && chown soundlist /data /backups
 USER 10001
 # mallopt(3): by default glibc keeps hundreds of MiB after a few large requests or files at once.

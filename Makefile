@@ -1,4 +1,4 @@
-# `make` alone lists what there is. Everything is set up on the way: nothing needs to be activated.
+# `make` alone lists the commands of every day; CONTRIBUTING.md lists the others. Everything is set up on the way: nothing needs to be activated.
 PORT ?= 8000
 DATA ?= data
 PYTHON ?= python3
@@ -16,7 +16,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs migration openapi completions lock audit-dependencies pins clean
+.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs migration openapi completions lock audit-dependencies pins wheels sbom clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -31,7 +31,7 @@ dev: setup  ## Serve the demo project and follow every change: open port 5173 (P
 	  SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/watchfiles --filter python --sigint-timeout 30 "$(BIN)/soundlist demo --port $(PORT)" app audio_checks migrations & \
 	  cd frontend && SOUNDLIST_SERVER=http://127.0.0.1:$(PORT) npm run --silent dev
 
-hooks: setup  ## Check what you commit before it is committed
+hooks: setup  # Check what you commit before it is committed
 	@$(BIN)/pre-commit install
 
 quick: setup .make/postgresql .make/librosa  ## Pass the test files nearest to what is not committed (SINCE=main: nearest to a branch's changes)
@@ -66,73 +66,73 @@ check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI 
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent typecheck && npm run --silent lint
 
-unit: setup .make/postgresql .make/s3 .make/librosa  ## Fast Python tests, on SQLite and a folder of sounds
+unit: setup .make/postgresql .make/s3 .make/librosa  # Fast Python tests, on SQLite and a folder of sounds
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m '$(FAST)' --record=.make/statements $(ARGS)
 
-slow-unit: setup .make/postgresql .make/s3 .make/librosa .make/caddy  ## Slow Python tests, on SQLite and a folder of sounds
+slow-unit: setup .make/postgresql .make/s3 .make/librosa .make/caddy  # Slow Python tests, on SQLite and a folder of sounds
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m slow $(ARGS)
 
-coverage: setup .make/postgresql .make/s3 .make/librosa  ## Lines and branches that the tests of rooms and journeys run; 95 % in rules, services and queries
+coverage: setup .make/postgresql .make/s3 .make/librosa  # Lines and branches that the tests of rooms and journeys run; 95 % in rules, services and queries
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --cov --cov-report= tests/app tests/journeys $(ARGS)
 	@$(BIN)/coverage report --include='app/*' --format=total | sed 's/^/app, percent: /'
 	@$(BIN)/coverage report --include='app/*/rules.py,app/*/*_rules.py,app/*/service.py,app/*/queries.py,app/*/*_queries.py' --fail-under=95
 
-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## Fast tests of what differs on PostgreSQL and S3
+unit-postgres: setup .make/postgresql .make/s3 .make/librosa  # Fast tests of what differs on PostgreSQL and S3
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m 'both_databases and $(FAST)' --database postgres --store s3 tests/app $(ARGS)
 
-slow-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  ## On PostgreSQL and S3, the slow tests and every statement that make unit recorded
+slow-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  # On PostgreSQL and S3, the slow tests and every statement that make unit recorded
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)
 
-frontend-test: setup  ## Fast tests of the frontend's parts
+frontend-test: setup  # Fast tests of the frontend's parts
 	@cd frontend && npm run --silent test
 
-slow-frontend-test: setup  ## Slow tests of the frontend's parts
+slow-frontend-test: setup  # Slow tests of the frontend's parts
 	@cd frontend && npm run --silent --if-present test:slow
 
-e2e: setup .make/browser .make/postgresql  ## Walk the product in a real browser as its users
+e2e: setup .make/browser .make/postgresql  # Walk the product in a real browser as its users
 	@cd frontend && npm run --silent e2e
 
-slow-e2e: setup .make/browser .make/postgresql  ## Long walks in a real browser, and those that take time
+slow-e2e: setup .make/browser .make/postgresql  # Long walks in a real browser, and those that take time
 	@cd frontend && npm run --silent e2e:slow
 
-firefox: setup .make/browser .make/postgresql  ## Walk the first minute of each role in Firefox too
+firefox: setup .make/browser .make/postgresql  # Walk the first minute of each role in Firefox too
 	@command -v firefox-esr >/dev/null && command -v pulseaudio >/dev/null || sh .ci/install firefox-esr pulseaudio
 	@cd frontend && FIREFOX=$$(command -v firefox-esr) npm run --silent e2e:firefox
 
-kill: setup .make/postgresql .make/caddy  ## Kill real processes at every named point, 20 times each
+kill: setup .make/postgresql .make/caddy  # Kill real processes at every named point, 20 times each
 	$(BIN)/pytest -n 3 tests/kill --kill-runs 20
 
-planted-bugs: setup  ## Plant bugs in every room, one at a time, and say which tests catch each (EACH=2, SEED=1)
+planted-bugs: setup  # Plant bugs in every room, one at a time, and say which tests catch each (EACH=2, SEED=1)
 	@$(BIN)/python -m tests.planted_bugs --each $(or $(EACH),2) --seed $(or $(SEED),1)
 
-attack: setup .make/postgresql  ## Attack a real server and name what broke it (SECONDS=300, DATABASE=sqlite or postgres)
+attack: setup .make/postgresql  # Attack a real server and name what broke it (SECONDS=300, DATABASE=sqlite or postgres)
 	$(BIN)/python -m tests.attack --seconds $(or $(SECONDS),300) --database $(or $(DATABASE),sqlite)
 
-large-zip: setup  ## Send a ZIP of 5 GiB through a real server, and look at time, memory and disk (BYTES=)
+large-zip: setup  # Send a ZIP of 5 GiB through a real server, and look at time, memory and disk (BYTES=)
 	$(BIN)/python -m tests.attack.large_zip --bytes $(or $(BYTES),5368709120)
 
-false-alarms: setup  ## Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
+false-alarms: setup  # Count false alarms and injected faults; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m benchmarks.faults
 
-audit: setup  ## Look for changed sounds among approved ones; SOUNDS_DIR names the folder of real sounds
+audit: setup  # Look for changed sounds among approved ones; SOUNDS_DIR names the folder of real sounds
 	$(BIN)/python -m benchmarks.audits
 
-audit-levels: setup  ## Plant gains in projects of every engine and look for them; MIDDLEWARE_DIR names a folder of real ones
+audit-levels: setup  # Plant gains in projects of every engine and look for them; MIDDLEWARE_DIR names a folder of real ones
 	$(BIN)/python -m benchmarks.audits.levels
 
-fuzz: setup  ## Feed the readers damaged sounds and projects, and everything 200,000 sounds of every shape (PROJECTS=, SOUNDS=, FIRST=)
+fuzz: setup  # Feed the readers damaged sounds and projects, and everything 200,000 sounds of every shape (PROJECTS=, SOUNDS=, FIRST=)
 	$(BIN)/python -m tests.audio_checks.fuzz --mutants 1000000
 	$(BIN)/python -m tests.audio_checks.project_fuzz --mutants $(or $(PROJECTS),200000) --seed $(or $(FIRST),0)
 	$(BIN)/python -m tests.audio_checks.sound_fuzz --count $(or $(SOUNDS),200000) --first $(or $(FIRST),0)
 
-parity: setup  ## Ask server, command line and Python about 1,000 sounds by 6 specs
+parity: setup  # Ask server, command line and Python about 1,000 sounds by 6 specs
 	$(BIN)/python -m tests.app.conformance.parity
 
-bench: setup .make/peers  ## Measure speed and quality against peers
+bench: setup .make/peers  # Measure speed and quality against peers
 	$(BIN)/python -m benchmarks
 
-weights: setup  ## Train the weights of judgements (needs ffmpeg; SOUNDS_DIR= adds real recordings, RECORDED_DIR= adds others in measured rooms; an hour)
-	$(UV) sync --frozen --inexact --no-install-project --extra training
+weights: setup  # Train the weights of judgements (needs ffmpeg; SOUNDS_DIR= adds real recordings, RECORDED_DIR= adds others in measured rooms; an hour)
+	$(UV) sync --frozen --inexact --no-install-workspace --group training
 	$(BIN)/python -m training.reverb
 	test -z "$(RECORDED_DIR)" || { $(BIN)/python -m training.reverb_recorded && $(BIN)/python -m training.reverb_levels && $(BIN)/python -m training.reverb --tables-only; }
 	$(BIN)/python -m training.reversed
@@ -156,28 +156,40 @@ openapi: .make/kernel .make/node  ## Write the OpenAPI document and the frontend
 	$(BIN)/python -m tests.support.browser_vectors frontend/src/features/desk/precheck/vectors.json
 	cd frontend && npm run --silent gen
 
-completions: .make/kernel  ## Write the completion scripts of audio-checks
+completions: .make/kernel  # Write the completion scripts of audio-checks
 	$(BIN)/python -m audio_checks.cli.completion
 
-audit-dependencies: .make/python  ## Look for known vulnerabilities in what is locked, where advisories can be reached
+audit-dependencies: .make/python  # Look for known vulnerabilities in what is locked, where advisories can be reached
 	@REQUIRED=$(REQUIRED) .ci/audit-dependencies
 
-pins:  ## Pin images and actions by digest (needs docker, gh and their registries)
+pins:  # Pin images and actions by digest (needs docker, gh and their registries)
 	@$(PYTHON) deploy/pin_digests.py
 
 lock: .make/python  ## Lock what pyproject.toml asks for (UPGRADE=1 takes the newest versions)
 	@$(UV) lock $(if $(UPGRADE),--upgrade)
 
+wheels: setup  ## Build the wheels of audio-checks and soundlist, with the page (OUT=dist)
+	@$(UV) build --wheel --no-build-isolation --python $(BIN)/python --package audio-checks --out-dir $(or $(OUT),dist)
+	@$(UV) build --wheel --no-build-isolation --python $(BIN)/python --package soundlist --out-dir $(or $(OUT),dist)
+
+sbom: .make/python .make/node  # Write the bills of materials of what is locked, as CycloneDX (OUT=dist)
+	@mkdir -p $(or $(OUT),dist)
+	@for package in audio-checks soundlist; do \
+	  $(UV) export --frozen --no-dev --preview-features sbom-export --format cyclonedx1.5 --package $$package \
+	    --output-file $(or $(OUT),dist)/$$package.cdx.json >/dev/null || exit 1; \
+	done
+	@cd frontend && npm sbom --omit dev --sbom-format cyclonedx > "$(abspath $(or $(OUT),dist))/page.cdx.json"
+
 clean:  ## Remove what set-up made; data stays
 	rm -rf .venv .make frontend/node_modules frontend/dist frontend/src/api/schema.gen.ts
 
-.make/python: pyproject.toml uv.lock
+.make/python: pyproject.toml packages/soundlist/pyproject.toml uv.lock
 	@mkdir -p .make
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed: PYTHON=/path/to/python make"; exit 1; }
 	@$(PYTHON) -m venv .venv || { echo "Python lacks venv: apt-get install python3-venv"; exit 1; }
 	@echo "Installing Python packages" && $(BIN)/python .ci/locked.py uv >.make/uv.txt
 	@$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes --only-binary :all: --requirement .make/uv.txt
-	@$(UV) sync --frozen --no-build --no-install-project --extra server --extra dev
+	@$(UV) sync --frozen --no-build --no-install-workspace --all-packages
 	@printf '#!/bin/sh\nPYTHONPATH="%s" exec "%s/.venv/bin/python" -P -m app "$$@"\n' "$(CURDIR)" "$(CURDIR)" > $(BIN)/soundlist
 	@chmod +x $(BIN)/soundlist
 	@touch $@
@@ -188,7 +200,7 @@ clean:  ## Remove what set-up made; data stays
 	@touch $@
 
 .make/peers: .make/python
-	@$(UV) sync --frozen --inexact --no-install-project --extra bench || echo "some peers cannot be installed; the tables say which"
+	@$(UV) sync --frozen --inexact --no-install-workspace --group bench || echo "some peers cannot be installed; the tables say which"
 	@for peer in sox loudgain; do command -v $$peer >/dev/null || sh .ci/install $$peer || true; done
 	@touch $@
 

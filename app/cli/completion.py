@@ -32,6 +32,15 @@ def print_completion(context: typer.Context, shell: Shell | None) -> None:
         raise typer.Exit
 
 
+def print_version(asked: bool) -> None:
+    """Print the version, which is that of the checks too, and end."""
+    if asked:
+        from audio_checks import TOOL_VERSION  # not for every command: it loads numpy
+
+        typer.echo(f"{PROGRAM} {TOOL_VERSION}")
+        raise typer.Exit
+
+
 @cli.callback(help="The Soundlist server.")
 def take_arguments(
     completion: Annotated[
@@ -43,6 +52,9 @@ def take_arguments(
             callback=print_completion,
         ),
     ] = None,
+    version: Annotated[
+        bool, typer.Option("--version", help="Print the version.", is_eager=True, callback=print_version)
+    ] = False,
 ) -> None:
     """Take the options of the program itself; the callback of each does what it asks for."""
 

@@ -18,6 +18,7 @@ LOCK = tomllib.loads((ROOT / "uv.lock").read_text())["package"]
 PIN = runpy.run_path(str(ROOT / "deploy/pin_digests.py"))
 # Named by tag only: `make pins` pins them where images and GitHub can be reached. What is pinned leaves this list.
 NOT_PINNED = {
+    "actions/attest-build-provenance@v3",
     "actions/cache@v4",
     "actions/checkout@v5",
     "actions/download-artifact@v6",
@@ -35,11 +36,17 @@ NOT_PINNED = {
     "python:3.13-slim-trixie",
     "versity/versitygw:v1.8.0",
 }
+# Of the jobs of a release: signing and trusted publishing, in place of a token, and the page of the release.
+RIGHTS = {
+    "attest": {"attestations": "write", "contents": "read", "id-token": "write"},
+    "publish": {"id-token": "write"},
+    "announce": {"contents": "write"},
+}
 
 
 def test_every_package_has_its_version_and_hashes():
-    ours = [package for package in LOCK if package["source"] == {"editable": "."}]
-    assert [package["name"] for package in ours] == ["audio-checks"]
+    ours = [package for package in LOCK if "editable" in package["source"]]
+    assert [package["name"] for package in ours] == ["audio-checks", "soundlist"]
     for package in (package for package in LOCK if package not in ours):
         assert package["version"], package["name"]
         files = [*package.get("wheels", []), *([package["sdist"]] if "sdist" in package else [])]
@@ -55,14 +62,11 @@ def test_the_lock_is_of_the_dependencies_that_the_project_names():
 
 
 def test_what_is_there_before_uv_is_installs_by_the_hashes_of_the_lock():
-    done = subprocess.run([ROOT / ".ci/locked.py", "uv", "setuptools"], capture_output=True, text=True, check=True)
-    lines = [line.split(" --hash=") for line in done.stdout.splitlines()]
-    wheels = {
-        package["name"]: {wheel["hash"] for wheel in package["wheels"]} for package in LOCK if "wheels" in package
-    }
-    versions = {package["name"]: package["version"] for package in LOCK}
-    assert [line[0] for line in lines] == [f"{name}=={versions[name]}" for name in ("uv", "setuptools")]
-    assert [set(line[1:]) for line in lines] == [wheels["uv"], wheels["setuptools"]]
+    done = subprocess.run([ROOT / ".ci/locked.py", "uv"], capture_output=True, text=True, check=True)
+    [line] = [line.split(" --hash=") for line in done.stdout.splitlines()]
+    [package] = [package for package in LOCK if package["name"] == "uv"]
+    assert line[0] == f"uv=={package['version']}"
+    assert set(line[1:]) == {wheel["hash"] for wheel in package["wheels"]}
 
 
 def test_setup_and_image_install_nothing_without_a_hash():
@@ -73,7 +77,7 @@ def test_setup_and_image_install_nothing_without_a_hash():
     installs = re.findall(r"(?:pip\S* (?:install|wheel)|sync) [^&\n]+", setup + image)
     assert len(installs) == 7
     for command in installs:
-        is_locked = "--require-hashes" in command or ("--frozen" in command and "--no-install-project" in command)
+        is_locked = "--require-hashes" in command or ("--frozen" in command and "--no-install-workspace" in command)
         is_ours = "--no-deps" in command and ("--no-build-isolation" in command or "/wheels/*.whl" in command)
         assert is_locked or is_ours, command
 
@@ -109,7 +113,7 @@ def test_pinning_writes_digests_and_keeps_what_is_ours():
     assert changed == [path.name for path in PIN["files"]()]
     services: dict[str, Any] = yaml.safe_load(pinned((ROOT / "docker-compose.yml").read_text()))["services"]
     assert {service["image"] for service in services.values() if "@" not in service["image"]} == {
-        "soundlist:${IMAGE_TAG:-latest}"
+        "soundlist:${IMAGE_TAG}"
     }
 
 
@@ -118,7 +122,6 @@ def test_workflows_have_no_right_that_they_do_not_need():
         workflow = yaml.safe_load(path.read_text())
         assert workflow["permissions"] == {"contents": "read"}, path.name
         for name, job in workflow["jobs"].items():
-            needed = {"id-token": "write"} if name == "publish" else None  # trusted publishing, in place of a token
-            assert job.get("permissions") == needed, f"{path.name}: {name}"
+            assert job.get("permissions") == RIGHTS.get(name), f"{path.name}: {name}"
             checkouts = [step for step in job["steps"] if step.get("uses", "").startswith("actions/checkout@")]
             assert all(step.get("with", {}).get("persist-credentials") is False for step in checkouts), path.name

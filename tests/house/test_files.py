@@ -14,7 +14,6 @@ from typer.testing import CliRunner
 
 from app.cli import cli
 from app.settings import Settings
-from audio_checks.version import TOOL_VERSION
 
 pytestmark = pytest.mark.lint
 
@@ -185,8 +184,26 @@ def test_the_openapi_document_is_the_servers():
     assert json.loads(reported.stdout) == json.loads((ROOT / "frontend/openapi.json").read_text())
 
 
-def test_the_library_is_the_version_that_the_package_says():
-    assert f'version = "{TOOL_VERSION}"' in (ROOT / "pyproject.toml").read_text()
+def test_make_lists_the_commands_of_every_day_and_contributing_the_others():
+    makefile = (ROOT / "Makefile").read_text()
+    listed = set(re.findall(r"^([a-z0-9-]+):.*## ", makefile, re.MULTILINE))
+    assert "run" in listed
+    assert len(listed) <= 15
+    targets = set(re.findall(r"^([a-z0-9-]+):", makefile, re.MULTILINE))
+    named = {
+        target
+        for code in re.findall(r"```.*?```|`[^`\n]+`", (ROOT / "CONTRIBUTING.md").read_text(), re.DOTALL)
+        for target in re.findall(r"[a-z][a-z0-9-]+", code)
+    }
+    assert targets - named == set()
+
+
+def test_no_version_is_written_down():
+    """It is that of the tag, in whatever is built from it."""
+    for path in ("pyproject.toml", "packages/soundlist/pyproject.toml"):
+        project = tomllib.loads((ROOT / path).read_text())["project"]
+        assert (project["dynamic"], "version" in project) == (["version"], False)
+    assert "version" not in json.loads((ROOT / "frontend/package.json").read_text())
 
 
 def test_the_lock_files_name_no_mirror():
@@ -194,7 +211,7 @@ def test_the_lock_files_name_no_mirror():
     sources = {
         package["source"].get("registry") for package in tomllib.loads((ROOT / "uv.lock").read_text())["package"]
     }
-    assert len(sources - {None}) == 1  # None: this project itself
+    assert len(sources - {None}) == 1  # None: this workspace itself
     assert "index" not in tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["uv"]
     assert '"resolved"' not in (ROOT / "frontend/package-lock.json").read_text()
 

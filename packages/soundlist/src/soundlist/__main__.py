@@ -1,0 +1,5 @@
+"""`python -m soundlist` is `soundlist`."""
+
+from soundlist import main
+
+main()
