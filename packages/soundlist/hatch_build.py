@@ -19,7 +19,7 @@ class SameVersion(MetadataHookInterface):
 class BuiltPage(BuildHookInterface):  # type: ignore[type-arg]
     """Refuses to build a server without its page."""
 
-    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002 - hatchling's interface
         """Look for the page, except for an editable installation."""
         page = Path(self.root, "../../frontend/dist/index.html").resolve()
         if version == "standard" and not page.exists():

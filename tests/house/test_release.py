@@ -1,4 +1,4 @@
-"""A release is built and installed as its workflow and its users do it; whether a forge starts the workflow is not tested.
+"""A release is built and installed as its workflow and its users do it; that a forge starts the workflow is not tested.
 
 Everything is built from a copy of the checkout with a tag of its own, and installed from a folder into an empty
 environment, where neither a compiler nor Node can be found.
