@@ -33,7 +33,7 @@ class Reference(NamedTuple):
 def files(root: Path = ROOT) -> list[Path]:
     """Return the files that name images or actions."""
     named = [root / "Dockerfile", root / "docker-compose.yml", root / "action.yml"]
-    return named + sorted((root / ".github").rglob("*.yml"))
+    return named + sorted((root / ".github/workflows").glob("*.yml"))
 
 
 def references(path: Path) -> Iterator[Reference]:
