@@ -16,12 +16,12 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs migration openapi completions lock audit-dependencies pins wheels sbom clean
+.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs docs-site migration openapi completions lock audit-dependencies pins wheels sbom clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
 
-setup: .make/python .make/kernel .make/node .make/page frontend/src/api/schema.gen.ts  ## Set up everything that running and testing need
+setup: .make/python .make/kernel .make/node .make/page .make/help frontend/src/api/schema.gen.ts  ## Set up everything that running and testing need
 
 run: setup  ## Serve the product with a demo project (PORT=8000, DATA=data)
 	@exec env SOUNDLIST_DATA_DIR="$(DATA)" $(BIN)/soundlist demo --port $(PORT)
@@ -147,6 +147,9 @@ fix: setup  ## Format and fix what can be fixed by itself
 docs: setup  ## Write the generated pages
 	$(BIN)/python -m audio_checks.cli.pages docs/checks
 
+docs-site: .make/python  # Build the guides as a site, which the server has at /help
+	@$(BIN)/python .ci/docs_site.py
+
 migration: setup  ## Write the migration that makes every table of the models
 	$(BIN)/python -m migrations.write_initial
 
@@ -217,6 +220,10 @@ clean:  ## Remove what set-up made; data stays
 
 .make/page: .make/node frontend/index.html frontend/vite.config.ts $(shell find frontend/src frontend/public -type f -not -name '*.gen.ts' 2>/dev/null)
 	@echo "Building the frontend" && cd frontend && npm run --silent build
+	@touch $@
+
+.make/help: .make/python .make/page zensical.toml .ci/docs_site.py $(shell find docs -type f)
+	@echo "Building the guides" && $(BIN)/python .ci/docs_site.py
 	@touch $@
 
 frontend/src/api/schema.gen.ts: .make/node frontend/openapi.json frontend/scripts/gen.mjs

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import structlog
 from fastapi import FastAPI, Response
-from fastapi.responses import FileResponse, JSONResponse
+from fastapi.responses import FileResponse, JSONResponse, RedirectResponse
 
 from app import registry
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
@@ -102,6 +102,11 @@ async def _sweep(runtime: Runtime) -> None:
 def _serve_frontend(app: FastAPI, folder: Path) -> None:
     if (folder / "assets").is_dir():
         app.mount("/assets", PrecompressedFiles(directory=folder / "assets"), name="assets")
+
+    @app.get("/help", include_in_schema=False)
+    def help_() -> Response:
+        """Answer with the address of the guides, whose links start from their folder."""
+        return RedirectResponse("/help/")
 
     @app.get("/{path:path}", include_in_schema=False)
     def page(path: str) -> Response:

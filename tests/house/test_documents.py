@@ -1,4 +1,4 @@
-"""The guides: every path to one leads somewhere."""
+"""The guides: every path to one leads somewhere, and every reader finds the way."""
 
 import os
 import re
@@ -34,3 +34,48 @@ def test_every_path_to_a_guide_exists():
         if not (ROOT / guide).exists()
     ]
     assert dead == []
+
+
+def pages_by_links(page: Path) -> set[Path]:
+    """Return the documents that a document links to."""
+    links = re.findall(r"\]\(([^)#\s]+\.md)", page.read_text(encoding="utf-8"))
+    return {(page.parent / link).resolve() for link in links if "://" not in link}
+
+
+@pytest.mark.parametrize(
+    "goal",
+    [
+        "how-to/contracts.md",  # a producer
+        "how-to/deliver.md",  # a sound designer
+        "how-to/ci.md",  # a CI engineer
+        "how-to/operate.md",  # an operator
+        "explanation/architecture.md",  # a contributor
+    ],
+)
+def test_each_reader_is_at_the_goal_in_three_links(goal: str):
+    reached = {ROOT / "README.md"}
+    for _ in range(3):
+        reached |= {linked for page in reached for linked in pages_by_links(page) if linked.is_file()}
+    assert ROOT / "docs" / goal in reached
+
+
+def test_every_guide_is_in_the_navigation_of_the_site_and_linked_from_its_first_page():
+    navigation = re.findall(r'"((?:[\w-]+/)*[\w-]+\.md)"', (ROOT / "zensical.toml").read_text())
+    folders = {"decisions", "checks"}  # their first pages list the others
+    guides = {
+        str(page.relative_to(ROOT / "docs"))
+        for page in (ROOT / "docs").rglob("*.md")
+        if page.parent.name not in folders or page.name == "README.md"
+    }
+    assert set(navigation) == guides
+    first = ROOT / "docs" / "README.md"
+    assert {first, *pages_by_links(first)} >= {ROOT / "docs" / guide for guide in guides}
+    for folder in folders:
+        index = ROOT / "docs" / folder / "README.md"
+        assert pages_by_links(index) >= {page for page in index.parent.glob("*.md") if page != index}
+
+
+def test_the_first_page_of_the_repository_is_one_screen():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 60
+    assert "![" in text

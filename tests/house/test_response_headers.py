@@ -30,7 +30,14 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServer]:
     """The application as it is behind TLS, with a built frontend."""
     folder = tmp_path_factory.mktemp("headers")
     frontend = folder / "frontend"
-    for name in ("index.html", "docs/index.html", "assets/index-1a2b.js", "mark.svg"):
+    for name in (
+        "index.html",
+        "docs/index.html",
+        "help/index.html",
+        "help/how-to/review.html",
+        "assets/index-1a2b.js",
+        "mark.svg",
+    ):
         (frontend / name).parent.mkdir(parents=True, exist_ok=True)
         (frontend / name).write_text(f"<!doctype html>{name}")
     runtime = Runtime.of(
@@ -87,6 +94,7 @@ def test_no_answer_of_the_api_is_kept_by_a_shared_cache(served: RunningServer):
         ("/", 200, "no-cache"),
         ("/projects/1", 200, "no-cache"),
         ("/docs", 200, "no-cache"),
+        ("/help/how-to/review.html", 200, "no-cache"),
         ("/mark.svg", 200, "no-cache"),
         ("/assets/index-1a2b.js", 200, "public, max-age=31536000, immutable"),
         ("/assets/nothing.js", 404, "no-store"),
@@ -113,6 +121,16 @@ def test_the_documentation_is_a_page_of_our_own(served: RunningServer):
     assert served.browser().get("/docs").text == "<!doctype html>docs/index.html"
     for path in (Path(__file__).resolve().parents[2] / "frontend" / "docs").iterdir():
         assert "https://" not in path.read_text()
+
+
+def test_the_guides_are_pages_of_our_own(served: RunningServer):
+    browser = served.browser()
+    sent_on = browser.get("/help", follow_redirects=False)
+    assert (sent_on.status_code, sent_on.headers["location"]) == (307, "/help/")
+    assert browser.get("/help/").text == "<!doctype html>help/index.html"
+    page = browser.get("/help/how-to/review.html")
+    assert page.text == "<!doctype html>help/how-to/review.html"
+    assert wrong_of_page(page.headers) == {}
 
 
 @pytest.mark.slow

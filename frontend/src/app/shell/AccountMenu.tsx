@@ -7,6 +7,7 @@ import { OpenedMenu } from '@/ui/OpenedMenu'
 
 import type { ShellData } from '../session'
 import { areasOf } from './areas'
+import { helpFor } from './help'
 import { useScheme } from './scheme'
 
 const SCHEMES = [
@@ -46,6 +47,9 @@ export function AccountMenu({ data, onKeys, button }: AccountMenuProps) {
         ))}
       </Menu.RadioGroup>
       <Menu.Divider />
+      <Menu.Item component="a" href={helpFor(router.state.location.pathname)} target="_blank">
+        Help on this page
+      </Menu.Item>
       <Menu.Item rightSection={<Key keys="?" />} onClick={onKeys}>
         Keyboard shortcuts
       </Menu.Item>

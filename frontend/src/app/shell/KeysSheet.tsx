@@ -1,15 +1,18 @@
 import { Switch } from '@mantine/core'
+import { useLocation } from '@tanstack/react-router'
 
 import { Key } from '@/ui/Key'
 
 import { Dialog } from '../Dialog'
 import { useKeysSwitch, useListedHotkeys } from '../keys'
+import { helpFor } from './help'
 import classes from './KeysSheet.module.css'
 
 /** Every key that works on this page, and the switch that turns single keys off. */
 export function KeysSheet({ opened, onClose }: { opened: boolean; onClose: () => void }) {
   const hotkeys = useListedHotkeys().filter(({ unlisted, disabled }) => !unlisted && !disabled)
   const [on, setOn] = useKeysSwitch()
+  const { pathname } = useLocation()
   const groups = new Map<string, typeof hotkeys>()
   for (const hotkey of hotkeys) {
     const group = hotkey.group ?? 'This page'
@@ -37,6 +40,9 @@ export function KeysSheet({ opened, onClose }: { opened: boolean; onClose: () =>
           </section>
         ))}
       </div>
+      <a className="link" href={helpFor(pathname)} target="_blank">
+        Help on this page
+      </a>
       <Switch
         mt="lg"
         checked={on}
