@@ -31,7 +31,6 @@ from app.deliveries.models import Take
 from app.hiring import queries as hiring
 from app.hiring.rules import PostingState
 from app.money import queries as money
-from app.money.invoices.service import invoice_read
 from app.money.ledger.rules import LineKind
 from app.money.ledger.service import load_ledger_book
 from app.projects.approval.service import approval_rights
@@ -317,8 +316,7 @@ class _Steps:
         book = load_ledger_book(session, contract)
         of_contract = {"contract_id": contract.id, "currency": contract.currency, "who": _other_side(contract, party)}
         for invoice in money.invoices_of(session, contract.id):
-            read = invoice_read(session, contract, book, invoice)
-            if read.open_minor <= 0:
+            if (open_minor := book.open_minor(invoice.id)) <= 0:
                 continue
             if party is Party.STUDIO:
                 self.steps.append(
@@ -326,7 +324,7 @@ class _Steps:
                         kind=NextStepKind.PAY_INVOICE,
                         subject=invoice.full_number,
                         since=invoice.created_at,
-                        amount_minor=read.open_minor,
+                        amount_minor=open_minor,
                         **of_contract,
                     )
                 )

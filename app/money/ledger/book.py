@@ -121,6 +121,10 @@ class LedgerBook:
         """Return the paid amount of a line."""
         return self._paid_minor.get(line_id, 0)
 
+    def open_minor(self, invoice_id: UUID) -> int:
+        """Return the amount of an invoice that is not paid yet."""
+        return sum(line.amount_minor - self.paid_minor(line.id) for line in self.owed if line.invoice_id == invoice_id)
+
     def owed_by_kind(self, cue_id: UUID) -> dict[LineKind, Line]:
         """Return the lines by which a cue's price is owed, by their kind: at most one of each."""
         owed_by_kind: dict[LineKind, Line] = {}

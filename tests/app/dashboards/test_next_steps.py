@@ -181,6 +181,36 @@ def test_money_is_the_designers_then_the_producers_step(world: World) -> None:
 
 
 @pytest.mark.slow
+def test_a_second_invoice_costs_no_more_statements_and_what_is_paid_waits_no_more(world: World) -> None:
+    agreed = Agreed(world, terms={})
+    cue = agreed.cue()
+    agreed.agree(deposit(30_000), milestone("Alpha", cue, amount_minor=70_000))
+
+    def statements() -> int:
+        with world.server.counted_selects() as selects:
+            asked(world.producer, world.project_id)
+        return len(selects)
+
+    def waiting() -> list[int]:
+        return [
+            step["amount_minor"]
+            for step in asked(world.producer, world.project_id)["steps"]
+            if step["kind"] == "pay_invoice"
+        ]
+
+    first = agreed.invoice()
+    agreed.approve(agreed.take(cue))
+    for_one = statements()
+    second = agreed.invoice()
+    assert sorted(waiting()) == sorted([first["open_minor"], second["open_minor"]])
+    assert statements() <= for_one
+    agreed.pay(first, 10_000)
+    assert sorted(waiting()) == sorted([first["open_minor"] - 10_000, second["open_minor"]])
+    agreed.pay(first, first["open_minor"] - 10_000)
+    assert waiting() == [second["open_minor"]]
+
+
+@pytest.mark.slow
 def test_a_deposit_is_announced_to_both_and_then_invoiced_and_paid(world: World, contracts: Contracts) -> None:
     [cue] = add_cues(world, {"name": "airlock"})
     draft = contracts.begin()
