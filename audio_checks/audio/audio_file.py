@@ -180,8 +180,12 @@ class AudioFile:
         """The file's metadata. Streams the file once."""
         self._hashed()
         metadata = self._gathering.read()
-        said = self._sound.flac or self._sound.coded
-        return metadata if said is None else replace(metadata, fields=metadata.fields | said.comment_fields)
+        tagged_stream = self._sound.flac or self._sound.coded
+        return (
+            metadata
+            if tagged_stream is None
+            else replace(metadata, fields=metadata.fields | tagged_stream.comment_fields)
+        )
 
     @cached_property
     def measurements(self) -> Measurements:

@@ -75,11 +75,11 @@ def opened_as_wav(path: str | os.PathLike[str]) -> tuple[SelfDeletingFile, Coded
     where = os.path.abspath(os.fspath(path))
     try:
         if is_inside():
-            found = decode(where, decoded)
+            coded_fields = decode(where, decoded)
         else:
             with _sandbox().child(reads=[where], writes=[decoded]) as child:
-                found = child.call(decode, where, decoded)
-        return SelfDeletingFile(decoded), Coded(*found)
+                coded_fields = child.call(decode, where, decoded)
+        return SelfDeletingFile(decoded), Coded(*coded_fields)
     except BaseException:
         with suppress(FileNotFoundError):
             os.unlink(decoded)
@@ -131,7 +131,7 @@ def decode(path: str, out: str) -> tuple[str, str, float, dict[str, str]]:
             bit_rate_kbps = round(os.path.getsize(path) * 8 / 1_000 * rate / frames, 1)
             return container, encoding, bit_rate_kbps, comments_in(sound)
     except soundfile.SoundFileError as error:
-        reason = "".join(one if one.isprintable() else "?" for one in str(error))[:200]
+        reason = "".join(character if character.isprintable() else "?" for character in str(error))[:200]
         raise _damaged(f"it does not decode ({reason})") from None
 
 
@@ -140,16 +140,16 @@ def whole_frames(path: str, announced: int) -> int:
     import soundfile
 
     with soundfile.SoundFile(path) as sound:
-        found = 0
+        decoded_frames = 0
         while block := len(sound.read(BLOCK_FRAMES, dtype="float32")):
-            found += block
-    return found if announced - MOST_SHORT_FRAMES <= found < announced else announced
+            decoded_frames += block
+    return decoded_frames if announced - MOST_SHORT_FRAMES <= decoded_frames < announced else announced
 
 
 def comments_in(sound: Any) -> dict[str, str]:
     """Return the tags that libsndfile finds in an open sound, by their names in capitals, each cut to what is read."""
-    found: dict[str, str] = sound.copy_metadata()
-    return {name.upper(): text[:MOST_COMMENT_CHARACTERS] for name, text in found.items() if text}
+    comments: dict[str, str] = sound.copy_metadata()
+    return {name.upper(): text[:MOST_COMMENT_CHARACTERS] for name, text in comments.items() if text}
 
 
 def _blocks(sound: object, frames: int) -> Iterator[NDArray[np.float32]]:

@@ -154,7 +154,7 @@ class Pass:
     @property
     def decoder(self) -> Faults | None:
         """The accumulator that blocks are best decoded into, if there is one."""
-        return next((one for _, one in self._running if isinstance(one, Faults)), None)
+        return next((accumulator for _, accumulator in self._running if isinstance(accumulator, Faults)), None)
 
     def add(self, block: NDArray[np.float64]) -> None:
         """Hand the next samples, shape (n, channels), to every accumulator that has not failed."""
@@ -162,7 +162,7 @@ class Pass:
             with self._contained(measured):
                 accumulator.add(block)
         if self._errors:
-            self._running = [one for one in self._running if self._errors.keys().isdisjoint(one[0])]
+            self._running = [running for running in self._running if self._errors.keys().isdisjoint(running[0])]
 
     def result(self) -> tuple[dict[str, Any], dict[str, Exception]]:
         """Return the figures, None for those that could not be measured, and the error of each of the latter."""

@@ -37,11 +37,11 @@ def read_accepted(path: str | Path) -> Mapping[Key, list[tuple[float | None, str
     SpecError
         The file holds no baseline.
     """
-    found: dict[Key, list[tuple[float | None, str]]] = {}
-    for place, entry in enumerate(_document(path).get("accepted", [])):
-        key, gain_db, reason = _entry(entry, f"{path}: accepted[{place}]")
-        found.setdefault(key, []).append((gain_db, reason))
-    return found
+    accepted: dict[Key, list[tuple[float | None, str]]] = {}
+    for index, entry in enumerate(_document(path).get("accepted", [])):
+        key, gain_db, reason = _entry(entry, f"{path}: accepted[{index}]")
+        accepted.setdefault(key, []).append((gain_db, reason))
+    return accepted
 
 
 def with_accepted(audit: Audit, accepted: Mapping[Key, Sequence[tuple[float | None, str]]]) -> Audit:

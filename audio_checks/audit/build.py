@@ -75,26 +75,30 @@ def audit_build(
     all others are duplicates.
     """
     places = _places(approved)
-    place_of = [places.get(one.path, places.get(_stem(one.path))) for one in built]
+    place_of = [places.get(built_file.path, places.get(_stem(built_file.path))) for built_file in built]
     if by_ends:
         place_of = _with_ends(place_of, places, built)
     alike = _all_alike(approved, built, place_of)
     taken: set[int] = set()  # approved sounds whose place has a file
     held: dict[int, str] = {}  # and the first file that holds their sound
     entries: list[Entry | None] = [None] * len(built)
-    for at, one in enumerate(built):  # first what stands at an approved path
-        place = place_of[at]
-        if place is not None and place not in taken:
-            taken.add(place)
-            entries[at] = entry = _in_place(one, approved[place], alike[at].get(place), _matches(approved, alike[at]))
+    for at, file in enumerate(built):  # first what stands at an approved path
+        approved_index = place_of[at]
+        if approved_index is not None and approved_index not in taken:
+            taken.add(approved_index)
+            entries[at] = entry = _in_place(
+                file, approved[approved_index], alike[at].get(approved_index), _matches(approved, alike[at])
+            )
             if entry.gain_db is not None:
-                held[place] = one.path
-    for at, one in enumerate(built):
+                held[approved_index] = file.path
+    for at, file in enumerate(built):
         if entries[at] is None:
-            entries[at] = _elsewhere(one, approved, alike[at], held)
-    found = [entry for entry in entries if entry is not None]
-    missing = [_missing(one, found) for place, one in enumerate(approved) if place not in taken and place not in held]
-    return Audit((*found, *missing))
+            entries[at] = _elsewhere(file, approved, alike[at], held)
+    built_entries = [entry for entry in entries if entry is not None]
+    missing = [
+        _missing(file, built_entries) for index, file in enumerate(approved) if index not in taken and index not in held
+    ]
+    return Audit((*built_entries, *missing))
 
 
 def _fingerprint_all(tasks: list[tuple[str, str]]) -> list[FingerprintedFile]:
@@ -119,9 +123,9 @@ def _stem(path: str) -> str:
 def _places(approved: Sequence[FingerprintedFile]) -> dict[str, int]:
     """Return each approved sound's place in the list, by its path and by its path without the ending."""
     stems: dict[str, int] = {}
-    for place, one in enumerate(approved):
-        stems.setdefault(_stem(one.path), place)
-    return {**stems, **{one.path: place for place, one in enumerate(approved)}}
+    for index, file in enumerate(approved):
+        stems.setdefault(_stem(file.path), index)
+    return {**stems, **{file.path: index for index, file in enumerate(approved)}}
 
 
 def _with_ends(
@@ -129,19 +133,19 @@ def _with_ends(
 ) -> list[int | None]:
     """Return the places of files, with those that only the end of a path names."""
     claims: dict[int, list[int]] = defaultdict(list)
-    for at, one in enumerate(built):
+    for at, file in enumerate(built):
         if place_of[at] is None:
-            names = PurePosixPath(_stem(one.path)).parts
+            names = PurePosixPath(_stem(file.path)).parts
             ends = ("/".join(names[begin:]) for begin in range(1, len(names)))
-            place = next((places[end] for end in ends if end in places), None)
-            if place is not None:
-                claims[place].append(at)
+            approved_index = next((places[end] for end in ends if end in places), None)
+            if approved_index is not None:
+                claims[approved_index].append(at)
     taken = set(place_of)
-    found = list(place_of)
-    for place, claimants in claims.items():
-        if len(claimants) == 1 and place not in taken:
-            found[claimants[0]] = place
-    return found
+    indices = list(place_of)
+    for index, claimants in claims.items():
+        if len(claimants) == 1 and index not in taken:
+            indices[claimants[0]] = index
+    return indices
 
 
 def _all_alike(
@@ -149,33 +153,37 @@ def _all_alike(
 ) -> list[dict[int, Likeness]]:
     """Return for each file of a build its likeness to approved sounds, by their places: the candidates only."""
     by_sound: dict[str, list[int]] = defaultdict(list)
-    for place, one in enumerate(approved):
-        if one.pcm_sha256 is not None and one.frames:
-            by_sound[one.pcm_sha256].append(place)
+    for index, file in enumerate(approved):
+        if file.pcm_sha256 is not None and file.frames:
+            by_sound[file.pcm_sha256].append(index)
     alike: list[dict[int, Likeness]] = [
-        {place: EXACT for place in by_sound.get(one.pcm_sha256 or "", ()) if _has_format_of(one, approved[place])}
-        for one in built
+        {
+            approved_index: EXACT
+            for approved_index in by_sound.get(file.pcm_sha256 or "", ())
+            if _has_format_of(file, approved[approved_index])
+        }
+        for file in built
     ]
     waves = _Pool()
-    known = [place for place, one in enumerate(approved) if one.fingerprint is not None]
-    asked = [at for at, one in enumerate(built) if one.fingerprint is not None]
+    known = [approved_index for approved_index, file in enumerate(approved) if file.fingerprint is not None]
+    asked = [at for at, file in enumerate(built) if file.fingerprint is not None]
     if not (known and asked):
         return alike
-    search = Search([cells_of(waves.of(approved[place]).wave) for place in known])
-    found = search.found([cells_of(waves.of(built[at]).wave) for at in asked])
-    for at, candidates in zip(asked, found, strict=True):
+    search = Search([cells_of(waves.of(approved[approved_index]).wave) for approved_index in known])
+    candidate_lists = search.found([cells_of(waves.of(built[at]).wave) for at in asked])
+    for at, candidates in zip(asked, candidate_lists, strict=True):
         own = place_of[at]
         wanted = {known[candidate] for candidate in candidates} | ({own} if own in known else set())
         mine = Waves(built[at].fingerprint or b"")
-        for place in sorted(wanted - set(alike[at])):
-            if (like := likeness(waves.of(approved[place]), mine)) is not None:
-                alike[at][place] = like
+        for index in sorted(wanted - set(alike[at])):
+            if (like := likeness(waves.of(approved[index]), mine)) is not None:
+                alike[at][index] = like
     return alike
 
 
-def _has_format_of(one: FingerprintedFile, other: FingerprintedFile) -> bool:
+def _has_format_of(file: FingerprintedFile, other: FingerprintedFile) -> bool:
     """Whether two files of the same bytes also have the same rate and channels: only then they sound the same."""
-    return (one.sample_rate_hz, one.channels, one.bit_depth) == (
+    return (file.sample_rate_hz, file.channels, file.bit_depth) == (
         other.sample_rate_hz,
         other.channels,
         other.bit_depth,
@@ -200,25 +208,25 @@ class _Pool:
 
 
 def _matches(approved: Sequence[FingerprintedFile], alike: Mapping[int, Likeness]) -> tuple[Match, ...]:
-    held = [(place, like) for place, like in alike.items() if like.is_same_sound or like is EXACT]
-    held.sort(key=lambda one: (-one[1].score, approved[one[0]].path))
+    held = [(index, like) for index, like in alike.items() if like.is_same_sound or like is EXACT]
+    held.sort(key=lambda pair: (-pair[1].score, approved[pair[0]].path))
     return tuple(
-        Match(approved[place].cue, approved[place].take, approved[place].path, round(like.score, 3))
-        for place, like in held
+        Match(approved[index].cue, approved[index].take, approved[index].path, round(like.score, 3))
+        for index, like in held
     )
 
 
 def _in_place(
-    one: FingerprintedFile, own: FingerprintedFile, like: Likeness | None, matches: tuple[Match, ...]
+    file: FingerprintedFile, own: FingerprintedFile, like: Likeness | None, matches: tuple[Match, ...]
 ) -> Entry:
     """Report the fate of the approved sound whose place a file has."""
-    if (entry := _unreadable(one)) is not None:
+    if (entry := _unreadable(file)) is not None:
         return replace(entry, approved=own.path)
-    entry = Entry(one.path, "changed", matches=matches, approved=own.path)
+    entry = Entry(file.path, "changed", matches=matches, approved=own.path)
     if like is EXACT:
         return replace(entry, status="same", gain_db=0.0, offset_s=0.0, message="the same samples")
     if like is not None and like.is_same_sound:
-        compared = compare(own, one, like)
+        compared = compare(own, file, like)
         return replace(
             entry,
             status=compared.status,
@@ -226,34 +234,34 @@ def _in_place(
             offset_s=compared.offset_s,
             message=compared.message,
         )
-    if why := _why_undecided(one, own, like):
+    if why := _why_undecided(file, own, like):
         return replace(entry, status="unknown", message=f"its samples differ; {why}")
     other = f"; it is that of {matches[0].path}" if matches else ""
     return replace(entry, message=f"another sound than the approved one{other}")
 
 
 def _elsewhere(
-    one: FingerprintedFile, approved: Sequence[FingerprintedFile], alike: Mapping[int, Likeness], held: dict[int, str]
+    file: FingerprintedFile, approved: Sequence[FingerprintedFile], alike: Mapping[int, Likeness], held: dict[int, str]
 ) -> Entry:
     """Report the status of a file whose path no approved sound has."""
-    if (entry := _unreadable(one)) is not None:
+    if (entry := _unreadable(file)) is not None:
         return entry
     matches = _matches(approved, alike)
     if not matches:
-        why = _why_undecided(one, None, None)
-        return Entry(one.path, "unknown", message=why or "like no approved sound")
-    by_path = {approved[place].path: place for place in alike}
+        why = _why_undecided(file, None, None)
+        return Entry(file.path, "unknown", message=why or "like no approved sound")
+    by_path = {approved[approved_index].path: approved_index for approved_index in alike}
     free = [match for match in matches if by_path[match.path] not in held]
     best = (free or matches)[0]
-    place = by_path[best.path]
-    like = alike[place]
-    entry = Entry(one.path, "duplicate", like.gain_db, like.offset_s, matches, approved=best.path)
+    index = by_path[best.path]
+    like = alike[index]
+    entry = Entry(file.path, "duplicate", like.gain_db, like.offset_s, matches, approved=best.path)
     if not free:
-        return replace(entry, message=f"holds {best.path} once more, as well as {held[place]}")
-    held[place] = one.path
+        return replace(entry, message=f"holds {best.path} once more, as well as {held[index]}")
+    held[index] = file.path
     if like is EXACT:
         return replace(entry, status="same", message=f"the same samples as {best.path}, under another name")
-    compared = compare(approved[place], one, like)
+    compared = compare(approved[index], file, like)
     return replace(
         entry,
         status=compared.status,
@@ -263,19 +271,19 @@ def _elsewhere(
     )
 
 
-def _unreadable(one: FingerprintedFile) -> Entry | None:
-    if one.trouble:
-        return Entry(one.path, "unknown", message=one.trouble)
-    if one.is_placeholder:
-        return Entry(one.path, "placeholder", message="a placeholder, not the sound itself")
+def _unreadable(file: FingerprintedFile) -> Entry | None:
+    if file.trouble:
+        return Entry(file.path, "unknown", message=file.trouble)
+    if file.is_placeholder:
+        return Entry(file.path, "placeholder", message="a placeholder, not the sound itself")
     return None
 
 
-def _why_undecided(one: FingerprintedFile, own: FingerprintedFile | None, like: Likeness | None) -> str:
+def _why_undecided(file: FingerprintedFile, own: FingerprintedFile | None, like: Likeness | None) -> str:
     """Return the obstacle to a comparison of a file's sound; empty without one."""
-    if one.sample_peak_dbfs is None and (own is None or own.sample_peak_dbfs is None):
+    if file.sample_peak_dbfs is None and (own is None or own.sample_peak_dbfs is None):
         return "there is nothing but silence in it"
-    for what, fingerprinted in (("it", one), ("the approved one", own)):
+    for what, fingerprinted in (("it", file), ("the approved one", own)):
         if (
             fingerprinted is not None
             and fingerprinted.fingerprint is None
@@ -284,12 +292,12 @@ def _why_undecided(one: FingerprintedFile, own: FingerprintedFile | None, like: 
             return f"{what} has next to nothing between 60 Hz and 3.8 kHz to know it by"
     if own is None:
         return (
-            f"too short to compare ({1000 * one.duration_s:.0f} ms), and like no approved sound"
-            if _is_short(one)
+            f"too short to compare ({1000 * file.duration_s:.0f} ms), and like no approved sound"
+            if _is_short(file)
             else ""
         )
-    if like is not None and like.score >= ALIKE and (_is_short(one) or _is_short(own)):
-        return f"too short to compare ({1000 * min(one.duration_s, own.duration_s):.0f} ms)"
+    if like is not None and like.score >= ALIKE and (_is_short(file) or _is_short(own)):
+        return f"too short to compare ({1000 * min(file.duration_s, own.duration_s):.0f} ms)"
     return ""
 
 
@@ -297,7 +305,7 @@ def _is_short(fingerprinted: FingerprintedFile) -> bool:
     return fingerprinted.duration_s < SHORT_S
 
 
-def _missing(one: FingerprintedFile, found: Sequence[Entry]) -> Entry:
-    holders = [entry.path for entry in found if any(match.path == one.path for match in entry.matches)]
+def _missing(file: FingerprintedFile, entries: Sequence[Entry]) -> Entry:
+    holders = [entry.path for entry in entries if any(match.path == file.path for match in entry.matches)]
     where = f"; its sound is in {holders[0]}" if holders else ""
-    return Entry(one.path, "missing", message=f"the build has no file for it{where}", approved=one.path)
+    return Entry(file.path, "missing", message=f"the build has no file for it{where}", approved=file.path)

@@ -87,14 +87,18 @@ class Changelists:
 
     def _by_perforce(self, file: str, line: int, count: int) -> Changelist | None:
         """Return the newest of the changelists that `p4 annotate -c` names for the lines."""
-        said = self._run([self._p4 or "p4", "annotate", "-c", "-q", file])
-        numbers = [int(one[1]) for one in map(_ANNOTATED.match, said[line - 1 : line - 1 + count]) if one is not None]
+        annotated = self._run([self._p4 or "p4", "annotate", "-c", "-q", file])
+        numbers = [
+            int(line_match[1])
+            for line_match in map(_ANNOTATED.match, annotated[line - 1 : line - 1 + count])
+            if line_match is not None
+        ]
         if not numbers:
             return None
         for answer in self._run([self._p4 or "p4", "changes", "-m", "1", f"@{max(numbers)},{max(numbers)}"]):
-            if found := _CHANGE.match(answer):
-                day = found[2].replace("/", "-")
-                return Changelist(found[1], day, "")
+            if match := _CHANGE.match(answer):
+                day = match[2].replace("/", "-")
+                return Changelist(match[1], day, "")
         return Changelist(str(max(numbers)), "", "")
 
     def _by_git(self, file: str, line: int, count: int) -> Changelist | None:

@@ -94,8 +94,8 @@ def fingerprint_file(path: str, shown: str) -> FingerprintedFile:
             if not refusal.code.startswith(CODED):
                 raise
             with _decoded(path, refusal) as (unpacked, codec, frames, comments):
-                found = _fingerprinted(unpacked, shown)
-        return _by_codec(found, path, codec, frames, comments)
+                fingerprinted = _fingerprinted(unpacked, shown)
+        return _by_codec(fingerprinted, path, codec, frames, comments)
     except Unreadable as error:
         return FingerprintedFile(shown, trouble=str(error))
     except SandboxFailed as error:
@@ -103,20 +103,20 @@ def fingerprint_file(path: str, shown: str) -> FingerprintedFile:
 
 
 def _by_codec(
-    found: FingerprintedFile, path: str, codec: str, frames: int, comments: dict[str, str]
+    fingerprinted: FingerprintedFile, path: str, codec: str, frames: int, comments: dict[str, str]
 ) -> FingerprintedFile:
     fields = {f"Vorbis.{name}": text for name, text in comments.items()}
     return FingerprintedFile(
-        found.path,
+        fingerprinted.path,
         _sha256_of(path),
-        found.sample_rate_hz,
+        fingerprinted.sample_rate_hz,
         None,
-        found.channels,
+        fingerprinted.channels,
         frames,
         codec,
-        found.sample_peak_dbfs,
-        found.rms_dbfs,
-        found.fingerprint,
+        fingerprinted.sample_peak_dbfs,
+        fingerprinted.rms_dbfs,
+        fingerprinted.fingerprint,
         cue_marked(fields) is not None,
     )
 

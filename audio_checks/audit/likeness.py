@@ -109,18 +109,18 @@ def likeness(approved: Waves, built: Waves) -> Likeness | None:
     """
     if built.power == 0.0 or len(built.wave) < LEAST_OF_LENGTH * approved.span:
         return None
-    place = _best_place(approved, built)
-    if place is None:
+    alignment = _best_place(approved, built)
+    if alignment is None:
         return None
-    at, fraction = place
+    at, fraction = alignment
     first, last = max(0, at), min(len(approved.wave), at + len(built.wave))
     mine, theirs = approved.wave[first:last], built.wave[first - at : last - at]
     length = next_fast_len(len(mine) + 16)
-    one, other = np.fft.rfft(mine, length), np.fft.rfft(theirs, length)
-    cross = one * np.conj(other)
+    mine_spectrum, other = np.fft.rfft(mine, length), np.fft.rfft(theirs, length)
+    cross = mine_spectrum * np.conj(other)
     hz = np.arange(len(cross)) * (RATE_HZ / length)
     cross = cross * np.exp(2j * math.pi * fraction / RATE_HZ * hz)
-    score, tilt_db = _by_bands(cross, _powers(one), _powers(other), hz)
+    score, tilt_db = _by_bands(cross, _powers(mine_spectrum), _powers(other), hz)
     power, built_power = (float(np.vdot(part, part)) for part in (mine, theirs))
     return Likeness(
         score,
@@ -157,9 +157,9 @@ def _best_place(approved: Waves, built: Waves) -> tuple[int, float] | None:
     return at, _fraction(halves, at)
 
 
-def _fraction(halves: Lines, place: int) -> float:
+def _fraction(halves: Lines, index: int) -> float:
     """Return the offset of the best place from a whole sample, as a fraction: the crest of a parabola."""
-    around = halves[np.arange(2 * place - 2, 2 * place + 3) % len(halves)].astype(np.float64)
+    around = halves[np.arange(2 * index - 2, 2 * index + 3) % len(halves)].astype(np.float64)
     middle = 1 + int(np.argmax(around[1:4]))
     before, here, after = around[middle - 1 : middle + 2]
     bend = before - 2 * here + after
@@ -190,13 +190,13 @@ def _by_bands(
 def _shape_db(mine: Wave, theirs: Wave) -> float:
     """Return the unsteadiness of the gain from one 10 ms to the next, weighted towards loud parts."""
     cells = max(1, len(mine) // CELL)
-    one, other = (
+    cell_energies, other = (
         np.add.reduceat(part.astype(np.float64) ** 2, np.arange(cells) * (len(part) // cells))
         for part in (mine, theirs)
     )
-    one, other = one / max(one.max(), 1e-30), other / max(other.max(), 1e-30)
-    weights = np.sqrt(one * other)
-    gains_db = 10 * np.log10((other + CELL_FLOOR) / (one + CELL_FLOOR))
+    normalised, other = cell_energies / max(cell_energies.max(), 1e-30), other / max(other.max(), 1e-30)
+    weights = np.sqrt(normalised * other)
+    gains_db = 10 * np.log10((other + CELL_FLOOR) / (normalised + CELL_FLOOR))
     total = weights.sum()
     if not total:
         return 0.0

@@ -45,7 +45,7 @@ def write_manifest(path: str | Path, fingerprinted: Iterable[FingerprintedFile])
 
 def manifest_text(fingerprinted: Iterable[FingerprintedFile]) -> str:
     """Return a manifest as its file holds it."""
-    return json.dumps(manifest_of([manifest_entry(one) for one in fingerprinted]), indent=1) + "\n"
+    return json.dumps(manifest_of([manifest_entry(file) for file in fingerprinted]), indent=1) + "\n"
 
 
 def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:
@@ -127,12 +127,12 @@ def parse_manifest(text: str, where: str = "manifest") -> list[FingerprintedFile
             raise SpecError(f"{key} must be {wanted}; write a new manifest with this version", where=where)
     if len(document["files"]) > MOST_FILES:
         raise SpecError(f"lists more than {MOST_FILES:,} files", where=where)
-    fingerprinted = [_read(entry, f"{where}: files[{place}]") for place, entry in enumerate(document["files"])]
+    fingerprinted = [_read(entry, f"{where}: files[{position}]") for position, entry in enumerate(document["files"])]
     seen: set[str] = set()
-    for place, one in enumerate(fingerprinted):
-        if one.path in seen:
-            raise SpecError(f'"{one.path}" is listed twice', where=f"{where}: files[{place}]")
-        seen.add(one.path)
+    for index, file in enumerate(fingerprinted):
+        if file.path in seen:
+            raise SpecError(f'"{file.path}" is listed twice', where=f"{where}: files[{index}]")
+        seen.add(file.path)
     return fingerprinted
 
 
@@ -219,7 +219,7 @@ def _read_plays(plays: object, where: str) -> tuple[ApprovedPlayback, ...] | Non
         return None
     if not isinstance(plays, list) or len(plays) > MOST_PLAYS:
         raise SpecError(f"plays must be a list of at most {MOST_PLAYS:,}", where=where)
-    return tuple(_read_play(play, f"{where}.plays[{place}]") for place, play in enumerate(plays))
+    return tuple(_read_play(play, f"{where}.plays[{index}]") for index, play in enumerate(plays))
 
 
 def _read_play(play: object, where: str) -> ApprovedPlayback:

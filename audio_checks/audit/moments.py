@@ -51,12 +51,12 @@ def candidates(wave: Wave, moments: Sequence[bytes]) -> list[int]:
     counts = np.array([len(moment) // MOMENT_BYTES for moment in moments])
     kept = np.frombuffer(b"".join(moments), np.int8).reshape(-1, MOMENT_BYTES).astype(np.float32)
     windows = _windows(wave)
-    places = [place + shift for place in _loudest(windows, ASKED) for shift in range(-NEAR, NEAR + 1)]
-    asked = _normed(windows[sorted({place for place in places if 0 <= place < len(windows)})])
+    places = [index + shift for index in _loudest(windows, ASKED) for shift in range(-NEAR, NEAR + 1)]
+    asked = _normed(windows[sorted({index for index in places if 0 <= index < len(windows)})])
     likeness = (kept @ asked.T).max(axis=1) / SCALE
     best = np.maximum.reduceat(likeness, np.cumsum(counts) - counts)
     order = np.argsort(-best)[:MOST_CANDIDATES]
-    return [int(place) for place in order if best[place] >= LEAST]
+    return [int(index) for index in order if best[index] >= LEAST]
 
 
 def _windows(wave: Wave) -> Rows:
@@ -71,12 +71,12 @@ def _windows(wave: Wave) -> Rows:
 def _loudest(windows: Rows, most: int) -> list[int]:
     """Return the places of the loudest moments, each some frames from the others."""
     loudness = windows.sum(axis=1)
-    found: list[int] = []
-    while len(found) < most and loudness.max() > 0:
-        place = int(np.argmax(loudness))
-        found.append(place)
-        loudness[max(0, place - APART + 1) : place + APART] = 0
-    return found or [0]
+    indices: list[int] = []
+    while len(indices) < most and loudness.max() > 0:
+        index = int(np.argmax(loudness))
+        indices.append(index)
+        loudness[max(0, index - APART + 1) : index + APART] = 0
+    return indices or [0]
 
 
 def _normed(rows: Rows) -> Rows:

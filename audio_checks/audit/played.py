@@ -43,7 +43,7 @@ def with_project(
     placed = {sound.file for sounds in there.values() for sound in sounds}
     rest = replace(project, played=tuple(sound for sound in project.played if sound.file not in placed))
     gone = sounds_by_path(rest, (entry.path for entry in audit.entries if entry.status == "missing"))
-    by_path = {one.path: one for one in approved}
+    by_path = {file.path: file for file in approved}
     entries = [
         _missing(entry, gone.get(entry.path, ()))
         if entry.status == "missing"
@@ -56,8 +56,8 @@ def with_project(
 
 def with_plays(approved: Sequence[FingerprintedFile], project: Project) -> list[FingerprintedFile]:
     """Return approved sounds with the level at which a project plays each of them, to be kept in a manifest."""
-    sounds = sounds_by_path(project, (one.path for one in approved))
-    return [replace(one, plays=approved_plays(sounds.get(one.path, ()))) for one in approved]
+    sounds = sounds_by_path(project, (file.path for file in approved))
+    return [replace(file, plays=approved_plays(sounds.get(file.path, ()))) for file in approved]
 
 
 def _missing(entry: Entry, sounds: Sequence[PlayedSound]) -> Entry:
@@ -132,7 +132,7 @@ def _with_changelists(entry: Entry, changelists: Changelists, limit_db: float) -
     known = {part.changelist for play in plays for part in play.moved if part.changelist is not None}
     if not known:
         return replace(entry, plays=plays)
-    words = ", ".join(sorted(_in_words(one) for one in known)[:SHOWN_PARTS])
+    words = ", ".join(sorted(_in_words(changelist) for changelist in known)[:SHOWN_PARTS])
     return replace(
         entry,
         plays=plays,

@@ -99,7 +99,7 @@ class Play:
             **self.sound.to_dict(),
             "approved_db": None if self.approved_db is None else round(self.approved_db, 2) + 0.0,
             "drift_db": None if drift_db is None else round(drift_db, 2) + 0.0,
-            "moved": [one.to_dict() for one in self.moved],
+            "moved": [part.to_dict() for part in self.moved],
         }
 
 
@@ -129,15 +129,15 @@ def held_to(sounds: Sequence[PlayedSound], approved: Sequence[ApprovedPlayback] 
     """
     plays: list[Play] = []
     free: dict[str, list[ApprovedPlayback]] = defaultdict(list)
-    for one in approved or ():
-        free[one.object_path].append(one)
+    for playback in approved or ():
+        free[playback.object_path].append(playback)
     for sound in sounds:
         if not approved:
             was = ApprovedPlayback("", 0.0)
         elif own := free.get(sound.object_path):
             was = own.pop(0) if len(own) > 1 else own[0]
         else:
-            was = min(approved, key=lambda one: abs((one.gain_db or 0.0) - (sound.gain_db or 0.0)))
+            was = min(approved, key=lambda playback: abs((playback.gain_db or 0.0) - (sound.gain_db or 0.0)))
         plays.append(Play(sound, was.gain_db if sound.gain_db is not None else None, _moved(sound.parts, was.parts)))
     return tuple(plays)
 

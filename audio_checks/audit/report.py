@@ -118,7 +118,7 @@ class Audit:
             document["project"] = {
                 "engine": self.project.engine,
                 "version": self.project.version,
-                "unread": [one.to_dict() for one in self.project.unread],
+                "unread": [unread.to_dict() for unread in self.project.unread],
             }
         return document
 

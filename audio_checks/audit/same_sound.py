@@ -63,11 +63,11 @@ def sound_signature(path: str) -> SoundSignature:
     path : str
         Any file that `audit` reads.
     """
-    found = fingerprint_file(path, path)
-    if found.trouble or found.pcm_sha256 is None:
-        raise Unreadable(found.trouble, "R1", "recognise:unreadable", "deliver it as WAV or FLAC")
-    moments = moments_of(wave_of(found.fingerprint)) if found.fingerprint else b""
-    return SoundSignature(found.pcm_sha256, found.sample_rate_hz, found.fingerprint, moments)
+    fingerprinted = fingerprint_file(path, path)
+    if fingerprinted.trouble or fingerprinted.pcm_sha256 is None:
+        raise Unreadable(fingerprinted.trouble, "R1", "recognise:unreadable", "deliver it as WAV or FLAC")
+    moments = moments_of(wave_of(fingerprinted.fingerprint)) if fingerprinted.fingerprint else b""
+    return SoundSignature(fingerprinted.pcm_sha256, fingerprinted.sample_rate_hz, fingerprinted.fingerprint, moments)
 
 
 def sounds_of_manifest(text: str) -> list[tuple[str, SoundSignature]]:
@@ -79,11 +79,11 @@ def sounds_of_manifest(text: str) -> list[tuple[str, SoundSignature]]:
         All of a file that `audio-checks manifest` wrote. Sounds without a fingerprint, and those too short to be found
         among others, are left out.
     """
-    known = [(one, one.fingerprint) for one in parse_manifest(text) if one.fingerprint is not None]
-    found = [(one, packed, moments_of(wave_of(packed))) for one, packed in known]
+    known = [(file, file.fingerprint) for file in parse_manifest(text) if file.fingerprint is not None]
+    fingerprinted = [(file, packed, moments_of(wave_of(packed))) for file, packed in known]
     return [
-        (one.path, SoundSignature(one.pcm_sha256 or "", one.sample_rate_hz, packed, moments))
-        for one, packed, moments in found
+        (file.path, SoundSignature(file.pcm_sha256 or "", file.sample_rate_hz, packed, moments))
+        for file, packed, moments in fingerprinted
         if moments
     ]
 
@@ -109,19 +109,19 @@ def difference_of(first: bytes, second: bytes) -> Difference | None:
     first, second : bytes
         Either may be the longer one.
     """
-    one, other = Waves(first), Waves(second)
-    if (found := _match_within(one, other)) is not None:
-        return found
+    first_waves, other = Waves(first), Waves(second)
+    if (difference := _match_within(first_waves, other)) is not None:
+        return difference
     turned = _match_within(
-        other, one
+        other, first_waves
     )  # a cut may take the loudest part, so the length does not say which is the whole one
     return None if turned is None else replace(turned, gain_db=-turned.gain_db)
 
 
 def _match_within(whole: Waves, part: Waves) -> Difference | None:
-    found = likeness(whole, part)
-    if found is None or not found.is_same_sound:
+    like = likeness(whole, part)
+    if like is None or not like.is_same_sound:
         return None
-    after_s = (len(whole.wave) - len(part.wave)) / RATE_HZ - found.offset_s
-    is_trimmed = max(abs(found.offset_s), abs(after_s)) >= TRIMMED_S
-    return Difference(round(found.score, 3), round(found.gain_db, 1), is_trimmed)
+    after_s = (len(whole.wave) - len(part.wave)) / RATE_HZ - like.offset_s
+    is_trimmed = max(abs(like.offset_s), abs(after_s)) >= TRIMMED_S
+    return Difference(round(like.score, 3), round(like.gain_db, 1), is_trimmed)

@@ -43,8 +43,8 @@ class Search:
         """Return for each sound of a build which approved ones are worth comparing, the likeliest first."""
         likeness = np.full((len(built), len(self._approved)), -1.0, np.float32)
         for frames in sorted({_frames(cells) for cells in built}):
-            places = [place for place, cells in enumerate(built) if _frames(cells) == frames]
-            moments = [_moments(built[place], frames) for place in places]
+            places = [index for index, cells in enumerate(built) if _frames(cells) == frames]
+            moments = [_moments(built[index], frames) for index in places]
             first = np.cumsum([0, *(len(moment) for moment in moments)])[:-1]
             rows = _normed(np.concatenate(moments))
             for columns, all_moments, starts in self._parts(frames):
@@ -97,4 +97,4 @@ def _normed(moments: Cells) -> Cells:
 
 def _best(row: NDArray[np.float32]) -> list[int]:
     order = np.argsort(-row)[:MOST_FOUND]
-    return [int(place) for place in order if row[place] >= row[order[0]] - NEAR]
+    return [int(index) for index in order if row[index] >= row[order[0]] - NEAR]

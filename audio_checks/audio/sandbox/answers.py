@@ -43,7 +43,7 @@ def ensure_expected(answer: Any) -> None:
         elif isinstance(value, Mapping):
             inside = [*value.keys(), *value.values()]
         elif isinstance(value, list | tuple | set | frozenset):
-            if len(value) > MOST_ITEMS and any(dataclasses.is_dataclass(one) for one in value):
+            if len(value) > MOST_ITEMS and any(dataclasses.is_dataclass(element) for element in value):
                 raise UnexpectedAnswer(f"a list of {len(value):,} entries; {MOST_ITEMS:,} are allowed")
             inside = value
         elif dataclasses.is_dataclass(value) and not isinstance(value, type):
@@ -59,7 +59,7 @@ def ensure_expected(answer: Any) -> None:
         if set(map(type, inside)) <= NUMBERS:  # most of a report are points of curves: 3 ms for each take
             values += len(inside)
         else:
-            left += [(one, depth + 1) for one in inside]
+            left += [(member, depth + 1) for member in inside]
 
 
 def ensure_declared(answer: Any, function: Callable[..., Any]) -> None:
@@ -157,7 +157,7 @@ def _misfit_inside(value: Any, origin: type, arguments: tuple[Any, ...], where: 
         if len(value) != len(arguments):
             return f"{where} has {len(value)} values; {len(arguments)} are wanted"
         pairs = enumerate(zip(value, arguments, strict=True))
-        misfits = (_misfit(one, wanted, f"{where}[{place}]") for place, (one, wanted) in pairs)
+        misfits = (_misfit(element, wanted, f"{where}[{index}]") for index, (element, wanted) in pairs)
         return next(filter(None, misfits), "")
     if origin in (tuple, list, set, frozenset):
         return _misfit_of_all(value, arguments[0], f"an entry of {where}")
@@ -181,4 +181,4 @@ def _misfit_of_keys(value: dict[Any, Any], wanted: Any, where: str) -> str:
         return f"{where} has no {min(map(str, unknown))}"
     if missing := wanted.__required_keys__ - value.keys():
         return f"{where} lacks {min(missing)}"
-    return next(filter(None, (_misfit(one, hints[key], f"{where}.{key}") for key, one in value.items())), "")
+    return next(filter(None, (_misfit(entry, hints[key], f"{where}.{key}") for key, entry in value.items())), "")

@@ -323,15 +323,15 @@ def _ensure_disk_limit(places: Iterable[str], most_bytes: int) -> None:
     count = size_bytes = 0
     left = list(places)
     while left:
-        place = left.pop()
+        path = left.pop()
         try:
-            entries = list(os.scandir(place)) if os.path.isdir(place) else []
-            found = [entry.stat(follow_symlinks=False) for entry in entries]
+            entries = list(os.scandir(path)) if os.path.isdir(path) else []
+            entry_stats = [entry.stat(follow_symlinks=False) for entry in entries]
             left += [entry.path for entry in entries if entry.is_dir(follow_symlinks=False)]
         except OSError:  # it went meanwhile
             continue
-        count += len(found)
-        size_bytes += sum(one.st_size for one in found)
+        count += len(entry_stats)
+        size_bytes += sum(entry_stat.st_size for entry_stat in entry_stats)
         if count > MOST_FILES or size_bytes > most_bytes:
             raise SandboxCrashed(
                 f"the call wrote {count} files of {size_bytes} bytes; {MOST_FILES} of {most_bytes} are allowed"

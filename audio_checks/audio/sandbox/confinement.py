@@ -96,10 +96,10 @@ def library_places() -> list[str]:
     places = set(own)
     for name, module in list(sys.modules.items()):
         if "." not in name:
-            found = [*getattr(module, "__path__", ()), getattr(module, "__file__", None)]
-            places |= {path for path in found if isinstance(path, str) and not path.startswith(inside)}
-    found = sorted(place for place in places if os.path.isabs(place))
-    return [place for place in found if not any(place.startswith(other + os.sep) for other in found)]
+            module_paths = [*getattr(module, "__path__", ()), getattr(module, "__file__", None)]
+            places |= {path for path in module_paths if isinstance(path, str) and not path.startswith(inside)}
+    absolute_paths = sorted(path for path in places if os.path.isabs(path))
+    return [path for path in absolute_paths if not any(path.startswith(other + os.sep) for other in absolute_paths)]
 
 
 def _leave_root(libc: ctypes.CDLL, writes: Sequence[str]) -> None:

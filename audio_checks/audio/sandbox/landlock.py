@@ -58,15 +58,15 @@ def restrict(reads: Iterable[str], writes: Iterable[str]) -> None:
 
 def _allow(ruleset: int, path: str, rights: int) -> None:
     try:
-        place = os.open(path, os.O_PATH | os.O_CLOEXEC)
+        path_fd = os.open(path, os.O_PATH | os.O_CLOEXEC)
     except (FileNotFoundError, NotADirectoryError):
         return
     try:
-        if not stat.S_ISDIR(os.fstat(place).st_mode):
+        if not stat.S_ISDIR(os.fstat(path_fd).st_mode):
             rights &= OF_FILES
-        _call(ADD_RULE, ruleset, RULE_PATH_BENEATH, struct.pack("=Qi", rights, place), 0)
+        _call(ADD_RULE, ruleset, RULE_PATH_BENEATH, struct.pack("=Qi", rights, path_fd), 0)
     finally:
-        os.close(place)
+        os.close(path_fd)
 
 
 def _call(number: int, *arguments: int | bytes | None) -> int:

@@ -71,14 +71,14 @@ def _written(value: Any, blobs: list[bytes], depth: int) -> Any:
     if kind in (list, tuple, set, frozenset):
         if set(map(type, value)) <= LEAVES:  # a sheet has 400,000 cells
             return [kind.__name__, *value]
-        return [kind.__name__, *(_written(one, blobs, depth + 1) for one in value)]
+        return [kind.__name__, *(_written(element, blobs, depth + 1) for element in value)]
     if isinstance(value, dict):
         return ["dict", _written([*value], blobs, depth + 1), _written([*value.values()], blobs, depth + 1)]
     if isinstance(value, enum.Enum):
         return ["enum", *_name_of(kind), value.name]
     if dataclasses.is_dataclass(value):
         values = (getattr(value, field.name) for field in dataclasses.fields(value))
-        return ["data", *_name_of(kind), *(_written(one, blobs, depth + 1) for one in values)]
+        return ["data", *_name_of(kind), *(_written(element, blobs, depth + 1) for element in values)]
     if isinstance(value, AudioChecksError):
         return ["error", *_name_of(kind), _written([value.args, vars(value)], blobs, depth + 1)]
     if isinstance(value, np.ndarray):
@@ -107,23 +107,23 @@ class _Reader:
         self._blobs = blobs
         self._place = 0
 
-    def read(self, said: Any, depth: int) -> Any:
+    def read(self, encoded: Any, depth: int) -> Any:
         """Return one value."""
-        if not isinstance(said, list):
-            if isinstance(said, dict):
+        if not isinstance(encoded, list):
+            if isinstance(encoded, dict):
                 raise NotPlain("the answer has a mapping that names no kind")
-            return said
+            return encoded
         if depth > DEEPEST:
             raise NotPlain(f"the answer is deeper than {DEEPEST}")
-        match said:
+        match encoded:
             case ["list", *_]:
-                return self._items(said, depth)
+                return self._items(encoded, depth)
             case ["tuple", *_]:
-                return tuple(self._items(said, depth))
+                return tuple(self._items(encoded, depth))
             case ["set", *_]:
-                return set(self._items(said, depth))
+                return set(self._items(encoded, depth))
             case ["frozenset", *_]:
-                return frozenset(self._items(said, depth))
+                return frozenset(self._items(encoded, depth))
             case ["dict", list(keys), list(values)]:
                 return dict(zip(self.read(keys, depth + 1), self.read(values, depth + 1), strict=True))
             case ["enum", str(module), str(name), str(member)]:
@@ -145,8 +145,8 @@ class _Reader:
                 return Path(text)
         raise NotPlain("the answer has a value of no known kind")
 
-    def _items(self, said: list[Any], depth: int) -> list[Any]:
-        items = said[1:]
+    def _items(self, encoded: list[Any], depth: int) -> list[Any]:
+        items = encoded[1:]
         if set(map(type, items)) <= LEAVES:
             return items
         return [self.read(item, depth + 1) for item in items]
@@ -174,7 +174,9 @@ class _Reader:
 def _class_of(module: str, name: str, base: type | None) -> type[Any]:
     """Return a class of audio_checks that is loaded: of the base, or a data class."""
     if module.partition(".")[0] == "audio_checks" and (loaded := sys.modules.get(module)):
-        found = vars(loaded).get(name)
-        if isinstance(found, type) and (issubclass(found, base) if base else dataclasses.is_dataclass(found)):
-            return found
+        candidate = vars(loaded).get(name)
+        if isinstance(candidate, type) and (
+            issubclass(candidate, base) if base else dataclasses.is_dataclass(candidate)
+        ):
+            return candidate
     raise NotPlain(f"{module}.{name} may not come out of a sandbox")

@@ -58,7 +58,7 @@ def _of_every_process(machine: str) -> tuple[bytes, ...]:
     ]
     allowed = [number for numbers in ALLOWED.values() if (number := numbers[column]) is not None]
     # One answer for all of them: the kernel goes through a new filter once for each call that it has.
-    instructions += [_instruction(IF_EQUAL, number, then=len(allowed) - place) for place, number in enumerate(allowed)]
+    instructions += [_instruction(IF_EQUAL, number, then=len(allowed) - index) for index, number in enumerate(allowed)]
     instructions += [_instruction(JUMP, 1), _instruction(RETURN, ALLOW)]
     for name, offset, values in (
         ("ioctl", SECOND, TERMINAL_IOCTLS),
