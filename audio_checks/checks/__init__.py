@@ -150,8 +150,8 @@ class Check:
         if not hasattr(self.module, "check"):
             return iter(())
         wants_cue = self.module.check.__code__.co_argcount == 3
-        found: Iterator[Finding] = self.module.check(file, spec, *([cue] if wants_cue else []))
-        return found
+        findings: Iterator[Finding] = self.module.check(file, spec, *([cue] if wants_cue else []))
+        return findings
 
     @property
     def is_over_sets(self) -> bool:
@@ -160,8 +160,8 @@ class Check:
 
     def run_set(self, files: Sequence["JudgedFile"]) -> Iterator[tuple[int, Finding]]:
         """Yield its findings over files together, each with the place of its file."""
-        found: Iterator[tuple[int, Finding]] = self.module.check_set(files)
-        return found
+        findings: Iterator[tuple[int, Finding]] = self.module.check_set(files)
+        return findings
 
 
 @cache

@@ -32,7 +32,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     depth = file.facts.bit_depth
     if depth in wanted or file.facts.bit_rate_kbps is not None:  # what a codec keeps has no depth
         return
-    nearest = min(wanted, key=lambda one: (abs(one - depth), -one))
+    nearest = min(wanted, key=lambda accepted: (abs(accepted - depth), -accepted))
     if spec.target is not None:
         fix = f"render it again from its master to {nearest} bit"
     elif depth < wanted[0]:

@@ -47,8 +47,8 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
 
 
 def _other_count(channels: int, wanted: list[int], *, of_render: bool) -> Finding:
-    nearest = min(wanted, key=lambda one: abs(one - channels))
-    accepted = " or ".join(_words(one) for one in wanted)
+    nearest = min(wanted, key=lambda count: abs(count - channels))
+    accepted = " or ".join(_words(count) for count in wanted)
     again = "render it again from its master" if of_render else "export it from the session"
     return Finding(
         code="channels:not-accepted",
@@ -62,18 +62,18 @@ def _other_count(channels: int, wanted: list[int], *, of_render: bool) -> Findin
 
 def _other_layout(file: "AudioFile", layouts: tuple[str, ...]) -> Finding:
     channels, mask = file.facts.channels, file.layout.channel_mask
-    found = _words(channels)
+    description = _words(channels)
     if channels > max(COUNTS):
         means = _layouts_of(file)
-        found += f" as {' or '.join(means)}" if means else f" with the channel mask {mask:#x}" if mask else ""
-        found += "" if mask or file.layout.ambisonic else " without a channel mask"
+        description += f" as {' or '.join(means)}" if means else f" with the channel mask {mask:#x}" if mask else ""
+        description += "" if mask or file.layout.ambisonic else " without a channel mask"
     elif mask:
-        found += f" with the channel mask {mask:#x}"
+        description += f" with the channel mask {mask:#x}"
     same = [name for name in layouts if LAYOUTS[name].channels == channels]
     words = " or ".join(LAYOUTS[name].words for name in same or layouts)
     return Finding(
         code="channels:layout",
-        message=f"{found}, accepted {' or '.join(layouts)}",
+        message=f"{description}, accepted {' or '.join(layouts)}",
         fix=f"export it as {words}, with the layout written to the header",
     )
 

@@ -29,10 +29,10 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `container:not-accepted` for a readable container that the spec does not list."""
     wanted = spec.accept.containers or ()
-    found = file.facts.container
-    if found not in wanted:
+    container = file.facts.container
+    if container not in wanted:
         yield Finding(
             code="container:not-accepted",
-            message=f"container {found.upper()}, accepted {', '.join(wanted).upper()}",
+            message=f"container {container.upper()}, accepted {', '.join(wanted).upper()}",
             fix=f"export the sound as {wanted[0].upper()}",
         )

@@ -29,13 +29,13 @@ SAID = {"sample_rate_hz": "sample rate", "bit_depth": "bit depth", "channels": "
 def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
     """Yield `duplicate:same-sound` for every file but the first of those that hold the same samples."""
     by_sound: dict[str, list[int]] = defaultdict(list)
-    for place, one in enumerate(files):
-        if one.report.pcm_sha256 is not None and not _is_placeholder(one):
-            by_sound[one.report.pcm_sha256].append(place)
+    for index, file in enumerate(files):
+        if file.report.pcm_sha256 is not None and not _is_placeholder(file):
+            by_sound[file.report.pcm_sha256].append(index)
     for places in by_sound.values():
         first = files[places[0]]
-        for place in places[1:]:
-            yield place, _finding(first, files[place])
+        for index in places[1:]:
+            yield index, _finding(first, files[index])
 
 
 def _finding(first: "JudgedFile", same: "JudgedFile") -> Finding:
@@ -52,5 +52,5 @@ def _finding(first: "JudgedFile", same: "JudgedFile") -> Finding:
     )
 
 
-def _is_placeholder(one: "JudgedFile") -> bool:
-    return any(finding.code == "placeholder:marked" for finding in one.report.findings)
+def _is_placeholder(file: "JudgedFile") -> bool:
+    return any(finding.code == "placeholder:marked" for finding in file.report.findings)

@@ -33,11 +33,11 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `encoding:not-accepted` for another encoding than listed, `encoding:bit-rate-low` and `-high`."""
     wanted = spec.accept.encodings or ()
-    found = file.facts.encoding
-    if wanted and found not in wanted:
+    encoding = file.facts.encoding
+    if wanted and encoding not in wanted:
         yield Finding(
             code="encoding:not-accepted",
-            message=f"{WORDS[found]} samples, accepted {' or '.join(WORDS[one] for one in wanted)}",
+            message=f"{WORDS[encoding]} samples, accepted {' or '.join(WORDS[name] for name in wanted)}",
             fix=f"encode it again as {WORDS[wanted[0]]}"
             if wanted[0] in CODECS
             else f"export with {WORDS[wanted[0]]} samples",

@@ -41,10 +41,10 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     missing = [name for name in spec.required_metadata if name not in metadata.fields]
     if missing:
         holds = verb(len(missing), "holds", "hold")
-        said = f"{len(missing)} of {len(spec.required_metadata)} required fields {holds} nothing"
+        summary = f"{len(missing)} of {len(spec.required_metadata)} required fields {holds} nothing"
         yield Finding(
             code="metadata:missing",
-            message=f"{said}: {', '.join(missing)}",
+            message=f"{summary}: {', '.join(missing)}",
             fix=f"fill {'it' if len(missing) == 1 else 'them'} in the editor's metadata window, and export again",
             measured=float(len(missing)),
             limit=0.0,

@@ -79,17 +79,17 @@ def of_name(name: str, spec: DeliverySpec) -> Iterator[Finding]:
 def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
     """Yield `naming:twins` for names in one folder that differ only in case or in how Unicode writes them."""
     by_name: dict[str, list[int]] = defaultdict(list)
-    for place, one in enumerate(files):
-        if one.spec.naming.portable:
-            by_name[_folded(one.path)].append(place)
+    for index, file in enumerate(files):
+        if file.spec.naming.portable:
+            by_name[_folded(file.path)].append(index)
     for places in by_name.values():
-        names = {os.path.normpath(files[place].path) for place in places}
+        names = {os.path.normpath(files[file_index].path) for file_index in places}
         if len(names) < 2:
             continue
-        for place in places:
-            twin = os.path.basename(min(names - {os.path.normpath(files[place].path)}))
+        for index in places:
+            twin = os.path.basename(min(names - {os.path.normpath(files[index].path)}))
             yield (
-                place,
+                index,
                 Finding(
                     code="naming:twins",
                     message=f"{_short(twin)} in the same folder has the same name on Windows and macOS",
@@ -149,7 +149,10 @@ def _portable(name: str) -> Iterator[Finding]:
 
 
 def _not_portable(name: str) -> str | None:
-    forbidden = next((one for one in name if one in FORBIDDEN or unicodedata.category(one) in ("Cc", "Cs")), None)
+    forbidden = next(
+        (character for character in name if character in FORBIDDEN or unicodedata.category(character) in ("Cc", "Cs")),
+        None,
+    )
     if forbidden is not None:
         shown = f'"{forbidden}"' if forbidden.isprintable() else "a control character"
         return f"holds {shown}, which Windows allows in no name"

@@ -34,13 +34,13 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         return
     if used is not None and depth - used >= FEWEST_LOST_BITS:
         code, bits = "padded-bits:zeros", float(used)
-        found = f"zero-padded: the lower {depth - used} of {depth} bits are empty, so it is really {used}-bit"
+        message = f"zero-padded: the lower {depth - used} of {depth} bits are empty, so it is really {used}-bit"
     else:
         code, bits = "padded-bits:steps", depth - math.log2(step)
-        found = f"{depth} bits, but every sample stands on steps of {step:.1f}: a sound of {bits:.1f} bits"
+        message = f"{depth} bits, but every sample stands on steps of {step:.1f}: a sound of {bits:.1f} bits"
     yield Finding(
         code=code,
-        message=found,
+        message=message,
         fix="export it from the session at its true depth; padding a file adds no quality",
         measured=bits,
         limit=float(depth),

@@ -37,7 +37,7 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     rate = file.facts.sample_rate_hz
     if rate in wanted:
         return
-    nearest = min(wanted, key=lambda one: abs(one - rate))
+    nearest = min(wanted, key=lambda accepted: abs(accepted - rate))
     if spec.target is not None:
         fix = f"render it again from its master to {nearest} Hz"
     elif rate < wanted[0]:

@@ -24,14 +24,14 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield faults that the reader tolerated; one that it cannot makes a file unreadable, and no check is called."""
     for warning in file.warnings:
         yield Finding(code=warning.code, message=warning.message, fix=warning.fix, severity="warning")
-    used, said = file.facts.effective_bits, file.facts.bit_depth
-    if used is not None and used > said:
+    used, stated = file.facts.effective_bits, file.facts.bit_depth
+    if used is not None and used > stated:
         yield Finding(
             code="structure:valid-bits",
-            message=f"the samples make use of {used} bits, but the header says that {said} count",
+            message=f"the samples make use of {used} bits, but the header says that {stated} count",
             fix="export it again from your audio editor as WAV; a reader that believes the header cuts the rest off",
             severity="warning",
             measured=float(used),
-            limit=float(said),
+            limit=float(stated),
             unit="bit",
         )

@@ -56,9 +56,9 @@ def check_set(files: "Sequence[JudgedFile]") -> Iterator[tuple[int, Finding]]:
     of two that are nearly the same. An alternate is held against the set, and moves nothing in it.
     """
     by_cue: dict[str, list[int]] = defaultdict(list)
-    for place, one in enumerate(files):
-        if one.cue is not None and one.cue.variations > 1:
-            by_cue[one.cue.number].append(place)
+    for index, file in enumerate(files):
+        if file.cue is not None and file.cue.variations > 1:
+            by_cue[file.cue.number].append(index)
     for places in by_cue.values():
         chosen = _chosen(files, places)
         cue = files[places[0]].cue
@@ -73,43 +73,43 @@ def offset_from_set_lu(files: "Sequence[JudgedFile]") -> list[float | None]:
     """
     places = range(len(files))
     off = _off(_levels(files, places), files, places, _chosen(files, places))
-    return [off.get(place) for place in places]
+    return [off.get(index) for index in places]
 
 
 def _chosen(files: "Sequence[JudgedFile]", places: Sequence[int]) -> Set:
     """Return the file that represents each variation: an alternate only if there is nothing else."""
     chosen: Set = {}
-    for place in sorted(places, key=lambda place: files[place].is_alternate):
-        chosen.setdefault(files[place].variation, place)
+    for index in sorted(places, key=lambda position: files[position].is_alternate):
+        chosen.setdefault(files[index].variation, index)
     return chosen
 
 
 def _of_one_set(files: "Sequence[JudgedFile]", places: Sequence[int], chosen: Set) -> Iterator[tuple[int, Finding]]:
-    levels, lengths = _levels(files, places), {place: _duration_s(files[place]) for place in places}
+    levels, lengths = _levels(files, places), {index: _duration_s(files[index]) for index in places}
     levels_off = _off(levels, files, places, chosen)
-    limit = _limit_lu(files[places[0]].spec, [levels[place] for place in chosen.values() if place in levels])
+    limit = _limit_lu(files[places[0]].spec, [levels[index] for index in chosen.values() if index in levels])
     most_off = _most_off(levels, levels_off, chosen, limit + files[places[0]].spec.limits.tolerance_db)
     lengths_off = _off(lengths, files, places, chosen)
-    for place in places:
-        off = levels_off.get(place)
+    for file_index in places:
+        off = levels_off.get(file_index)
         if off is not None and most_off is not None and abs(off) > most_off:
-            yield place, _level(off, levels[place], files[place], limit)
-        off = lengths_off.get(place)
-        if off is not None and abs(off) > MOST_LENGTH_OFF * (lengths[place] - off):
-            yield place, _length(off, lengths[place], files[place])
+            yield file_index, _level(off, levels[file_index], files[file_index], limit)
+        off = lengths_off.get(file_index)
+        if off is not None and abs(off) > MOST_LENGTH_OFF * (lengths[file_index] - off):
+            yield file_index, _length(off, lengths[file_index], files[file_index])
     yield from _alike(files, list(chosen.values()))
 
 
 def _levels(files: "Sequence[JudgedFile]", places: Sequence[int]) -> dict[int, float]:
     """Return the loudness of each file that has one, all measured the same way."""
-    short = any(_duration_s(files[place]) < ONE_BLOCK_S for place in places)
+    short = any(_duration_s(files[index]) < ONE_BLOCK_S for index in places)
     figure = "short_loudness_lufs" if short else "integrated_lufs"
-    known_levels = {place: files[place].report.measurements.get(figure) for place in places}
-    return {place: level for place, level in known_levels.items() if level is not None and level > float("-inf")}
+    known_levels = {index: files[index].report.measurements.get(figure) for index in places}
+    return {index: level for index, level in known_levels.items() if level is not None and level > float("-inf")}
 
 
-def _duration_s(one: "JudgedFile") -> float:
-    return float((one.report.facts or {})["duration_s"])
+def _duration_s(file: "JudgedFile") -> float:
+    return float((file.report.facts or {})["duration_s"])
 
 
 def _off(
@@ -117,11 +117,11 @@ def _off(
 ) -> dict[int, float]:
     """Return the distance of each file's figure from the middle of the other variations'."""
     far: dict[int, float] = {}
-    for place in places:
-        others = [other for variation, other in chosen.items() if variation != files[place].variation]
+    for index in places:
+        others = [other for variation, other in chosen.items() if variation != files[index].variation]
         known_levels = [figures[other] for other in others if other in figures]
-        if place in figures and known_levels:
-            far[place] = figures[place] - statistics.median(known_levels)
+        if index in figures and known_levels:
+            far[index] = figures[index] - statistics.median(known_levels)
     return far
 
 
@@ -145,18 +145,18 @@ def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set
     One that is farther from the middle than the whole set may spread is named. Where none is, but the
     set spreads too far all the same, those that lie farthest are.
     """
-    known_levels = [levels[place] for place in chosen.values() if place in levels]
+    known_levels = [levels[index] for index in chosen.values() if index in levels]
     if len(known_levels) < 2:
         return None
-    farthest = max(abs(off[place]) for place in chosen.values() if place in off)
+    farthest = max(abs(off[index]) for index in chosen.values() if index in off)
     return limit if farthest > limit or max(known_levels) - min(known_levels) <= limit else farthest - EPSILON
 
 
-def _level(off: float, level: float, one: "JudgedFile", limit: float) -> Finding:
+def _level(off: float, level: float, file: "JudgedFile", limit: float) -> Finding:
     turn, how = ("lower", "louder") if off > 0 else ("raise", "quieter")
     return Finding(
         code="variation-set:level",
-        message=f"_{one.variation:02} is {abs(off):.1f} LU {how} than the rest of its set, limit {limit:.3g} LU",
+        message=f"_{file.variation:02} is {abs(off):.1f} LU {how} than the rest of its set, limit {limit:.3g} LU",
         fix=f"{turn} its level by {abs(off):.1f} dB, to {level - off:.1f} LUFS",
         measured=off,
         limit=limit,
@@ -164,12 +164,12 @@ def _level(off: float, level: float, one: "JudgedFile", limit: float) -> Finding
     )
 
 
-def _length(off: float, length_s: float, one: "JudgedFile") -> Finding:
+def _length(off: float, length_s: float, file: "JudgedFile") -> Finding:
     wanted_s = length_s - off
     turn = "shorten" if off > 0 else "lengthen"
     return Finding(
         code="variation-set:length",
-        message=f"_{one.variation:02} is {length_s:.2f} s long, its set {wanted_s:.2f} s, limit {MOST_LENGTH_OFF:.0%}",
+        message=f"_{file.variation:02} is {length_s:.2f} s long, its set {wanted_s:.2f} s, limit {MOST_LENGTH_OFF:.0%}",
         fix=f"{turn} the sound by {abs(off):.2f} s, or say on the cue why it differs",
         measured=length_s,
         limit=wanted_s,
@@ -180,14 +180,16 @@ def _length(off: float, length_s: float, one: "JudgedFile") -> Finding:
 
 
 def _alike(files: "Sequence[JudgedFile]", places: Sequence[int]) -> Iterator[tuple[int, Finding]]:
-    ordered = sorted(places, key=lambda place: files[place].variation)
-    for index, place in enumerate(ordered):
+    ordered = sorted(places, key=lambda position: files[position].variation)
+    for index, file_index in enumerate(ordered):
         near = [
-            (apart, before) for before in ordered[:index] if (apart := _apart(files[before], files[place])) is not None
+            (apart, before)
+            for before in ordered[:index]
+            if (apart := _apart(files[before], files[file_index])) is not None
         ]
-        nearest, before = min(near, default=(LEAST_UNLIKE_DB, place))
+        nearest, before = min(near, default=(LEAST_UNLIKE_DB, file_index))
         if nearest < LEAST_UNLIKE_DB:
-            yield place, _two_alike(nearest, files[before], files[place])
+            yield file_index, _two_alike(nearest, files[before], files[file_index])
 
 
 def _two_alike(apart_db: float, before: "JudgedFile", same: "JudgedFile") -> Finding:
@@ -204,9 +206,9 @@ def _two_alike(apart_db: float, before: "JudgedFile", same: "JudgedFile") -> Fin
     )
 
 
-def _apart(one: "JudgedFile", other: "JudgedFile") -> float | None:
+def _apart(file: "JudgedFile", other: "JudgedFile") -> float | None:
     """Return the unlikeness of two sounds; None if it cannot be decided, or the duplicate check reports it."""
-    first, second = one.report.likeness_print, other.report.likeness_print
-    if first is None or second is None or one.report.pcm_sha256 == other.report.pcm_sha256:
+    first, second = file.report.likeness_print, other.report.likeness_print
+    if first is None or second is None or file.report.pcm_sha256 == other.report.pcm_sha256:
         return None
     return unlikeness_db(first, second)

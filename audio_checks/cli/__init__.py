@@ -87,10 +87,10 @@ def options_of(arguments: Sequence[str]) -> argparse.Namespace:
     if unknown:
         known = [name for action in options.parser._actions for name in action.option_strings if len(name) > 2]
         near = [
-            f"{one.partition('=')[0]}; the nearest is {_nearest(one.partition('=')[0], known)}"
-            if one.startswith("--")
-            else one
-            for one in unknown
+            f"{argument.partition('=')[0]}; the nearest is {_nearest(argument.partition('=')[0], known)}"
+            if argument.startswith("--")
+            else argument
+            for argument in unknown
         ]
         options.parser.error(f"unrecognized arguments: {', '.join(near)}; a name that begins with - comes after --")
     return options

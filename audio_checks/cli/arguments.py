@@ -93,17 +93,17 @@ def found_files(options: argparse.Namespace, *, may_be_none: bool = False, defau
         )
     unvisited: list[str] = []
     try:
-        found = list(audio_files(paths, unvisited))
+        files = list(audio_files(paths, unvisited))
     except PathNotFound as error:
         raise UsageError(str(error)) from None
     for folder in unvisited:
         say(folder)
-    if not found and (unvisited or not may_be_none):
+    if not files and (unvisited or not may_be_none):
         raise UsageError(
             "no audio found"
             + ("; --allow-empty says that this is fine" if "allow_empty" in options and not unvisited else "")
         )
-    return found
+    return files
 
 
 def _paths_from(source: str) -> list[str]:

@@ -41,8 +41,8 @@ def in_words(audit: Audit, *, allowed: tuple[str, ...] = (), colour: bool = Fals
     ]
     if audit.project is not None and "unread" not in allowed:
         lines += [
-            f"{ink(printable(_place(one)), BOLD)}  {ink('unread', RED)}: {printable(one.message)}"
-            for one in audit.project.unread
+            f"{ink(printable(_place(unread)), BOLD)}  {ink('unread', RED)}: {printable(unread.message)}"
+            for unread in audit.project.unread
         ]
     counts = audit.summary
     by_status = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
@@ -63,11 +63,11 @@ def as_findings(audit: Audit, allowed: tuple[str, ...] = ()) -> Report:
     if audit.project is not None and "unread" not in allowed:
         files += tuple(
             FileReport(
-                _place(one),
+                _place(unread),
                 "rejected",
-                findings=(Finding("audit:unread", one.message, FIXES["unread"], severity="error"),),
+                findings=(Finding("audit:unread", unread.message, FIXES["unread"], severity="error"),),
             )
-            for one in audit.project.unread
+            for unread in audit.project.unread
         )
     return Report(files=files, specs=(), not_run=(), tool_version=TOOL_VERSION)
 
@@ -83,8 +83,8 @@ def _findings(entry: Entry, drifted: set[int]) -> tuple[Finding, ...]:
     return (replace(finding, measured=entry.gain_db, limit=0.0, unit="dB") if louder else finding,)
 
 
-def _place(one: Unread) -> str:
-    return f"{one.file}:{one.line}" if one.line else one.file
+def _place(unread: Unread) -> str:
+    return f"{unread.file}:{unread.line}" if unread.line else unread.file
 
 
 def _figures(entry: Entry) -> str:

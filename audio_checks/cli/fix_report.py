@@ -29,22 +29,22 @@ def report_text(run: FixRun, *, colour: bool, summary: bool = True) -> str:
     return "\n".join([*blocks, f"{summed}, {counts['fine']} had nothing to fix\n"])
 
 
-def _lines(one: FixedFile, ink: Ink) -> Iterator[str]:
-    yield ink(printable(one.path), BOLD)
-    if one.refusal is not None:
-        yield f"  {ink('refused'.ljust(WORD_WIDTH), RED)}{printable(f'{one.refusal}; {one.refusal.fix}')}"
-    if one.fixed is None:
+def _lines(file: FixedFile, ink: Ink) -> Iterator[str]:
+    yield ink(printable(file.path), BOLD)
+    if file.refusal is not None:
+        yield f"  {ink('refused'.ljust(WORD_WIDTH), RED)}{printable(f'{file.refusal}; {file.refusal.fix}')}"
+    if file.fixed is None:
         return
-    for repair in one.fixed.repairs:
-        changes = f"{repair.words}{_figures(one.fixed, repair.codes)}"
+    for repair in file.fixed.repairs:
+        changes = f"{repair.words}{_figures(file.fixed, repair.codes)}"
         yield f"  {ink('fixed'.ljust(WORD_WIDTH), GREEN)}{printable(changes)}"
-    for left in one.fixed.left:
+    for left in file.fixed.left:
         tone = RED if left.finding.severity == "error" else YELLOW
         yield f"  {ink('left'.ljust(WORD_WIDTH), tone)}{printable(left.finding.message)}  {ink(left.finding.code, DIM)}"
         indent = " " * (WORD_WIDTH + 2)
         yield textwrap.fill(printable(left.why), width(), initial_indent=indent, subsequent_indent=indent)
-    if one.fixed.path is not None:
-        yield f"  {ink('copy'.ljust(WORD_WIDTH), DIM)}{printable(os.fspath(one.fixed.path))}"
+    if file.fixed.path is not None:
+        yield f"  {ink('copy'.ljust(WORD_WIDTH), DIM)}{printable(os.fspath(file.fixed.path))}"
 
 
 def _figures(fixed: FixedMaster, codes: tuple[str, ...]) -> str:

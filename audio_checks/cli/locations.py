@@ -21,7 +21,7 @@ def repository_root() -> Path:
     if workspace := os.environ.get("GITHUB_WORKSPACE"):
         return Path(workspace).resolve()  # as the current folder is given
     here = Path.cwd()
-    return next((one for one in (here, *here.parents) if (one / ".git").exists()), here)
+    return next((folder for folder in (here, *here.parents) if (folder / ".git").exists()), here)
 
 
 def in_repository(path: str, root: PurePath, here: PurePath | None = None) -> str | None:

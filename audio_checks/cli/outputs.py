@@ -14,25 +14,25 @@ class Outputs:
 
     def __init__(self, asked: list[str] | None, known: Sequence[str]) -> None:
         self._places: list[tuple[str, str]] = []
-        for one in asked or ["text"]:
-            name, _, place = one.partition(":")
-            place = "" if place == "-" else place
+        for output in asked or ["text"]:
+            name, _, path = output.partition(":")
+            path = "" if path == "-" else path
             if name not in known:
                 raise UsageError(f'no format "{name}"; formats: {", ".join(known)}')
-            self._places.append((name, place))
-        alone = [place for name, place in self._places if place or not reporters.goes_beside(name)]
+            self._places.append((name, path))
+        alone = [path for name, path in self._places if path or not reporters.goes_beside(name)]
         if len(set(alone)) < len(alone) or len(set(self._places)) < len(self._places):
             raise UsageError("two formats go to the same place; name a file for one, as in --format json:report.json")
 
     def write(self, written: Callable[[str, bool], str]) -> None:
         """Write every format; `written` makes the text of one, coloured or not."""
-        for name, place in self._places:
-            if place:
+        for name, path in self._places:
+            if path:
                 try:
-                    Path(place).write_text(
+                    Path(path).write_text(
                         written(name, False), encoding="utf-8", errors="backslashreplace", newline="\n"
                     )
                 except OSError as error:
-                    raise UsageError(f"{place}: cannot be written: {error.strerror}") from None
+                    raise UsageError(f"{path}: cannot be written: {error.strerror}") from None
             else:
                 sys.stdout.write(written(name, in_colour(sys.stdout)))

@@ -34,7 +34,7 @@ class FixedFile:
         """Return the number of findings left of one severity; a refusal counts as an error."""
         if self.fixed is None:
             return int(severity == "error")
-        return sum(one.finding.severity == severity for one in self.fixed.left)
+        return sum(unfixed.finding.severity == severity for unfixed in self.fixed.left)
 
     @property
     def is_our_fault(self) -> bool:
@@ -72,14 +72,14 @@ class FixRun:
     sound_list: SoundList | None = None
     files: list[FixedFile] = field(default_factory=list)
 
-    def fix(self, found: Found, spec: DeliverySpec) -> FixedFile:
+    def fix(self, master: Found, spec: DeliverySpec) -> FixedFile:
         """Fix one file into its place below the folder, and record the result."""
         try:
-            one = FixedFile(printable_path(found.path), self._fixed(found, spec))
+            fixed_file = FixedFile(printable_path(master.path), self._fixed(master, spec))
         except FixRefused as error:
-            one = FixedFile(printable_path(found.path), None, error)
-        self.files.append(one)
-        return one
+            fixed_file = FixedFile(printable_path(master.path), None, error)
+        self.files.append(fixed_file)
+        return fixed_file
 
     def fix_all(
         self, tasks: Sequence[tuple[Found, DeliverySpec]], *, jobs: int = 1, done: Callable[[str], None] | None = None
@@ -89,14 +89,14 @@ class FixRun:
         Two copies can only get the same name where their masters lie in one folder.
         """
         folders: dict[str, list[tuple[Found, DeliverySpec]]] = defaultdict(list)
-        for found, spec in tasks:
-            folders[os.path.dirname(found.relative)].append((found, spec))
+        for master, spec in tasks:
+            folders[os.path.dirname(master.relative)].append((master, spec))
         jobs = min(jobs or CORES, len(folders))
         if jobs <= 1:
-            for found, spec in tasks:
-                self.fix(found, spec)
+            for master, spec in tasks:
+                self.fix(master, spec)
                 if done:
-                    done(found.relative)
+                    done(master.relative)
             return
         from audio_checks.run.processes import in_processes  # a slow import that a single process does not need
 
@@ -108,25 +108,25 @@ class FixRun:
                     done(relative)
 
         made = in_processes(_fix_folders, orders, workers=jobs, size=_bytes_of, died=_died, done=report_done)
-        by_place = {place: one for folder in made for place, one in folder.items()}
-        self.files += [by_place[found.relative] for found, _ in tasks]
+        by_place = {relative: fixed_file for folder in made for relative, fixed_file in folder.items()}
+        self.files += [by_place[master.relative] for master, _ in tasks]
 
-    def _fixed(self, found: Found, spec: DeliverySpec) -> FixedMaster:
-        place = self.folder / Path(found.relative).parent
-        slot = self.sound_list.slot_of_file(found.path) if self.sound_list else None
-        place.mkdir(parents=True, exist_ok=True)
+    def _fixed(self, master: Found, spec: DeliverySpec) -> FixedMaster:
+        out_folder = self.folder / Path(master.relative).parent
+        slot = self.sound_list.slot_of_file(master.path) if self.sound_list else None
+        out_folder.mkdir(parents=True, exist_ok=True)
         try:
             return fix_master(
-                found.path,
+                master.path,
                 spec,
-                place,
+                out_folder,
                 target=self.target,
                 category=self.category,
                 cue=slot[0] if slot else None,
                 beside=[file.fixed.path for file in self.files if file.fixed and file.fixed.path],
             )
         finally:
-            _remove_if_empty(place, self.folder)
+            _remove_if_empty(out_folder, self.folder)
 
     def to_json(self) -> dict[str, Any]:
         """Return the run as plain values."""
@@ -143,20 +143,20 @@ class FixRun:
 
 
 def _fix_folders(orders: list[tuple[FixRun, list[tuple[Found, DeliverySpec]]]]) -> list[dict[str, FixedFile]]:
-    return [{found.relative: run.fix(found, spec) for found, spec in tasks} for run, tasks in orders]
+    return [{master.relative: run.fix(master, spec) for master, spec in tasks} for run, tasks in orders]
 
 
 def _bytes_of(order: tuple[FixRun, list[tuple[Found, DeliverySpec]]]) -> int:
-    return sum(size_of(found.path) for found, _ in order[1])
+    return sum(size_of(master.path) for master, _ in order[1])
 
 
 def _died(order: tuple[FixRun, list[tuple[Found, DeliverySpec]]], error: BaseException) -> dict[str, FixedFile]:
     broken = FixRefused(f"the process that repaired it died: {error}", "fix:crashed", "run again with -j 1")
-    return {found.relative: FixedFile(printable_path(found.path), None, broken) for found, _ in order[1]}
+    return {master.relative: FixedFile(printable_path(master.path), None, broken) for master, _ in order[1]}
 
 
-def _remove_if_empty(place: Path, top: Path) -> None:
+def _remove_if_empty(folder: Path, top: Path) -> None:
     """Leave no folder behind in which nothing was made."""
-    while place != top.parent and place.is_dir() and not any(place.iterdir()):
-        place.rmdir()
-        place = place.parent
+    while folder != top.parent and folder.is_dir() and not any(folder.iterdir()):
+        folder.rmdir()
+        folder = folder.parent

@@ -241,7 +241,7 @@ class _Work:
 
     def _repairs(self, plan: Plan, name: str, layout: wav.WavLayout) -> Iterator[Repair]:
         rate = layout.sample_rate_hz
-        codes = {kind: tuple(one.code for one in found) for kind, found in plan.answers.items()}
+        codes = {kind: tuple(finding.code for finding in findings) for kind, findings in plan.answers.items()}
         if plan.rewrites_header:
             words = "; ".join(self._header_words) or "header rewritten, with correct sizes and no padding"
             yield Repair("header", codes["header"], words)
@@ -260,7 +260,7 @@ class _Work:
             yield Repair("offset", codes["offset"], words, first_s, end_s)
         if plan.gain_db:
             moved = "lowered" if plan.gain_db < 0 else "raised"
-            spot = next((one for one in plan.answers.get("gain", ()) if one.start_s is not None), None)
+            spot = next((finding for finding in plan.answers.get("gain", ()) if finding.start_s is not None), None)
             yield Repair(
                 "gain",
                 codes.get("gain", ()),
@@ -307,10 +307,10 @@ class _Work:
 def _ensure_depth_is_true(report: FileReport) -> None:
     """Raise FixRefused for samples that make use of more bits than the header says: a copy would cut them off."""
     facts = report.facts or {}
-    used, said = facts.get("effective_bits"), facts.get("bit_depth")
-    if used is not None and said is not None and used > said:
+    used, stated = facts.get("effective_bits"), facts.get("bit_depth")
+    if used is not None and stated is not None and used > stated:
         raise FixRefused(
-            f"the samples make use of {used} bits, and the header says that {said} count",
+            f"the samples make use of {used} bits, and the header says that {stated} count",
             code="fix:valid-bits",
             fix="export it again from the session, so that header and samples agree",
         )

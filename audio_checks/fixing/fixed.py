@@ -95,7 +95,7 @@ class FixedMaster:
                 }
                 for repair in self.repairs
             ],
-            "left": [{**one.finding.to_dict(), "why": one.why} for one in self.left],
+            "left": [{**unfixed.finding.to_dict(), "why": unfixed.why} for unfixed in self.left],
             "conforms": self.conforms,
             "gain_db": self.gain_db,
             "cut_frames": list(self.cut_frames),

@@ -164,10 +164,10 @@ def shown(changes: Iterable[Change]) -> Iterator[tuple[str, str]]:
 
 
 def _ensure_own(path: str) -> None:
-    found = os.lstat(path)
-    if stat.S_ISLNK(found.st_mode):
+    file_status = os.lstat(path)
+    if stat.S_ISLNK(file_status.st_mode):
         raise CannotFixInPlace("it is a link; put right the file that it leads to")
-    if not found.st_mode & stat.S_IWUSR:
+    if not file_status.st_mode & stat.S_IWUSR:
         raise CannotFixInPlace("it is read-only; make it writable first (with Perforce: p4 edit)")
 
 

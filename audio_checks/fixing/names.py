@@ -51,8 +51,8 @@ class _Named:
 
 
 def _is_valid(name: str, spec: DeliverySpec) -> bool:
-    found = naming.check(cast("AudioFile", _Named(name)), spec)
-    return next(iter(found), None) is None
+    findings = naming.check(cast("AudioFile", _Named(name)), spec)
+    return next(iter(findings), None) is None
 
 
 def _candidates(name: str, spec: DeliverySpec) -> Iterator[str]:

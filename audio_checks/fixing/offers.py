@@ -121,7 +121,10 @@ def accepted_depth(report: FileReport, spec: DeliverySpec) -> int | None:
     wanted = spec.accept.bit_depths
     if wanted is None:
         return min(most, MOST_FIXED_BITS)
-    return max((one for one in wanted if one <= most and (encoding == "float" or one < depth)), default=None)
+    return max(
+        (accepted for accepted in wanted if accepted <= most and (encoding == "float" or accepted < depth)),
+        default=None,
+    )
 
 
 def base_name(path: str) -> str:

@@ -60,13 +60,13 @@ class Plan:
     def without_offset(self, why: str) -> "Plan":
         """Return the plan that leaves the offset as it is, for a reason."""
         answers: dict[RepairKind, tuple[Finding, ...]] = {
-            kind: found for kind, found in self.answers.items() if kind != "offset"
+            kind: findings for kind, findings in self.answers.items() if kind != "offset"
         }
         return replace(self, removes_offset=False, keeps_offset=why, answers=answers)
 
     def _with(self, kind: RepairKind, finding: Finding) -> "Plan":
         known = self.answers.get(kind, ())
-        if any(one.code == finding.code for one in known):
+        if any(known_finding.code == finding.code for known_finding in known):
             return self
         return replace(self, answers={**self.answers, kind: (*known, finding)})
 

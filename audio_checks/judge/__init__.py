@@ -53,8 +53,8 @@ class Judgement:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the judgement as the report has it."""
-        said = {"verdict": self.verdict, "score": self.score, **self.figures}
-        return {**said, "evidence": self.evidence} if self.evidence else said
+        document = {"verdict": self.verdict, "score": self.score, **self.figures}
+        return {**document, "evidence": self.evidence} if self.evidence else document
 
 
 def truncated_score(score: float) -> float:

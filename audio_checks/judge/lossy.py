@@ -79,12 +79,12 @@ def weights() -> dict[str, Any]:
     return learned
 
 
-def _figures(found: Trace | None, low_pass_hz: float | None) -> dict[str, Any]:
+def _figures(trace: Trace | None, low_pass_hz: float | None) -> dict[str, Any]:
     return {
-        "codec": found and found.codec,
-        "coded_at_hz": found and found.rate_hz,
-        "silent_share": found and round(found.silent_share, 3),
-        "elsewhere_share": found and round(found.elsewhere_share, 3),
+        "codec": trace and trace.codec,
+        "coded_at_hz": trace and trace.rate_hz,
+        "silent_share": trace and round(trace.silent_share, 3),
+        "elsewhere_share": trace and round(trace.elsewhere_share, 3),
         "low_pass_hz": low_pass_hz and round(low_pass_hz),
     }
 

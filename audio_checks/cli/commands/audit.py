@@ -78,10 +78,10 @@ def run(options: argparse.Namespace) -> int:
     if options.baseline is not None and (Path(options.baseline).exists() or not options.add_baseline):
         audit = with_accepted(audit, read_accepted(options.baseline))
     if options.add_baseline:
-        place = options.baseline or DEFAULT_NAME
-        added = accept(place, audit, allowed, options.reason)
-        note(f"{place}: {added} drifts let through from now on; read it with --baseline {place}")
-        audit = with_accepted(audit, read_accepted(place))
+        baseline_path = options.baseline or DEFAULT_NAME
+        added = accept(baseline_path, audit, allowed, options.reason)
+        note(f"{baseline_path}: {added} drifts let through from now on; read it with --baseline {baseline_path}")
+        audit = with_accepted(audit, read_accepted(baseline_path))
     outputs.write(lambda name, colour: _as(name, audit, allowed, colour=colour))
     unread = project is not None and project.unread and UNREAD not in allowed
     return FOUND if unread or audit.drifted(allowed) else OK
@@ -109,9 +109,9 @@ def _ensure_of_the_manifest(approved: list[FingerprintedFile], folder: str, mani
     except PathNotFound as error:
         raise UsageError(str(error)) from None
     there = {fingerprint_file.path: fingerprint_file for fingerprint_file in fingerprint_files(files)}
-    for one in approved:
-        if one.path not in there:
-            raise UsageError(f"{folder}: {one.path} is in {manifest}, but does not exist; write a new manifest")
-        other = there[one.path]
-        if (other.pcm_sha256, other.fingerprint) != (one.pcm_sha256, one.fingerprint):
-            raise UsageError(f"{folder}: {one.path} is not the file that {manifest} lists; write a new manifest")
+    for file in approved:
+        if file.path not in there:
+            raise UsageError(f"{folder}: {file.path} is in {manifest}, but does not exist; write a new manifest")
+        other = there[file.path]
+        if (other.pcm_sha256, other.fingerprint) != (file.pcm_sha256, file.fingerprint):
+            raise UsageError(f"{folder}: {file.path} is not the file that {manifest} lists; write a new manifest")

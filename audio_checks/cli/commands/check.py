@@ -82,8 +82,8 @@ def run(options: argparse.Namespace) -> int:
         changes, left = _planned(judging, tasks, entries)
         if options.diff:
             _show(changes)
-            found = _exit_code(judging.with_set_checks(tasks, entries), options.fail_level)
-            return max(found, FOUND if changes or left else OK, OK if judging.complete else WRONG)
+            exit_code = _exit_code(judging.with_set_checks(tasks, entries), options.fail_level)
+            return max(exit_code, FOUND if changes or left else OK, OK if judging.complete else WRONG)
         done, stayed = _fix_in_place(changes)
         left = left or stayed
         tasks, entries = judging.again(tasks, entries, done)
@@ -126,26 +126,26 @@ class _Judging:
         from audio_checks.run import runner
 
         options = self._options
-        found = found_files(options, may_be_none=options.allow_empty, default=".")
-        self._spec_of = {one.path: spec_for(one.path, self._finder, options) for one in found}
+        files = found_files(options, may_be_none=options.allow_empty, default=".")
+        self._spec_of = {file.path: spec_for(file.path, self._finder, options) for file in files}
         if options.target is None:
-            self._dry = dry_stems((one.path for one in found), self.sound_list)
+            self._dry = dry_stems((file.path for file in files), self.sound_list)
             self._stems = frozenset(self._dry.values())
         if options.changed_since is not None:
-            found = self._changed(found)
-        specs = [self._spec_of[one.path] for one in found]
+            files = self._changed(files)
+        specs = [self._spec_of[file.path] for file in files]
         self.specs = list({id(spec): spec for spec in specs if spec is not None}.values())
-        for warning in dict.fromkeys(f"{spec.name}: {one}" for spec in self.specs for one in spec.warnings):
+        for warning in dict.fromkeys(f"{spec.name}: {text}" for spec in self.specs for text in spec.warnings):
             note(warning)
         if None in specs:
             without = f"no delivery spec for {specs.count(None)} of {_files(len(specs))}"
             if options.require_spec:
-                first = runner.printable_path(found[specs.index(None)].path)
+                first = runner.printable_path(files[specs.index(None)].path)
                 raise UsageError(
                     f"{without}, {first} the first: name one with --spec, or put {SPEC_NAMES[0]} above them"
                 )
             note(f"{without}: only their structure is judged")
-        tasks = [self._task(one.path, spec) for one, spec in zip(found, specs, strict=True)]
+        tasks = [self._task(file.path, spec) for file, spec in zip(files, specs, strict=True)]
         if reasons := list(self._less_well(tasks)):
             note("; ".join(reasons))
         return tasks
@@ -180,14 +180,14 @@ class _Judging:
             coded=True,
         )
 
-    def _changed(self, found: list[Found]) -> list[Found]:
+    def _changed(self, files: list[Found]) -> list[Found]:
         """Return the files that the change touches; all, where it touches what they are judged by."""
         from audio_checks.run.changed_since import Changes, spec_files
         from audio_checks.run.runner import printable_path
 
         options = self._options
         changes = Changes(options.changed_since)
-        shared = [Path(one) for one in (options.sound_list, options.baseline) if one and Path(one).exists()]
+        shared = [Path(path) for path in (options.sound_list, options.baseline) if path and Path(path).exists()]
         of_all: dict[int, bool] = {}
         for spec in {id(spec): spec for spec in self._spec_of.values()}.values():
             rules = [*shared, *(spec_files(self._finder.file_of(spec)) if spec else ())]
@@ -196,10 +196,10 @@ class _Judging:
             for rule in new:
                 note(f"{rule} differs from {options.changed_since}, so every file that it is about is judged")
         touched = [
-            one
-            for one in found
-            if of_all[id(self._spec_of[one.path])]
-            or any(changes.touch(path) for path in (one.path, self._dry.get(one.path)) if path)
+            file
+            for file in files
+            if of_all[id(self._spec_of[file.path])]
+            or any(changes.touch(path) for path in (file.path, self._dry.get(file.path)) if path)
         ]
         for folder in changes.absent_submodules(options.paths):
             say(
@@ -322,10 +322,12 @@ def _fix_in_place(changes: Sequence["Change"]) -> tuple[dict[str, str], bool]:
 
 def _let_through(entries: list[FileReport], options: argparse.Namespace) -> list[FileReport]:
     """Write down what was found, so that it counts no more."""
-    place = options.baseline or DEFAULT_NAME
-    added = add_to_baseline(place, entries)
-    note(f"{place}: {counted(added, 'finding')} let through from now on; read it with --baseline {place}")
-    waived = read_baseline(place)
+    baseline_path = options.baseline or DEFAULT_NAME
+    added = add_to_baseline(baseline_path, entries)
+    note(
+        f"{baseline_path}: {counted(added, 'finding')} let through from now on; read it with --baseline {baseline_path}"
+    )
+    waived = read_baseline(baseline_path)
     return [with_waivers(entry, waived) for entry in entries]
 
 

@@ -50,8 +50,8 @@ def _unknown(name: str, known: list[str]) -> str:
         return f"{name}: the name is kept for a check that this version lacks"
     from difflib import get_close_matches
 
-    near = [one for one in known if name in one] or get_close_matches(name, known, n=1, cutoff=0.0)
-    nearest = " and ".join(f'"{one}"' for one in near[:3])
+    near = [known_name for known_name in known if name in known_name] or get_close_matches(name, known, n=1, cutoff=0.0)
+    nearest = " and ".join(f'"{candidate}"' for candidate in near[:3])
     return f'no check "{name}"; the nearest {"is" if len(near) == 1 else "are"} {nearest}; audio-checks list names all'
 
 

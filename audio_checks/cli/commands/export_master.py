@@ -37,33 +37,33 @@ def run(options: argparse.Namespace) -> int:
     from audio_checks.run import runner
 
     fields = {}
-    for one in options.field:
-        name, equals, text = one.partition("=")
+    for field in options.field:
+        name, equals, text = field.partition("=")
         if not equals:
-            raise UsageError(f'--field wants NAME=TEXT, as in catId=GUNAuto, not "{one}"')
+            raise UsageError(f'--field wants NAME=TEXT, as in catId=GUNAuto, not "{field}"')
         fields[name] = text
     sound_list = named_list(options.sound_list) if options.sound_list else None
     outputs, folder = Outputs(options.format, FORMATS), out_folder(options)
-    found = found_files(options)
+    files = found_files(options)
     exports: list[dict[str, Any]] = []
-    with progress_over(len(found), options) as progress:
-        for one in found:
+    with progress_over(len(files), options) as progress:
+        for file in files:
             exports.append(
-                {"master": runner.printable_path(one.path)} | _exported(one, folder, sound_list, fields, options)
+                {"master": runner.printable_path(file.path)} | _exported(file, folder, sound_list, fields, options)
             )
-            progress.step(one.relative)
+            progress.step(file.relative)
     outputs.write(lambda name, _: _as(name, exports, quiet=options.quiet))
     return FOUND if any("refused" in export for export in exports) else OK
 
 
 def _exported(
-    one: Found, folder: Path, sound_list: SoundList | None, fields: dict[str, str], options: argparse.Namespace
+    file: Found, folder: Path, sound_list: SoundList | None, fields: dict[str, str], options: argparse.Namespace
 ) -> dict[str, Any]:
     """Copy one master, and return what happened to it."""
     from audio_checks.render.provenance import Provenance, export_master
     from audio_checks.run import runner
 
-    slot = sound_list.slot_of_file(one.path) if sound_list else None
+    slot = sound_list.slot_of_file(file.path) if sound_list else None
     cue = slot[0] if slot else CueFacts("")
     looped = {"isLoop": "true"} if cue.loop else {}
     try:
@@ -79,10 +79,10 @@ def _exported(
         )
     except ValueError as error:
         raise UsageError(str(error)) from None
-    out = folder / Path(one.relative).with_suffix(".wav")
+    out = folder / Path(file.relative).with_suffix(".wav")
     out.parent.mkdir(parents=True, exist_ok=True)
     try:
-        exported = export_master(one.path, out, provenance)
+        exported = export_master(file.path, out, provenance)
     except (RenderRefused, Unreadable) as error:
         return {"refused": {"code": error.code, "message": str(error), "fix": error.fix}}
     return {"path": runner.printable_path(exported.path), "left": list(exported.left)}

@@ -43,11 +43,11 @@ def run(options: argparse.Namespace) -> int:
     outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
     sound_list = named_list(options.sound_list) if options.sound_list else None
-    found = without_dry_stems(found_files(options), sound_list)
+    files = without_dry_stems(found_files(options), sound_list)
     fixing = FixRun(out_folder(options), options.target, options.category, sound_list)
-    specs = [(one, needed_spec_for(one.path, finder, options)) for one in found]
-    jobs = process_count([one.path for one in found]) if options.jobs is None else options.jobs
-    with progress_over(len(found), options) as progress:
+    specs = [(file, needed_spec_for(file.path, finder, options)) for file in files]
+    jobs = process_count([file.path for file in files]) if options.jobs is None else options.jobs
+    with progress_over(len(files), options) as progress:
         fixing.fix_all(specs, jobs=jobs, done=progress.step)
     outputs.write(
         lambda name, colour: (

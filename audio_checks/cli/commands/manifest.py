@@ -33,10 +33,10 @@ def run(options: argparse.Namespace) -> int:
     """Listen to the sounds and write the manifest; 1 when one could not be read, and is left out."""
     sound_list = named_list(options.sound_list) if options.sound_list else None
     heard = fingerprints_below(options)
-    for one in heard:
-        if one.trouble:
-            say(f"{one.path}: left out: {one.trouble}")
-    kept = [_with_cue(one, sound_list) for one in heard if not one.trouble]
+    for file in heard:
+        if file.trouble:
+            say(f"{file.path}: left out: {file.trouble}")
+    kept = [_with_cue(file, sound_list) for file in heard if not file.trouble]
     if options.project is not None:
         kept = with_plays(kept, read_project(options.project))
     if options.out == "-":
@@ -50,13 +50,13 @@ def run(options: argparse.Namespace) -> int:
 
 def fingerprints_below(options: argparse.Namespace) -> list[FingerprintedFile]:
     """Return the facts of every sound below the paths that were given, by its place below them."""
-    found = found_files(options)
-    jobs = process_count([one.path for one in found]) if options.jobs is None else options.jobs
-    files = [(one.path, one.relative.replace("\\", "/")) for one in found]
+    masters = found_files(options)
+    jobs = process_count([master.path for master in masters]) if options.jobs is None else options.jobs
+    files = [(master.path, master.relative.replace("\\", "/")) for master in masters]
     with progress_over(len(files), options) as progress:
-        return fingerprint_files(files, jobs=jobs, done=lambda one: progress.step(one.path))
+        return fingerprint_files(files, jobs=jobs, done=lambda file: progress.step(file.path))
 
 
-def _with_cue(one: FingerprintedFile, sound_list: SoundList | None) -> FingerprintedFile:
-    slot = sound_list.slot_of_file(one.path) if sound_list else None
-    return one if slot is None else replace(one, cue=slot[0].number)
+def _with_cue(file: FingerprintedFile, sound_list: SoundList | None) -> FingerprintedFile:
+    slot = sound_list.slot_of_file(file.path) if sound_list else None
+    return file if slot is None else replace(file, cue=slot[0].number)

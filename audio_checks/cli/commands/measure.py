@@ -48,16 +48,16 @@ def run(options: argparse.Namespace) -> int:
     tasks = [(file.path, order) for file in found_files(options, default=".")]
     jobs = process_count([path for path, _ in tasks]) if options.jobs is None else options.jobs or CORES
     with progress_over(len(tasks), options) as progress:
-        measured = _measured(tasks, jobs, lambda one: progress.step(one.entry.path))
+        measured = _measured(tasks, jobs, lambda measured_file: progress.step(measured_file.entry.path))
     code = OK
-    for one in measured:
-        if one.trouble:
-            say(f"{one.entry.path}: {one.trouble}")
+    for measurement in measured:
+        if measurement.trouble:
+            say(f"{measurement.entry.path}: {measurement.trouble}")
             code = max(code, FOUND)
-        for failed in one.entry.unjudged:
-            say(f"{one.entry.path}: unjudged by {failed.check}: {failed.message}; this is a fault of the tool")
+        for failed in measurement.entry.unjudged:
+            say(f"{measurement.entry.path}: unjudged by {failed.check}: {failed.message}; this is a fault of the tool")
             code = WRONG
-    report = runner.report_on([one.entry for one in measured], [])
+    report = runner.report_on([measurement.entry for measurement in measured], [])
     outputs.write(lambda name, colour: reporters.measured_as(name, report, reporters.Style(colour)))
     return code
 

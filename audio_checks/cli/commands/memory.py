@@ -32,15 +32,15 @@ def run(options: argparse.Namespace) -> int:
     names = options.target or list(spec.targets)
     if not names:
         raise UsageError(f"{options.spec}: the spec names no targets")
-    found = [memory_use(spec, name, sounds) for name in names]
+    memory_uses = [memory_use(spec, name, sounds) for name in names]
     Outputs(options.format, FORMATS).write(
         lambda name, _: (
-            f"{json.dumps({'targets': [one.to_dict() for one in found]}, indent=1)}\n"
+            f"{json.dumps({'targets': [memory.to_dict() for memory in memory_uses]}, indent=1)}\n"
             if name == "json"
-            else "".join(f"{line}\n" for memory in found for line in _lines(memory, quiet=options.quiet))
+            else "".join(f"{line}\n" for memory in memory_uses for line in _lines(memory, quiet=options.quiet))
         )
     )
-    uses = [use for memory in found for use in (memory.total, *memory.categories)]
+    uses = [use for memory in memory_uses for use in (memory.total, *memory.categories)]
     return FOUND if any((use.over_bytes or 0) > 0 for use in uses) else OK
 
 

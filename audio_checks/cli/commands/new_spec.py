@@ -56,7 +56,7 @@ def _measured(options: argparse.Namespace) -> str:
     jobs = process_count(paths) if options.jobs is None else options.jobs
     with progress_over(len(paths), options) as progress:
         made = spec_from(
-            paths, name=Path(options.folder).resolve().name, jobs=jobs, done=lambda one: progress.step(one.path)
+            paths, name=Path(options.folder).resolve().name, jobs=jobs, done=lambda file: progress.step(file.path)
         )
     for path, why in made.unreadable:
         note(printable(f"{path}: cannot be read, and is not measured: {why}"))

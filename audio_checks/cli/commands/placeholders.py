@@ -43,8 +43,10 @@ def run(options: argparse.Namespace) -> int:
     spec = load_spec(options.spec)
     sound_list = named_list(options.sound_list)
     given = options.paths or options.files_from is not None
-    found = found_files(options, may_be_none=True) if given else []
-    taken = {parse_file_name(sound_list.listed_name(one.path)).stem for one in found if not _is_placeholder(one.path)}
+    files = found_files(options, may_be_none=True) if given else []
+    taken = {
+        parse_file_name(sound_list.listed_name(file.path)).stem for file in files if not _is_placeholder(file.path)
+    }
     for target in options.target or ():
         if target not in spec.targets:
             raise UsageError(f'no target "{target}"; targets of the spec: {", ".join(spec.targets) or "none"}')
@@ -60,27 +62,28 @@ def run(options: argparse.Namespace) -> int:
                 results.append(make_placeholder)
                 progress.step("" if isinstance(make_placeholder, RenderRefused) else str(make_placeholder.path))
     outputs.write(lambda name, _: _as(name, results, len(taken), quiet=options.quiet))
-    return FOUND if any(isinstance(one, RenderRefused) for one in results) else OK
+    return FOUND if any(isinstance(outcome, RenderRefused) for outcome in results) else OK
 
 
 def _as(name: str, results: Sequence[Placeholder | RenderRefused], taken: int, *, quiet: bool) -> str:
-    made = [one for one in results if not isinstance(one, RenderRefused)]
-    refused = [one for one in results if isinstance(one, RenderRefused)]
+    made = [placeholder for placeholder in results if not isinstance(placeholder, RenderRefused)]
+    refused = [refusal for refusal in results if isinstance(refusal, RenderRefused)]
     if name == "json":
         document = {
-            "placeholders": [{**vars(one), "path": os.fspath(one.path)} for one in made],
-            "refused": [{"code": one.code, "message": str(one), "fix": one.fix} for one in refused],
+            "placeholders": [{**vars(placeholder), "path": os.fspath(placeholder.path)} for placeholder in made],
+            "refused": [{"code": refusal.code, "message": str(refusal), "fix": refusal.fix} for refusal in refused],
             "taken": taken,
         }
         return f"{json.dumps(document, indent=1)}\n"
     lines = []
-    for one in results:
-        if isinstance(one, RenderRefused):
-            lines.append(f"refused: {one}; {one.fix}")
+    for outcome in results:
+        if isinstance(outcome, RenderRefused):
+            lines.append(f"refused: {outcome}; {outcome.fix}")
         elif not quiet:
-            what = "synthesize_speech" if one.is_spoken else "a pattern"
+            what = "synthesize_speech" if outcome.is_spoken else "a pattern"
             lines.append(
-                f"{one.number} -> {one.path}: {what}, {one.duration_s:.3f} s{'' if one.is_new else ', as before'}"
+                f"{outcome.number} -> {outcome.path}: {what}, {outcome.duration_s:.3f} s"
+                f"{'' if outcome.is_new else ', as before'}"
             )
     if not quiet:
         lines.append(f"{counted(len(made), 'placeholder')}; {counted(taken, 'take needs', 'takes need')} none")

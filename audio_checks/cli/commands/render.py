@@ -51,22 +51,24 @@ def run(options: argparse.Namespace) -> int:
     outputs = Outputs(options.format, FORMATS)
     finder = SpecFinder(options.spec)
     sound_list = named_list(options.sound_list) if options.sound_list else None
-    found = without_dry_stems(found_files(options), sound_list)
+    files = without_dry_stems(found_files(options), sound_list)
     tasks, targets_of = [], []
-    for one in found:
-        spec = needed_spec_for(one.path, finder, options)
+    for file in files:
+        spec = needed_spec_for(file.path, finder, options)
         targets = options.target or list(spec.targets)
         if not targets:
             raise UsageError(f"{finder.file_of(spec)}: the spec names no targets")
         for target in targets:
-            task = runner.task_for(one.path, spec, target=target, category=options.category, sound_list=sound_list)
-            tasks.append((task, one.relative))
+            task = runner.task_for(file.path, spec, target=target, category=options.category, sound_list=sound_list)
+            tasks.append((task, file.relative))
             targets_of.append(target)
     run = RenderRun(out_folder(options), replaces=options.replace)
     jobs = process_count([task.path for task, _ in tasks]) if options.jobs is None else options.jobs
     with progress_over(len(tasks), options) as progress:
         outcomes = run.render_all(
-            tasks, jobs=jobs, done=lambda one: progress.step(str(one.rendered.path if one.rendered else one.refusal))
+            tasks,
+            jobs=jobs,
+            done=lambda outcome: progress.step(str(outcome.rendered.path if outcome.rendered else outcome.refusal)),
         )
     results = [
         _Result(runner.printable_path(task.path), target, outcome)
@@ -74,12 +76,14 @@ def run(options: argparse.Namespace) -> int:
     ]
     outputs.write(
         lambda name, _: (
-            f"{json.dumps({'renders': [one.to_dict() for one in results]}, indent=1)}\n"
+            f"{json.dumps({'renders': [outcome.to_dict() for outcome in results]}, indent=1)}\n"
             if name == "json"
-            else "".join(f"{printable(one.line)}\n" for one in results if one.is_worth_saying or not options.quiet)
+            else "".join(
+                f"{printable(outcome.line)}\n" for outcome in results if outcome.is_worth_saying or not options.quiet
+            )
         )
     )
-    return FOUND if any(one.fails(options.fail_level) for one in results) else OK
+    return FOUND if any(outcome.fails(options.fail_level) for outcome in results) else OK
 
 
 @dataclass(frozen=True)

@@ -18,14 +18,16 @@ SHARES_OUTPUT = True  # the runner picks its commands out of any other output
 MOST_OF_A_LEVEL = 10
 SUMMARY_BYTES = 900_000  # of the 1 MiB that a step may write
 MOST_IN_A_CELL = 5
-MARKUP = str.maketrans({"&": "&amp;", "<": "&lt;", "|": "&#124;", **{one: f"\\{one}" for one in "\\`*_[]#@"}})
+MARKUP = str.maketrans(
+    {"&": "&amp;", "<": "&lt;", "|": "&#124;", **{character: f"\\{character}" for character in "\\`*_[]#@"}}
+)
 LEVELS: dict[Severity, str] = {"error": "error", "warning": "warning", "information": "notice"}
 
 
 def judged(report: Report, style: Style) -> str:
     """Return the commands; append the summary of the job where GitHub asks for one."""
-    if place := os.environ.get("GITHUB_STEP_SUMMARY"):
-        with Path(place).open("a", encoding="utf-8", errors="backslashreplace", newline="\n") as summary:
+    if summary_path := os.environ.get("GITHUB_STEP_SUMMARY"):
+        with Path(summary_path).open("a", encoding="utf-8", errors="backslashreplace", newline="\n") as summary:
             summary.write(_summary(report))
     return "".join(f"{line}\n" for line in _commands(report))
 
@@ -34,23 +36,23 @@ def _counting(entry: FileReport) -> list[Finding]:
     """Return the unwaived findings, the most severe first."""
     return sorted(
         (finding for finding in entry.findings if not finding.waived),
-        key=lambda one: GRAVITY[one.severity or "warning"],
+        key=lambda finding: GRAVITY[finding.severity or "warning"],
     )
 
 
 def _commands(report: Report) -> Iterator[str]:
     root = repository_root()
-    found = [(entry, _counting(entry)) for entry in report.files]
+    counted_files = [(entry, _counting(entry)) for entry in report.files]
     left = 0
     for severity, command in LEVELS.items():
-        files = [(entry, ones) for entry, ones in found if ones and ones[0].severity == severity]
+        files = [(entry, ones) for entry, ones in counted_files if ones and ones[0].severity == severity]
         left += max(0, len(files) - MOST_OF_A_LEVEL)
         for entry, ones in files[:MOST_OF_A_LEVEL]:
-            place = in_repository(entry.path, root) or entry.path
+            shown_path = in_repository(entry.path, root) or entry.path
             more = f" ({len(ones) - 1} more in the summary)" if len(ones) > 1 else ""
             text = f"{printable(ones[0].sentence)}; fix: {printable(ones[0].fix)}{more}"
-            title = f"{printable(ones[0].code)} in {Path(place).name}"
-            yield f"::{command} file={_property(place)},title={_property(title)}::{_data(text)}"
+            title = f"{printable(ones[0].code)} in {Path(shown_path).name}"
+            yield f"::{command} file={_property(shown_path)},title={_property(title)}::{_data(text)}"
     if left:
         yield f"::notice title=audio-checks::{left} more file{'s' if left > 1 else ''} in the summary"
 
@@ -81,22 +83,25 @@ def _summary(report: Report) -> str:
         return head
     lines = ["| file | verdict | found | how to fix |", "|---|---|---|---|"]
     size = len(head) + 200
-    for place, (entry, ones) in enumerate(rows):
+    for index, (entry, ones) in enumerate(rows):
         line = _row(entry, ones)
         size += len(line.encode("utf-8", "replace")) + 1
         if size > SUMMARY_BYTES:
-            lines.append(f"\n{len(rows) - place} more files are left out here; `--format json:FILE` has them all.")
+            lines.append(f"\n{len(rows) - index} more files are left out here; `--format json:FILE` has them all.")
             break
         lines.append(line)
     return head + "\n".join(lines) + "\n\n"
 
 
 def _row(entry: FileReport, ones: list[Finding]) -> str:
-    found = [f"{one.severity}: {_cell(one.sentence)} `{printable(one.code)}`" for one in ones[:MOST_IN_A_CELL]]
-    fixes = [_cell(one.fix) for one in ones[:MOST_IN_A_CELL]]
+    sentences = [
+        f"{finding.severity}: {_cell(finding.sentence)} `{printable(finding.code)}`"
+        for finding in ones[:MOST_IN_A_CELL]
+    ]
+    fixes = [_cell(finding.fix) for finding in ones[:MOST_IN_A_CELL]]
     if len(ones) > MOST_IN_A_CELL:
-        found.append(f"and {len(ones) - MOST_IN_A_CELL} more")
-    return f"| {_cell(entry.path)} | {entry.verdict} | {'<br>'.join(found)} | {'<br>'.join(dict.fromkeys(fixes))} |"
+        sentences.append(f"and {len(ones) - MOST_IN_A_CELL} more")
+    return f"| {_cell(entry.path)} | {entry.verdict} | {'<br>'.join(sentences)} | {'<br>'.join(dict.fromkeys(fixes))} |"
 
 
 def _cell(text: str) -> str:

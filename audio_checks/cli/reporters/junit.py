@@ -56,11 +56,11 @@ class _Case:
             first = self._graver[0]
             more = f" (and {len(self._graver) - 1} more)" if len(self._graver) > 1 else ""
             yield f"      <{tag} type={_quoted(first.code)} message={_quoted(first.message + more)}>"
-            yield from (escape(_line(one)) for one in self._graver)
+            yield from (escape(_line(line)) for line in self._graver)
             yield f"      </{tag}>"
         if self._milder:
             yield "      <system-out>"
-            yield from (escape(_line(one)) for one in self._milder)
+            yield from (escape(_line(line)) for line in self._milder)
             yield "      </system-out>"
         yield "    </testcase>"
 

@@ -23,17 +23,17 @@ ROOT = "%SRCROOT%"
 
 def judged(report: Report, style: Style) -> str:
     """Return the document."""
-    found = [
+    results = [
         (entry, finding)
         for entry in report.files
         for finding in entry.findings
         if not finding.code.endswith(":crashed")
     ]
-    found.sort(key=lambda one: (one[1].waived, check_names.GRAVITY[one[1].severity or "warning"]))
-    rules = list(dict.fromkeys(finding.code for _, finding in found[:MOST_RESULTS]))
+    results.sort(key=lambda pair: (pair[1].waived, check_names.GRAVITY[pair[1].severity or "warning"]))
+    rules = list(dict.fromkeys(finding.code for _, finding in results[:MOST_RESULTS]))
     notes = [*_crashes(report.files)]
-    if len(found) > MOST_RESULTS:
-        notes.append(_note("warning", f"{len(found) - MOST_RESULTS} milder findings are left out of this file"))
+    if len(results) > MOST_RESULTS:
+        notes.append(_note("warning", f"{len(results) - MOST_RESULTS} milder findings are left out of this file"))
     run = {
         "tool": {
             "driver": {
@@ -51,16 +51,16 @@ def judged(report: Report, style: Style) -> str:
         "originalUriBaseIds": {ROOT: {"description": {"text": "The root of the repository."}}},
         "columnKind": "unicodeCodePoints",
         "properties": {"specs": [{"name": spec.name, "sha256": spec.sha256} for spec in report.specs]},
-        "results": _results(found[:MOST_RESULTS], {code: place for place, code in enumerate(rules)}),
+        "results": _results(results[:MOST_RESULTS], {code: index for index, code in enumerate(rules)}),
     }
     return dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}) + "\n"
 
 
-def _results(found: Iterable[tuple[FileReport, Finding]], places: dict[str, int]) -> list[dict[str, Any]]:
+def _results(pairs: Iterable[tuple[FileReport, Finding]], places: dict[str, int]) -> list[dict[str, Any]]:
     root, seen = repository_root(), Counter[str]()
     locations: dict[str, dict[str, Any]] = {}
     results = []
-    for entry, finding in found:
+    for entry, finding in pairs:
         if entry.path not in locations:
             locations[entry.path] = _location(entry.path, root)
         mark = _mark(entry, finding)

@@ -125,13 +125,13 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
         for verdict in reversed(WORST_FIRST)
         if counts[verdict]
     ]
-    found = [_count(sum(entry.count(level, waived=False) for entry in report.files), level) for level in SEVERITIES]
+    parts = [_count(sum(entry.count(level, waived=False) for entry in report.files), level) for level in SEVERITIES]
     if told := sum(entry.count("information", waived=False) for entry in report.files):
-        found.append(f"{told} to listen to")
+        parts.append(f"{told} to listen to")
     if counts["waived"]:
-        found.append(f"{counts['waived']} waived")
+        parts.append(f"{counts['waived']} waived")
     total = ink(_count(counts["files"], "file"), BOLD)
-    yield f"{total}: {', '.join(verdicts) or 'nothing to judge'}; {', '.join(found)}"
+    yield f"{total}: {', '.join(verdicts) or 'nothing to judge'}; {', '.join(parts)}"
     most = _most_found(report.files)
     if len([entry for entry in report.files if _counting(entry)]) >= MANY_FILES:
         yield ""
@@ -158,7 +158,7 @@ def _next_steps(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
     pointers = sum(LFS_POINTER in code for code in codes)
     if pointers:
         yield ink(f"{_count(pointers, 'file')} of Git LFS not fetched: git lfs pull", YELLOW)
-    if any(code.startswith(("naming:", "structure:")) for one in codes for code in one):
+    if any(code.startswith(("naming:", "structure:")) for file_codes in codes for code in file_codes):
         from audio_checks.fixing.in_place import NAMES, SIZES
 
         fixable = sum(bool(of_file & (NAMES | SIZES) - {"naming:unlisted", "naming:listed"}) for of_file in codes)
