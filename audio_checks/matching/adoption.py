@@ -145,21 +145,21 @@ def plan_adoption(
     skipped: list[SkippedFile] = []
     oddities: list[Oddity] = []
     named = list(_named(sorted(files), skipped))
-    played = played_files(project, [one.file.path for one in named]) if project else {}
+    played = played_files(project, [named_file.file.path for named_file in named]) if project else {}
     taken: dict[str, str] = {}  # by folded stem: the path that has it
     kept: list[tuple[str, list[_Named]]] = []
     for file_name, group in _grouped(named, played, oddities):
         listed = next((owned[key] for key in _keys(file_name, group) if key in owned), None)
         if listed is not None:
             why = f"{listed} has this name already; deliver the file for that cue"
-            skipped += [SkippedFile(one.file.path, "listed", why) for one in group]
+            skipped += [SkippedFile(named_file.file.path, "listed", why) for named_file in group]
             continue
         free = _free_name(file_name, group, owned, taken)
         taken |= dict.fromkeys(_keys(free, group), group[0].file.path)
         oddities += _renamed(free, group)
         kept.append((free, group))
     cues = _with_categories(kept, played, {_category(category): category for category in categories})
-    adopted = [one.file for _, group in kept for one in group]
+    adopted = [named_file.file for _, group in kept for named_file in group]
     oddities += _odd_formats(adopted)
     if project is not None:
         oddities += _unused(adopted, played, NOT_PLAYED[project.engine])
@@ -198,7 +198,7 @@ def _possible_name(stem: str) -> str:
     name = name.lstrip("=+-@'.~ ").rstrip(". ")
     if name.lower().endswith(tuple(AUDIO_SUFFIXES)):  # the list would take it for the ending
         name = "_".join(name.rsplit(".", 1)).strip()
-    if not any(one.isalnum() for one in name):
+    if not any(character.isalnum() for character in name):
         return ""
     return f"{name}_" if _DEVICE.fullmatch(name) else name
 
@@ -209,23 +209,23 @@ def _grouped(
     """Return files by cue: those of one random container are a set, then numbered ones as their names say."""
     sets = list(_random_sets(named, played))
     in_sets = {file.file.path for _, files in sets for file in files}
-    by_name = _by_name([one for one in named if one.file.path not in in_sets], oddities)
+    by_name = _by_name([named_file for named_file in named if named_file.file.path not in in_sets], oddities)
     return sorted([*sets, *by_name], key=lambda group: group[1][0].file.path)
 
 
 def _random_sets(named: Sequence[_Named], played: Mapping[str, PlayedFile]) -> Iterator[tuple[str, list[_Named]]]:
     """Yield each random container with the files that it plays, under the name that they share, else its own."""
     held: dict[str, list[_Named]] = defaultdict(list)
-    for one in named:
-        if (by := played.get(one.file.path)) is not None and by.random_set:
-            held[by.random_set].append(one)
+    for named_file in named:
+        if (by := played.get(named_file.file.path)) is not None and by.random_set:
+            held[by.random_set].append(named_file)
     for random_set, files in held.items():
-        numbers = [found for file in files if (found := _NUMBERED.fullmatch(file.name)) is not None]
+        numbers = [match for file in files if (match := _NUMBERED.fullmatch(file.name)) is not None]
         bases = {number[1] for number in numbers}
         base, in_order = "", files
         if len(numbers) == len(files) and len(bases) == 1:
             base = bases.pop()
-            in_order = [files[place] for place in sorted(range(len(files)), key=lambda at: int(numbers[at][2]))]
+            in_order = [files[index] for index in sorted(range(len(files)), key=lambda at: int(numbers[at][2]))]
         name = _possible_name(base) or _possible_name(set_name(random_set))
         if 2 <= len(files) <= MOST_VARIATIONS and name:
             yield name, in_order
@@ -234,13 +234,13 @@ def _random_sets(named: Sequence[_Named], played: Mapping[str, PlayedFile]) -> I
 def _by_name(named: Sequence[_Named], oddities: list[Oddity]) -> list[tuple[str, list[_Named]]]:
     """Return files by cue: numbered ones of one folder and name that count from 1 without a gap are one set."""
     numbered: dict[tuple[tuple[str, ...], str], dict[int, list[_Named]]] = defaultdict(lambda: defaultdict(list))
-    for one in named:
-        if (found := _NUMBERED.fullmatch(one.name)) is not None:
-            numbered[one.folders, found[1]][int(found[2])].append(one)
+    for named_file in named:
+        if (match := _NUMBERED.fullmatch(named_file.name)) is not None:
+            numbered[named_file.folders, match[1]][int(match[2])].append(named_file)
     groups: list[tuple[str, list[_Named]]] = []
     in_sets: set[str] = set()
     for (_, base), places in numbered.items():
-        files = [place for number in sorted(places) for place in places[number]]
+        files = [file for number in sorted(places) for file in places[number]]
         if len(files) == 1:
             continue
         if sorted(places) == list(range(1, len(files) + 1)) and len(files) <= MOST_VARIATIONS and _possible_name(base):
@@ -250,7 +250,7 @@ def _by_name(named: Sequence[_Named], oddities: list[Oddity]) -> list[tuple[str,
             shown = ", ".join(str(number) for number in sorted(places)[:8])
             why = f"numbers {shown} of {base} found; a set counts 1, 2, 3 without a gap, so each file is its own cue"
             oddities += [Oddity(file.file.path, "numbering", why) for file in files]
-    return [*groups, *((one.name, [one]) for one in named if one.file.path not in in_sets)]
+    return [*groups, *((named_file.name, [named_file]) for named_file in named if named_file.file.path not in in_sets)]
 
 
 def _keys(file_name: str, group: Sequence[_Named]) -> list[str]:
@@ -272,24 +272,26 @@ def _free_name(file_name: str, group: Sequence[_Named], owned: Mapping[str, str]
 
 
 def _renamed(file_name: str, group: Sequence[_Named]) -> Iterator[Oddity]:
-    for one, stem in zip(group, stems_of("", file_name, len(group)), strict=True):
-        if unicodedata.normalize("NFC", one.stem) != stem:
-            yield Oddity(one.file.path, "renamed", f"its name in the list is {stem}")
+    for named_file, stem in zip(group, stems_of("", file_name, len(group)), strict=True):
+        if unicodedata.normalize("NFC", named_file.stem) != stem:
+            yield Oddity(named_file.file.path, "renamed", f"its name in the list is {stem}")
 
 
 def _with_categories(
     kept: Sequence[tuple[str, list[_Named]]], played: Mapping[str, PlayedFile], known: Mapping[str, str]
 ) -> tuple[AdoptedCue, ...]:
-    of_group = [[by for one in group if (by := played.get(one.file.path)) is not None] for _, group in kept]
+    of_group = [
+        [by for named_file in group if (by := played.get(named_file.file.path)) is not None] for _, group in kept
+    ]
     trees = [next((by.containers for by in plays if by.containers), ()) for plays in of_group]
     own_folders = [group[0].folders for _, group in kept]
-    shared = _shared_folders([one for one, tree in zip(own_folders, trees, strict=True) if not tree])
+    shared = _shared_folders([parents for parents, tree in zip(own_folders, trees, strict=True) if not tree])
     shared_of_tree = _shared_folders([tree for tree in trees if tree])
     words = [_first_word(name) for name, _ in kept]
     counts = Counter(words)
     cues = []
     for (file_name, group), word, tree, plays in zip(kept, words, trees, of_group, strict=True):
-        folders = [_category(one) for one in tree or group[0].folders]
+        folders = [_category(folder) for folder in tree or group[0].folders]
         own = [folder for folder in folders[shared_of_tree if tree else shared :] if folder]
         category = next((known[folder] for folder in folders if folder in known), own[0] if own else "")
         if not category and word and counts[word] >= SHARED_PREFIX_FILES:
@@ -297,7 +299,9 @@ def _with_categories(
         name = re.sub(r"[\s_.\-]+", " ", file_name).strip() or file_name
         loop = len(plays) == len(group) and all(by.is_looped for by in plays)
         events = tuple(dict.fromkeys(event for by in plays for event in by.events))
-        cues.append(AdoptedCue(name, file_name, category, tuple(one.file.path for one in group), loop, events))
+        cues.append(
+            AdoptedCue(name, file_name, category, tuple(named_file.file.path for named_file in group), loop, events)
+        )
     return tuple(cues)
 
 

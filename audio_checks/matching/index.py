@@ -120,7 +120,7 @@ class NameIndex:
 
     def _add(self, cue: ListedCue, tokens: Sequence[Token]) -> None:
         key = key_of(tokens)
-        if sum(one.isalpha() for one in key) < 2:
+        if sum(character.isalpha() for character in key) < 2:
             return
         entry = _Entry(cue, _numbers_of(tokens))
         if entry not in self._entries[key]:
@@ -151,23 +151,23 @@ class NameIndex:
         read = read_name(path)
         slots, others = self._decided(read, people, prefixes)
         slots.sort(key=lambda slot: (slot.doubt != "", -len(slot.hit.places)))
-        found: dict[Hashable, Guess] = {}
+        guesses: dict[Hashable, Guess] = {}
         for slot in [*slots, *others]:
             why = slot.doubt or ("the name fits" if len(slots) == 1 else "the name fits more than one cue")
-            found.setdefault(slot.hit.cue.key, Guess(slot.hit.cue.key, slot.variation, why))
+            guesses.setdefault(slot.hit.cue.key, Guess(slot.hit.cue.key, slot.variation, why))
         own = read.tokens[read.first :]
-        words = [token for place, token in enumerate(own, read.first) if place not in read.markers]
-        for place, why in self._likenesses.nearest(words or own, read.tokens[: read.first], GUESSES):
-            cue = self._cues[place]
-            found.setdefault(cue.key, Guess(cue.key, _last_number(words, cue), why))
-        return list(found.values())[:GUESSES]
+        words = [token for token_index, token in enumerate(own, read.first) if token_index not in read.markers]
+        for index, why in self._likenesses.nearest(words or own, read.tokens[: read.first], GUESSES):
+            cue = self._cues[index]
+            guesses.setdefault(cue.key, Guess(cue.key, _last_number(words, cue), why))
+        return list(guesses.values())[:GUESSES]
 
     def shared_prefixes(self, paths: Iterable[str]) -> frozenset[str]:
         """Return words that many files begin with, each followed by the name of another cue, and that no cue has."""
         followed: dict[str, set[Hashable]] = defaultdict(set)
         for path in paths:
             read = read_name(path)
-            own = [token for place, token in enumerate(read.tokens) if place >= read.first]
+            own = [token for index, token in enumerate(read.tokens) if index >= read.first]
             if len(own) < 2 or own[0].is_number or not may_be_shared(own[0].text, self._vocabulary):
                 continue
             match = self.sure(path, prefixes=(own[0].text,))
@@ -184,7 +184,7 @@ class NameIndex:
         labelled = self._labelled(read)
         slots = [self._slot(read, hit, known, frozenset(prefixes), labelled) for hit in hits]
         whole = [slot for slot in slots if not slot.doubt]
-        if labelled and not whole and all(place in read.markers or place in labelled[1] for place in _own(read)):
+        if labelled and not whole and all(index in read.markers or index in labelled[1] for index in _own(read)):
             cue, places = labelled
             whole = [_Slot(_Hit(cue, places, max(places), True), 1 if cue.variations == 1 else None, "")]
         exact = [slot for slot in whole if self._is_own_stem(read, slot)]
@@ -200,9 +200,9 @@ class NameIndex:
 
     def _hits(self, read: Reading) -> list[_Hit]:
         """Return the cues whose names are in a name, in one piece but for markers between."""
-        found: dict[tuple[Hashable, frozenset[int]], _Hit] = {}
+        hits: dict[tuple[Hashable, frozenset[int]], _Hit] = {}
         every = range(len(read.tokens))
-        unmarked = [place for place in every if place not in read.markers]
+        unmarked = [index for index in every if index not in read.markers]
         for places in [list(every), unmarked] if read.markers else [list(every)]:
             for start in range(len(places)):
                 key = ""
@@ -213,38 +213,38 @@ class NameIndex:
                     if key not in self._entries or places[end] < read.first:
                         continue
                     taken = places[start : end + 1]
-                    numbers = _numbers_of([read.tokens[place] for place in taken])
+                    numbers = _numbers_of([read.tokens[index] for index in taken])
                     for entry in self._entries[key]:
-                        one = (entry.cue.key, frozenset(taken))
-                        is_as_written = numbers == entry.numbers or (one in found and found[one].is_as_written)
-                        found[one] = _Hit(entry.cue, frozenset(taken), taken[-1], is_as_written)
-        return [*found.values(), *self._hits_of_folders(read)]
+                        hit_key = (entry.cue.key, frozenset(taken))
+                        is_as_written = numbers == entry.numbers or (hit_key in hits and hits[hit_key].is_as_written)
+                        hits[hit_key] = _Hit(entry.cue, frozenset(taken), taken[-1], is_as_written)
+        return [*hits.values(), *self._hits_of_folders(read)]
 
     def _hits_of_folders(self, read: Reading) -> list[_Hit]:
         """Return the sets whose name is the end of the folders, where the file has only the number of a variation."""
-        own = [place for place in _own(read) if place not in read.markers]
+        own = [index for index in _own(read) if index not in read.markers]
         if len(own) != 1 or not read.tokens[own[0]].is_number:
             return []
-        found = []
+        hits = []
         for start in range(read.first):
             places = range(start, read.first)
-            named = self._entries.get(key_of([read.tokens[place] for place in places]), ())
+            named = self._entries.get(key_of([read.tokens[index] for index in places]), ())
             sets = [entry.cue for entry in named if entry.cue.variations > 1]
-            found += [_Hit(cue, frozenset(places), read.first - 1, True) for cue in sets]
-        return found
+            hits += [_Hit(cue, frozenset(places), read.first - 1, True) for cue in sets]
+        return hits
 
     def _labelled(self, read: Reading) -> tuple[ListedCue, frozenset[int]] | None:
         """Return the cue whose label, such as SW-014, is in the name, and where; None for none or two."""
-        found = []
-        for place in _own(read):
-            token = read.tokens[place]
+        matches = []
+        for index in _own(read):
+            token = read.tokens[index]
             if not token.is_number:
                 continue
-            for start in range(max(read.first, place - 2), place):
-                cue = self._labels.get((key_of(read.tokens[start:place]), token.written))
+            for start in range(max(read.first, index - 2), index):
+                cue = self._labels.get((key_of(read.tokens[start:index]), token.written))
                 if cue is not None:
-                    found.append((cue, frozenset(range(start, place + 1))))
-        return found[0] if len({cue.key for cue, _ in found}) == 1 else None
+                    matches.append((cue, frozenset(range(start, index + 1))))
+        return matches[0] if len({cue.key for cue, _ in matches}) == 1 else None
 
     def _slot(
         self,
@@ -256,12 +256,12 @@ class NameIndex:
     ) -> _Slot:
         """Return a hit's variation, and the part of the name that it leaves unexplained."""
         aside = labelled[1] - hit.places if labelled and labelled[0].key == hit.cue.key else frozenset()
-        cut_markers = {read.groups[place] for place in hit.places if place in read.groups}
+        cut_markers = {read.groups[index] for index in hit.places if index in read.groups}
         left = [
-            place
-            for place in _own(read)
-            if place not in hit.places and place not in aside
-            if place not in read.markers or read.groups[place] in cut_markers
+            index
+            for index in _own(read)
+            if index not in hit.places and index not in aside
+            if index not in read.markers or read.groups[index] in cut_markers
         ]
         variation: int | None = 1
         after = hit.last + 1
@@ -275,22 +275,22 @@ class NameIndex:
                 left.remove(after)
         elif number is not None and self._is_of_marker(read, hit, after):
             left.remove(after)
-        before = [place for place in left if place < min(hit.places)]
-        behind = [place for place in left if place > min(hit.places)]
+        before = [index for index in left if index < min(hit.places)]
+        behind = [index for index in left if index > min(hit.places)]
         unexplained = unexplained_before(read, hit.places, before, hit.cue.category, known, prefixes, self._vocabulary)
         if behind and not is_ucs_name(read, hit.places, behind, self._vocabulary):
-            unexplained += [place for place in behind if read.tokens[place].text not in known - self._vocabulary]
+            unexplained += [index for index in behind if read.tokens[index].text not in known - self._vocabulary]
         if unexplained:
-            rest = " ".join(read.tokens[place].written for place in sorted(unexplained))
+            rest = " ".join(read.tokens[index].written for index in sorted(unexplained))
             return _Slot(hit, variation, f'it has the name, and "{rest}" in addition')
         if variation is None:
             return _Slot(hit, None, "the name does not say which variation")
         return _Slot(hit, variation, "")
 
-    def _is_of_marker(self, read: Reading, hit: _Hit, place: int) -> bool:
+    def _is_of_marker(self, read: Reading, hit: _Hit, index: int) -> bool:
         """Whether a number belongs to the marker before it, as in `FINAL 2`: no cue is named so with a number."""
-        key = key_of([read.tokens[one] for one in sorted(hit.places)])
-        return place in read.after_marker and key not in self._numbered
+        key = key_of([read.tokens[hit_index] for hit_index in sorted(hit.places)])
+        return index in read.after_marker and key not in self._numbered
 
     def _is_within_another(self, slot: _Slot, whole: Sequence[_Slot]) -> bool:
         return any(slot.hit.places < other.hit.places for other in whole)
@@ -311,25 +311,25 @@ class NameIndex:
             if other.cue.key != hit.cue.key and other.places & hit.places and not other.places <= hit.places:
                 return f'the name fits, and that of "{other.cue.name}" too'
         is_whole = hit.is_as_written and all(
-            place in hit.places and read.markers.get(place) != "count" for place in _own(read)
+            index in hit.places and read.markers.get(index) != "count" for index in _own(read)
         )
         for slot in whole:
             if slot.hit.cue.key == hit.cue.key or not slot.hit.places < hit.places:
                 continue
             extra = hit.places - slot.hit.places
-            if any(place < read.first for place in extra) or not (
-                is_whole or (hit.is_as_written and not any(place in read.markers for place in extra))
+            if any(index < read.first for index in extra) or not (
+                is_whole or (hit.is_as_written and not any(index in read.markers for index in extra))
             ):
                 return f'the name fits, and that of "{slot.hit.cue.name}" too'
-        tokens = [read.tokens[place] for place in sorted(hit.places)]
+        tokens = [read.tokens[index] for index in sorted(hit.places)]
         if tokens[-1].is_number and not hit.is_as_written:
             shorter = self._others(key_of(tokens[:-1]), hit.cue)
             if shorter:
                 return f'the name fits, and the number may be one of "{shorter[0].name}"'
         key = key_of(tokens)
-        for place, kind in read.markers.items():
-            if kind == "count" and place not in hit.places:
-                longer = self._others(f"{key}{read.tokens[place].key}", hit.cue)
+        for count_index, kind in read.markers.items():
+            if kind == "count" and count_index not in hit.places:
+                longer = self._others(f"{key}{read.tokens[count_index].key}", hit.cue)
                 if longer:
                     return f'the name fits, and "{longer[0].name}" with its number'
         if hit.cue.variations > 1:
@@ -352,7 +352,7 @@ class NameIndex:
             tokens = [token for token in read.tokens[: read.first] if token.part == part]
             key = key_of(tokens)
             others = self._others(key, hit.cue)
-            own_key = key_of([read.tokens[place] for place in sorted(hit.places)])
+            own_key = key_of([read.tokens[index] for index in sorted(hit.places)])
             if others and all(entry.cue.key != hit.cue.key for entry in self._entries[key]) and key not in own_key:
                 return f'the name fits, and its folder that of "{others[0].name}"'
         return ""

@@ -57,15 +57,15 @@ class Likenesses:
         self._threes: dict[str, list[int]] = defaultdict(list)
         self._own: dict[int, tuple[frozenset[str], frozenset[str]]] = {}
         self._spelt: dict[int, dict[str, str]] = {}  # how a cue writes its words
-        for place, spelt in names:
-            self._spelt[place] = {likeness_key(token): token.text for tokens in spelt for token in tokens}
-            words = frozenset(self._spelt[place])
+        for index, spelt in names:
+            self._spelt[index] = {likeness_key(token): token.text for tokens in spelt for token in tokens}
+            words = frozenset(self._spelt[index])
             threes = frozenset(three for tokens in spelt for three in threes_of(tokens))
-            self._own[place] = (words, threes)
+            self._own[index] = (words, threes)
             for word in words:
-                self._words[word].append(place)
+                self._words[word].append(index)
             for three in threes:
-                self._threes[three].append(place)
+                self._threes[three].append(index)
 
     def nearest(self, tokens: Sequence[Token], folders: Sequence[Token], most: int) -> list[tuple[int, str]]:
         """Return the names that are most alike, the likeliest first, each with why; fewer where few are alike."""
@@ -74,9 +74,9 @@ class Likenesses:
         threes = threes_of(tokens if any(not token.is_number for token in tokens) else folders)
         counts: dict[int, float] = defaultdict(float)
         for postings, keys, weight in ((self._words, words | beside, 3.0), (self._threes, threes, 1.0)):
-            found = sorted((postings[key] for key in keys if key in postings), key=len)
-            for place, of_key in enumerate(found):
-                if len(of_key) > MOST_POSTINGS and place:
+            posting_lists = sorted((postings[key] for key in keys if key in postings), key=len)
+            for index, of_key in enumerate(posting_lists):
+                if len(of_key) > MOST_POSTINGS and index:
                     break
                 for cue in of_key[:MOST_POSTINGS]:
                     counts[cue] += weight

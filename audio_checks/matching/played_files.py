@@ -51,14 +51,14 @@ def set_name(random_set: str) -> str:
 def _played(engine: Engine, sounds: Sequence[PlayedSound]) -> PlayedFile:
     used = [sound for sound in sounds if sound.is_used is not False]
     shown = used or sounds
-    first = next((one for one in shown if one.random_set), shown[0])
-    events = dict.fromkeys(event for one in used for event in one.events)
-    is_used = None if used and all(one.is_used is None for one in used) else bool(used)
+    first = next((sound for sound in shown if sound.random_set), shown[0])
+    events = dict.fromkeys(event for sound in used for event in sound.events)
+    is_used = None if used and all(sound.is_used is None for sound in used) else bool(used)
     return PlayedFile(
         _containers(engine, first),
         first.random_set,
         tuple(events)[:EVENTS_SHOWN],
-        bool(used) and all(one.is_looped for one in used),
+        bool(used) and all(sound.is_looped for sound in used),
         is_used,
     )
 
@@ -66,10 +66,10 @@ def _played(engine: Engine, sounds: Sequence[PlayedSound]) -> PlayedFile:
 def _containers(engine: Engine, sound: PlayedSound) -> tuple[str, ...]:
     if engine not in PLACED:
         return ()
-    place = sound.random_set or sound.object_path
+    object_path = sound.random_set or sound.object_path
     if engine == "fmod" and sound.events:
-        place = sound.events[0]
-    names = _names(place)[:-1]
+        object_path = sound.events[0]
+    names = _names(object_path)[:-1]
     roots = 0 if engine == "unreal" else 1  # a hierarchy of Wwise, "event:" of FMOD Studio
     return tuple(name for name in names[roots:] if name.lower() not in PLAIN)
 

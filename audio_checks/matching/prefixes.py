@@ -15,15 +15,15 @@ _CAT_ID = re.compile(r"([A-Z]{2,6}?)[A-Z][a-z]{2,}")
 
 def people_words(names: Iterable[str]) -> frozenset[str]:
     """Return the words of names, and how they are shortened: Star Whale is star, whale, starwhale and sw."""
-    found: set[str] = set()
+    name_words: set[str] = set()
     for name in names:
         words = [token.text for token in tokens_of(plain(name))]
-        found.update(word for word in words if len(word) > 1)
+        name_words.update(word for word in words if len(word) > 1)
         if len(words) > 1:
-            found.add("".join(words))
-            found.add("".join(word[0] for word in words))
-            found.add(words[0][0] + words[-1])
-    return frozenset(found - QUALITIES)
+            name_words.add("".join(words))
+            name_words.add("".join(word[0] for word in words))
+            name_words.add(words[0][0] + words[-1])
+    return frozenset(name_words - QUALITIES)
 
 
 def may_be_shared(word: str, vocabulary: Collection[str]) -> bool:
@@ -41,29 +41,34 @@ def unexplained_before(
     vocabulary: Collection[str],
 ) -> list[int]:
     """Return the places before the name of a cue that nothing explains."""
-    own = [place for place in before if place >= read.first]
+    own = [index for index in before if index >= read.first]
     after_id = _after_cat_id(read, hit)
     if after_id:
-        own = [place for place in own if place >= after_id]
+        own = [index for index in own if index >= after_id]
     of_category = {token.text for token in tokens_of(plain(category))}
-    is_shouted = all(read.tokens[place].written.isupper() for place in hit if not read.tokens[place].is_number)
+    is_shouted = all(read.tokens[index].written.isupper() for index in hit if not read.tokens[index].is_number)
     unexplained = []
-    for place in own:
-        word = read.tokens[place].text
+    for token_index in own:
+        word = read.tokens[token_index].text
         if word in PREFIX_WORDS or word in of_category or word in prefixes:
             continue
         if word in known and word not in vocabulary:
             continue
-        is_first = place == read.first
-        if is_first and len(hit) > 1 and word not in vocabulary and _are_initials(read, place, is_shouted=is_shouted):
+        is_first = token_index == read.first
+        if (
+            is_first
+            and len(hit) > 1
+            and word not in vocabulary
+            and _are_initials(read, token_index, is_shouted=is_shouted)
+        ):
             continue
-        unexplained.append(place)
+        unexplained.append(token_index)
     return unexplained
 
 
-def _are_initials(read: Reading, place: int, *, is_shouted: bool) -> bool:
+def _are_initials(read: Reading, index: int, *, is_shouted: bool) -> bool:
     """Whether a first word can only be a person's initials: two or three consonants, set off from what follows."""
-    token = read.tokens[place]
+    token = read.tokens[index]
     if token.is_number or not 2 <= len(token.text) <= MOST_INITIALS or token.text in NO_INITIALS:
         return False
     is_set_off = read.stem[token.end : token.end + 1] in ("_", "-", " ", ".")
@@ -75,16 +80,16 @@ def _after_cat_id(read: Reading, hit: Collection[int]) -> int | None:
     """Return the place after the UCS category that a name begins with: UIClick_, AMBForst-Night_."""
     if min(hit) <= read.first:
         return None
-    begins = next(place for place in range(read.first, len(read.tokens)) if place not in read.markers)
-    found = _CAT_ID.match(read.stem, read.tokens[begins].start)
-    if found is None or not any(found[0].startswith(short) for short in UCS_CATEGORIES):
+    begins = next(index for index in range(read.first, len(read.tokens)) if index not in read.markers)
+    match = _CAT_ID.match(read.stem, read.tokens[begins].start)
+    if match is None or not any(match[0].startswith(short) for short in UCS_CATEGORIES):
         return None
-    end = found.end()
+    end = match.end()
     if read.stem[end : end + 1] not in ("_", "-", " "):
         return None
     if read.stem[end] == "-":  # the user category goes to the end of the block
         end = read.stem.find("_", end)
-    after = [place for place in range(read.first, len(read.tokens)) if read.tokens[place].start >= end]
+    after = [index for index in range(read.first, len(read.tokens)) if read.tokens[index].start >= end]
     return after[0] if after and end >= 0 and after[0] <= min(hit) else None
 
 
@@ -92,13 +97,13 @@ def is_ucs_name(read: Reading, hit: Collection[int], behind: Sequence[int], voca
     """Whether what stands behind a name are the creator and the source of a UCS name: CatID_FXName_CREATOR_SOURCE."""
     if _after_cat_id(read, hit) is None or not 1 <= len(behind) <= MOST_UCS_BLOCKS:
         return False
-    own = [place for place in hit if place >= read.first]
-    is_shouted = all(read.tokens[place].written.isupper() for place in own if not read.tokens[place].is_number)
+    own = [index for index in hit if index >= read.first]
+    is_shouted = all(read.tokens[index].written.isupper() for index in own if not read.tokens[index].is_number)
     if is_shouted and "_" in read.stem[read.tokens[min(own)].start : read.tokens[max(own)].end]:
         return False
     return all(
-        read.tokens[place].written.isupper()
-        and read.tokens[place].text not in vocabulary
-        and read.stem[read.tokens[place].start - 1] == "_"
-        for place in behind
+        read.tokens[index].written.isupper()
+        and read.tokens[index].text not in vocabulary
+        and read.stem[read.tokens[index].start - 1] == "_"
+        for index in behind
     )

@@ -118,22 +118,24 @@ class Reading:
 def plain(text: str) -> str:
     """Return text without accents, its case kept; letters of other scripts stay."""
     decomposed = unicodedata.normalize("NFKD", text)
-    return unicodedata.normalize("NFC", "".join(one for one in decomposed if not unicodedata.combining(one)))
+    return unicodedata.normalize(
+        "NFC", "".join(character for character in decomposed if not unicodedata.combining(character))
+    )
 
 
 def tokens_of(text: str, part: int = 0) -> list[Token]:
     """Return the words and numbers of a text that has no accents; CamelCase is split."""
-    found: list[Token] = []
+    tokens: list[Token] = []
     end = 0
     for chunk in _TOKEN.finditer(text[:MOST_CHARS]):
         for start, written in _pieces(chunk, text):
             is_number = written[0] in "0123456789"
             word = written.lstrip("0") or "0" if is_number else written.casefold()
-            found.append(
-                Token(word, written, start, start + len(written), is_number, bool(found) and start == end, part)
+            tokens.append(
+                Token(word, written, start, start + len(written), is_number, bool(tokens) and start == end, part)
             )
             end = start + len(written)
-    return found
+    return tokens
 
 
 def _pieces(chunk: re.Match[str], text: str) -> list[tuple[int, str]]:
@@ -160,7 +162,7 @@ def read_name(path: str) -> Reading:
     *folders, name = [part for part in re.split(r"[/\\]", plain(path)) if part not in ("", ".", "..")] or [""]
     stem = without_ending(name)
     near = folders[-FOLDERS_READ:]
-    before = [token for place, folder in enumerate(near) for token in tokens_of(folder, len(near) - place)]
+    before = [token for index, folder in enumerate(near) for token in tokens_of(folder, len(near) - index)]
     own = tokens_of(stem)[:MOST_TOKENS]
     before = before[-MOST_TOKENS:]
     markers, groups, after, alternate = _markers(stem, own)
@@ -169,9 +171,9 @@ def read_name(path: str) -> Reading:
         stem=stem,
         tokens=(*before, *own),
         first=first,
-        markers={first + place: kind for place, kind in markers.items()},
-        groups={first + place: group for place, group in groups.items()},
-        after_marker=frozenset(first + place for place in after),
+        markers={first + index: kind for index, kind in markers.items()},
+        groups={first + index: group for index, group in groups.items()},
+        after_marker=frozenset(first + index for index in after),
         alternate=alternate,
     )
 
@@ -184,8 +186,8 @@ def variation_in(path: str, variations: int) -> int | None:
     read = read_name(path)
     unmarked = [
         token
-        for place, token in enumerate(read.tokens)
-        if place >= read.first and place not in read.markers and place not in read.after_marker
+        for index, token in enumerate(read.tokens)
+        if index >= read.first and index not in read.markers and index not in read.after_marker
     ]
     for token in (*unmarked[-1:], *unmarked[:1]):
         if token.is_number and 1 <= int(token.text) <= variations:
@@ -209,8 +211,8 @@ class _Marks:
 
     def add(self, kind: Kind, *places: int) -> None:
         group = len(set(self.groups.values()))
-        for place in places:
-            self.markers[place], self.groups[place] = kind, group
+        for index in places:
+            self.markers[index], self.groups[index] = kind, group
 
 
 def _markers(stem: str, tokens: Sequence[Token]) -> tuple[dict[int, Kind], dict[int, int], set[int], int | None]:
@@ -218,24 +220,24 @@ def _markers(stem: str, tokens: Sequence[Token]) -> tuple[dict[int, Kind], dict[
     after: set[int] = set()
     alternate: int | None = None
     for start, end in _dates(stem):
-        inside = [place for place, token in enumerate(tokens) if token.start >= start and token.end <= end]
+        inside = [token_index for token_index, token in enumerate(tokens) if token.start >= start and token.end <= end]
         marks.add("date", *inside)
     for start, end in format_spans(stem):
-        inside = [place for place, token in enumerate(tokens) if token.start >= start and token.end <= end]
-        if inside and not any(place in marks.markers for place in inside):
+        inside = [token_index for token_index, token in enumerate(tokens) if token.start >= start and token.end <= end]
+        if inside and not any(token_index in marks.markers for token_index in inside):
             marks.add("format", *inside)
-    place = 0
-    while place < len(tokens):
-        token = tokens[place]
-        following = _number_after(tokens, place)
-        if place in marks.markers:
-            place += 1
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        following = _number_after(tokens, index)
+        if index in marks.markers:
+            index += 1
             continue
         if token.is_number:
-            place = _mark_number(stem, tokens, place, marks)
+            index = _mark_number(stem, tokens, index, marks)
             continue
         if token.text in VERSION_WORDS and following is not None:
-            places = [place, following]
+            places = [index, following]
             last = following + 1
             while last < len(tokens) and (
                 (tokens[last].is_number and stem[tokens[last].start - 1] == ".")
@@ -245,48 +247,48 @@ def _markers(stem: str, tokens: Sequence[Token]) -> tuple[dict[int, Kind], dict[
                 last += 1
             marks.add("version", *places)
         elif token.text in TAKE_WORDS and following is not None:
-            marks.add("take", place, following)
+            marks.add("take", index, following)
         elif token.text in COPY_WORDS:
-            is_copy_of = place + 1 < len(tokens) and tokens[place + 1].text == "of"
-            marks.add("copy", place, *([place + 1] if is_copy_of else [following] if following is not None else []))
-        elif (found := _alternate(tokens, place)) is not None:
-            alternate, last = found
-            marks.add("alternate", *range(place, last + 1))
-        elif token.text in STATE_WORDS or (token.text in WEAK_STATE_WORDS and _is_aside(stem, tokens, place, marks)):
+            is_copy_of = index + 1 < len(tokens) and tokens[index + 1].text == "of"
+            marks.add("copy", index, *([index + 1] if is_copy_of else [following] if following is not None else []))
+        elif (alternate_match := _alternate(tokens, index)) is not None:
+            alternate, last = alternate_match
+            marks.add("alternate", *range(index, last + 1))
+        elif token.text in STATE_WORDS or (token.text in WEAK_STATE_WORDS and _is_aside(stem, tokens, index, marks)):
             attached = following is not None and tokens[following].is_attached
-            marks.add("state", place, *([place + 1] if attached else []))
+            marks.add("state", index, *([index + 1] if attached else []))
             if following is not None and not attached:
                 after.add(following)
         elif token.text in FORMAT_WORDS or (
-            token.text in NEAR_FORMAT_WORDS and marks.markers.get(place - 1) == "format"
+            token.text in NEAR_FORMAT_WORDS and marks.markers.get(index - 1) == "format"
         ):
-            marks.add("format", place)
-        place += 1
+            marks.add("format", index)
+        index += 1
     return marks.markers, marks.groups, after, alternate
 
 
-def _is_aside(stem: str, tokens: Sequence[Token], place: int, marks: _Marks) -> bool:
+def _is_aside(stem: str, tokens: Sequence[Token], index: int, marks: _Marks) -> bool:
     """Whether a word follows a marker, or is shouted where the name is not."""
-    if place == 0:
+    if index == 0:
         return False
-    if place - 1 in marks.markers:
+    if index - 1 in marks.markers:
         return True
-    return tokens[place].written.isupper() and any(one.islower() for one in stem[: tokens[place].start])
+    return tokens[index].written.isupper() and any(character.islower() for character in stem[: tokens[index].start])
 
 
-def _number_after(tokens: Sequence[Token], place: int) -> int | None:
-    following = place + 1
+def _number_after(tokens: Sequence[Token], index: int) -> int | None:
+    following = index + 1
     return following if following < len(tokens) and tokens[following].is_number else None
 
 
-def _mark_number(stem: str, tokens: Sequence[Token], place: int, marks: _Marks) -> int:
+def _mark_number(stem: str, tokens: Sequence[Token], index: int, marks: _Marks) -> int:
     """Mark a number that is a copy's, or has a unit; return the place to read on from."""
-    token = tokens[place]
+    token = tokens[index]
     if stem[token.start - 1 : token.start] in ("(", "[") and stem[token.end : token.end + 1] in (")", "]"):
-        marks.add("count", place)
-        return place + 1
-    places = [place]
-    following = place + 1
+        marks.add("count", index)
+        return index + 1
+    places = [index]
+    following = index + 1
     if following < len(tokens) and tokens[following].is_number and stem[token.end : tokens[following].start] == ".":
         places.append(following)
         following += 1
@@ -295,36 +297,36 @@ def _mark_number(stem: str, tokens: Sequence[Token], place: int, marks: _Marks) 
         if unit.is_attached or unit.text in ("khz", "hz", "bit", "bits", "bpm", "lufs"):
             marks.add("format", *places, following)
             return following + 1
-    return place + 1
+    return index + 1
 
 
-def _alternate(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:
+def _alternate(tokens: Sequence[Token], index: int) -> tuple[int, int] | None:
     """Return the alternate that a name says from this place on, and the place where it has said so."""
-    text = tokens[place].text
+    text = tokens[index].text
     if len(text) == 4 and text.startswith("alt") and text[3].isascii():  # altb
-        return ord(text[3]) - ord("a") + 1, place
-    if text not in ALTERNATE_WORDS or place + 1 >= len(tokens):
+        return ord(text[3]) - ord("a") + 1, index
+    if text not in ALTERNATE_WORDS or index + 1 >= len(tokens):
         return None
-    following = tokens[place + 1]
+    following = tokens[index + 1]
     if following.is_number and len(following.text) <= 2 and following.text != "0":
-        return int(following.text), place + 1
+        return int(following.text), index + 1
     if not following.is_number and len(following.text) == 1 and "a" <= following.text <= "z":
-        return ord(following.text) - ord("a") + 1, place + 1
+        return ord(following.text) - ord("a") + 1, index + 1
     return None
 
 
 def _dates(stem: str) -> list[tuple[int, int]]:
     """Return the places of dates, each with the time of day that may follow."""
-    found: list[tuple[int, int]] = []
+    spans: list[tuple[int, int]] = []
     for pattern in _DATES:
         for match in pattern.finditer(stem):
             start, end = match.span()
-            if any(start < other_end and other_start < end for other_start, other_end in found):
+            if any(start < other_end and other_start < end for other_start, other_end in spans):
                 continue
             if _is_day(match):
                 time = _TIME.match(stem, end)
-                found.append((start, time.end() if time else end))
-    return found
+                spans.append((start, time.end() if time else end))
+    return spans
 
 
 def _is_day(match: re.Match[str]) -> bool:

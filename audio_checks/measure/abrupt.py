@@ -77,7 +77,7 @@ def _answer(samples: NDArray[np.float64], rate_hz: int, step: float) -> tuple[in
     """Return the length of a low cut's smooth answer after the edge, and its height there; else 0 and 0."""
     ramp, grain = max(1, round(PASSED_S * rate_hz)), max(GRAIN, STEPS * step)
     outer = samples[: 4 * ramp : ramp].tolist()
-    if len(samples) <= 4 * ramp or any(abs(deeper) < abs(one) - grain for one, deeper in pairwise(outer)):
+    if len(samples) <= 4 * ramp or any(abs(deeper) < abs(shallower) - grain for shallower, deeper in pairwise(outer)):
         return 0, 0.0
     first = samples[: 4 * ramp]
     if np.abs(np.diff(first)).max() > SMOOTH * np.abs(first).max() + grain:

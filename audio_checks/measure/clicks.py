@@ -150,7 +150,7 @@ class Clicks:
         Each is given as its row, its cell, its height, the power of the sound around, and how many times as high
         it is.
         """
-        found = kernel.outstanding_amid(
+        outstanding_count = kernel.outstanding_amid(
             heights,
             starts,
             times,
@@ -165,7 +165,7 @@ class Clicks:
             GOES_ON,
             self._out,
         )
-        outstanding: list[list[float]] = self._out[:found].tolist()
+        outstanding: list[list[float]] = self._out[:outstanding_count].tolist()
         return outstanding
 
     def _keep(self, cell: int, channel: int, height: float, power: float) -> None:
@@ -189,18 +189,18 @@ class Clicks:
             rows, starts = heights[np.newaxis], np.array([begin])
             outstanding = self._outstanding(cells, channel, rows, starts, doubtful, self._lowest * scale)
             for _, at, height, power, stands in outstanding:
-                place = begin + int(at)
+                cell_index = begin + int(at)
                 if stands < times:
-                    self._candidates.append(Candidate(channel, ALONE, before + place, stands, power))
+                    self._candidates.append(Candidate(channel, ALONE, before + cell_index, stands, power))
                 elif heights is not bends:
-                    self._keep(before + place, channel, height / scale, power)
+                    self._keep(before + cell_index, channel, height / scale, power)
                 else:
-                    self._keep(before + place, channel, _sharpest(sharpness, place), power)
+                    self._keep(before + cell_index, channel, _sharpest(sharpness, cell_index), power)
         self._find_bursts(cells, before, channel, first)
 
     def _find_bursts(self, cells: Cells, before: int, channel: int, first: int) -> None:
         """Mark the outliers from all but a few cells beside them, where the sound beyond those goes on."""
-        found = kernel.bursts(
+        burst_count = kernel.bursts(
             cells.sharpness[channel, first:],
             cells.squares[channel, first:],
             cells.edges[channel, first:],
@@ -215,8 +215,10 @@ class Clicks:
             self._places,
             self._powers,
         )
-        for place, power in zip(self._places[:found].tolist(), self._powers[:found].tolist(), strict=True):
-            self._candidates.append(Candidate(channel, IN_BURSTS, before + first + place, 1.0, power))
+        for cell_index, power in zip(
+            self._places[:burst_count].tolist(), self._powers[:burst_count].tolist(), strict=True
+        ):
+            self._candidates.append(Candidate(channel, IN_BURSTS, before + first + cell_index, 1.0, power))
 
     def _check_candidates(
         self, cells: Cells, before: int, total: int, samples: NDArray[np.float64], origin: int
@@ -233,9 +235,9 @@ class Clicks:
             doubts, sharpness = list(alike), cells.sharpness[channel]
             for rule in rules:
                 asked = [doubt for doubt in doubts if doubt.stands >= rule.stands]
-                frames = origin + np.array([one.cell for one in asked], np.int64) * self._cell
-                for place in self._clicks_by(rule, samples[channel], frames, dull) if asked else ():
-                    cell, power = asked[place].cell, asked[place].power
+                frames = origin + np.array([candidate.cell for candidate in asked], np.int64) * self._cell
+                for index in self._clicks_by(rule, samples[channel], frames, dull) if asked else ():
+                    cell, power = asked[index].cell, asked[index].power
                     self._keep(cell, channel, _sharpest(sharpness, cell - before), power)
 
     def _clicks_by(self, rule: Rule, samples: NDArray[np.float64], frames: NDArray[np.int64], dull: int) -> list[int]:
@@ -245,7 +247,7 @@ class Clicks:
         starts = frames - rule.before * self._cell
         late = np.flatnonzero(starts >= self._around(thin))  # of many channels less is kept
         kept = np.empty(len(late), np.int64)
-        found = kernel.unforeseen_both_ways(
+        click_count = kernel.unforeseen_both_ways(
             samples,
             thin,
             starts[late],
@@ -258,7 +260,7 @@ class Clicks:
             rule.harder_than_around,
             kept,
         )
-        places: list[int] = late[kept[:found]].tolist()
+        places: list[int] = late[kept[:click_count]].tolist()
         return places
 
     def _around(self, thin: int) -> int:
@@ -347,8 +349,10 @@ class Clicks:
         heights = np.empty((len(starts), count + 2 * reach))
         kept = np.empty(len(starts), np.int64)
         window = _window((count + 2 * reach) * self._cell)
-        found = kernel.unforeseen(samples, frames, window, ORDER, self._cell, reach, CORE, times, least, heights, kept)
-        return heights[:found], starts[kept[:found]]
+        kept_count = kernel.unforeseen(
+            samples, frames, window, ORDER, self._cell, reach, CORE, times, least, heights, kept
+        )
+        return heights[:kept_count], starts[kept[:kept_count]]
 
 
 def _sharpest(sharpness: NDArray[np.float64], cell: int) -> float:

@@ -58,13 +58,13 @@ def cliff_of(spectrum: MeanSpectrum) -> Cliff | None:
     if not ends.any():
         return None
     best = int(np.argmax(np.where(ends, all_below - all_above, -math.inf)))
-    place, below, above = int(places[best]), float(all_below[best]), float(all_above[best])
+    edge_bin, below, above = int(places[best]), float(all_below[best]), float(all_above[best])
     drop_db = below - above
-    edge_hz = place * bin_hz
-    gap = int(_reach(place, GAP))
-    start = place - int(_reach(place, 0.3))
-    further = float(levels[start : max(start + 1, place - int(_reach(place, 0.2)))].mean())
-    shelf = levels[place + gap :]
+    edge_hz = edge_bin * bin_hz
+    gap = int(_reach(edge_bin, GAP))
+    start = edge_bin - int(_reach(edge_bin, 0.3))
+    further = float(levels[start : max(start + 1, edge_bin - int(_reach(edge_bin, 0.2)))].mean())
+    shelf = levels[edge_bin + gap :]
     features = np.array(
         [
             drop_db,
@@ -77,7 +77,7 @@ def cliff_of(spectrum: MeanSpectrum) -> Cliff | None:
             float(levels.max()) - above,
         ]
     )
-    return Cliff(_half_way(levels, place, gap, (below + above) / 2) * bin_hz, drop_db, features)
+    return Cliff(_half_way(levels, edge_bin, gap, (below + above) / 2) * bin_hz, drop_db, features)
 
 
 def rate_of(edge_hz: float, sample_rate_hz: int) -> int | None:
@@ -126,11 +126,11 @@ def _beside(levels: Floats, places: NDArray[np.int64]) -> tuple[Floats, Floats]:
     return below, above
 
 
-def _half_way(levels: Floats, place: int, gap: int, middle_db: float) -> int:
+def _half_way(levels: Floats, edge_bin: int, gap: int, middle_db: float) -> int:
     """Return the last bin around a cliff that is above its middle."""
-    start = place - gap
-    above = np.flatnonzero(levels[start : place + gap + 1] > middle_db)
-    return start + int(above[-1]) if len(above) else place
+    start = edge_bin - gap
+    above = np.flatnonzero(levels[start : edge_bin + gap + 1] > middle_db)
+    return start + int(above[-1]) if len(above) else edge_bin
 
 
 def _off_a_rate(edge_hz: float, sample_rate_hz: int) -> float:

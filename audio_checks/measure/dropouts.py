@@ -96,26 +96,26 @@ class Dropouts:
         if len(self._runs) < len(steps) // 2 + 1:
             self._runs = np.empty((len(steps) // 2 + 1, 2), np.int64)
         where = REACH - first, self._searched - first, min(until - first, len(steps) - REACH - 1), self._runs
-        found: list[tuple[int, int]] = []
+        holes: list[tuple[int, int]] = []
         count = kernel.low_runs(steps, self._still, 0.0, SHORTEST, LONGEST, *where)
         runs = self._runs[:count]
         held = _longest_held(steps, runs, self._step)
         for (start, end), may_go_on in zip(runs.tolist(), _may_go_on_beside(steps, runs), strict=True):
             if may_go_on and _goes_on_beside(steps, steps, squares, start, end):
-                found.append((start, end))
+                holes.append((start, end))
             elif start in held and _goes_on_beside(steps, steps, squares, *held[start], self._step):
-                found.append(held[start])
+                holes.append(held[start])
         count = kernel.low_runs(sharpness, self._smooth, LOUDER * self._smooth, SHORTEST, LONGEST, *where)
         runs = self._runs[:count]
         runs = runs[_may_go_on_beside(sharpness, runs)]
         for start, end in runs.tolist():
             if _goes_on_beside(sharpness, steps, squares, start, end) and self._leaks(cells, channel, start, end):
-                found.append((start, end))
+                holes.append((start, end))
         count = kernel.lulls(squares, UNDER_NEAREST, LEVEL, LONGEST, *where)
         for start, end in self._runs[:count].tolist():
             if is_hole(squares, sharpness, start, end, REACH):
-                found.append((start, end))
-        for start, end in found[: MAX_KEPT - len(self._found)]:
+                holes.append((start, end))
+        for start, end in holes[: MAX_KEPT - len(self._found)]:
             quieter, louder = sorted(self._power(steps[side], squares[side]) for side in _sides(start, end))
             if louder <= quieter * ALIKE:
                 self._found.append(_Hole(first + start, first + end, channel, quieter, held=float(squares[start])))
@@ -226,10 +226,10 @@ def _reaches(side: NDArray[np.float64], share: float) -> bool:
     return bool(side[:2].max() >= share * np.sort(side)[len(side) // 2])
 
 
-def _as_one(found: list[_Hole]) -> list[_Hole]:
+def _as_one(holes: list[_Hole]) -> list[_Hole]:
     """Return holes in order, those of a channel that overlap as one: they were found in two ways."""
     apart: list[_Hole] = []
-    for hole in sorted(found, key=lambda one: (one.channel, one.start)):
+    for hole in sorted(holes, key=lambda candidate: (candidate.channel, candidate.start)):
         if apart and apart[-1].channel == hole.channel and hole.start < apart[-1].end:
             apart[-1] = apart[-1]._replace(end=max(hole.end, apart[-1].end))
         else:

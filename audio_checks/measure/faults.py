@@ -196,13 +196,13 @@ class Faults:
         """Return the maxima of all samples, the peaks of channels, and how many cells are new where one wants them."""
         before, rows = self._history // ROW_FRAMES, -(-self._end // ROW_FRAMES)
         if self._known is None:
-            found = maxima_of(samples[:, self._history :])
-            peaks = found.max(axis=1)
+            maxima = maxima_of(samples[:, self._history :])
+            peaks = maxima.max(axis=1)
         else:
-            found, peaks = self._survey.maxima(self._known[0]), self._survey.peaks(self._known[0])
+            maxima, peaks = self._survey.maxima(self._known[0]), self._survey.peaks(self._known[0])
         if not self._known:  # else they were written there
-            self._maxima[:, before : before + found.shape[1]] = found
-        self._maxima[:, before + found.shape[1] : rows] = 0.0
+            self._maxima[:, before : before + maxima.shape[1]] = maxima
+        self._maxima[:, before + maxima.shape[1] : rows] = 0.0
         peaks = np.maximum(peaks, self._maxima[:, :before].max(axis=1, initial=0.0))
         count = self._known[1] if self._known else 0
         if not self._known and (self._clicks or self._dropouts or self._hum or self._noise):

@@ -131,15 +131,15 @@ class FlatTops:
     ) -> None:
         least = extreme * (1 - SOFT_CEILING)
         shape = np.array([sign, least * SOFT_WIDE, least, self._rail, self._grain, SHARE, SOFT_FLAT, SOFT_WIDE])
-        found = kernel.crests(row, maxima, first, shape, self._found)
-        if not found:
+        crest_count = kernel.crests(row, maxima, first, shape, self._found)
+        if not crest_count:
             return
-        highest = self._found[np.argsort(-self._found[:found, TOP])[:HIGHEST], START]
+        highest = self._found[np.argsort(-self._found[:crest_count, TOP])[:HIGHEST], START]
         self._straight.add(row, maxima, highest, first, frame, channel, sign, extreme)
         if len(self._crests) >= MAX_KEPT:
             return
-        crests = np.empty((found, FIGURES_KEPT))
-        crests[:, :CHANNEL] = self._found[:found]
+        crests = np.empty((crest_count, FIGURES_KEPT))
+        crests[:, :CHANNEL] = self._found[:crest_count]
         crests[:, START] += frame
         crests[:, CHANNEL], crests[:, SIGN] = channel, sign
         self._crests = np.concatenate((self._crests, crests))

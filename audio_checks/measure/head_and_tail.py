@@ -16,19 +16,19 @@ SPAN_ROWS = 8  # over which left and right are compared
 
 def materials(decay: DecayFigures, course: Course) -> list[float]:
     """Return the noisiness of head and tail, and their difference."""
-    found: list[float] = []
+    figures: list[float] = []
     weights = np.sqrt(np.nan_to_num(decay.energies))
     weights /= weights.sum(axis=1, keepdims=True) + TINY
     parts = (course.head, course.tail)
     for values in (decay.flatness_db, decay.flutter_db):
         for lowest in (0, 3):
             head, tail = (_weighted(values[:, lowest:], weights[:, lowest:], rows) for rows in parts)
-            found += [head, tail, tail - head]
+            figures += [head, tail, tail - head]
         enough = course.tail.sum() > 3
-        found += list(np.median(values[course.tail], axis=0)) if enough else [math.nan] * WIDE
+        figures += list(np.median(values[course.tail], axis=0)) if enough else [math.nan] * WIDE
     head, tail = (_kurtosis(decay.edges[rows]) for rows in parts)
     counts = [math.log1p(int(rows.sum())) for rows in parts]
-    return [*found, head, tail, tail - head, float(course.tail.mean()), *counts]
+    return [*figures, head, tail, tail - head, float(course.tail.mean()), *counts]
 
 
 def _weighted(values: Floats, weights: Floats, rows: Rows) -> float:
@@ -52,9 +52,9 @@ def spectra(decay: DecayFigures, course: Course) -> list[float]:
     if head is None or tail is None:
         return [math.nan] * 6
     pitch = np.arange(len(head))
-    shares = [np.exp2(one / 3) for one in (head, tail)]
+    shares = [np.exp2(part / 3) for part in (head, tail)]
     lower, higher = (float((pitch * share).sum() / share.sum()) for share in shares)
-    rough = [float(np.abs(np.diff(one, 2)).mean()) for one in (head, tail)]
+    rough = [float(np.abs(np.diff(part, 2)).mean()) for part in (head, tail)]
     moved = (head - head.mean()) - (tail - tail.mean())
     spread = float(head.std() * tail.std())
     alike = float((head - head.mean()) @ (tail - tail.mean())) / len(head) / spread if spread else math.nan

@@ -132,9 +132,9 @@ class _Windows:
 
     def loudest(self) -> tuple[float, float]:
         """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
-        place = int(STEADY * (self.spectra.shape[2] - 1))
-        self.spectra.partition(place, axis=2)
-        steady = (self.spectra[:, :, place] * self._scale).tolist()
+        steady_index = int(STEADY * (self.spectra.shape[2] - 1))
+        self.spectra.partition(steady_index, axis=2)
+        steady = (self.spectra[:, :, steady_index] * self._scale).tolist()
         return max(
             (self._hum(channel, spectrum, mains), mains)
             for channel, spectrum in enumerate(steady)
@@ -143,19 +143,21 @@ class _Windows:
 
     def _hum(self, channel: int, spectrum: list[float], mains: float) -> float:
         """Return the power of a hum's lines; 0 where they make no hum."""
-        found = [
+        lines = [
             (multiple, *line)
             for multiple in range(1, MULTIPLES + 1)
             if (line := self._line(spectrum, multiple * mains))
         ]
-        if not found:
+        if not lines:
             return 0.0
         self.doubtful.add((channel, mains))
-        strongest = max(line[2] for line in found)
-        found = [line for line in found if line[2] >= FAINTEST * strongest]
+        strongest = max(line[2] for line in lines)
+        strong_lines = [line for line in lines if line[2] >= FAINTEST * strongest]
         # A line of something else is not a line of this hum: the most lines that agree on a frequency count.
-        exact = max((self._in_tune(found, hz / multiple, 1.0) for multiple, hz, _ in found), key=_weight)
-        loose = max((self._in_tune(found, hz / multiple, LOOSER) for multiple, hz, _ in found), key=_weight)
+        exact = max((self._in_tune(strong_lines, hz / multiple, 1.0) for multiple, hz, _ in strong_lines), key=_weight)
+        loose = max(
+            (self._in_tune(strong_lines, hz / multiple, LOOSER) for multiple, hz, _ in strong_lines), key=_weight
+        )
         tuned = exact if len(exact) >= LINES else loose if len(loose) > LINES else []
         power = sum(line[2] for line in tuned)
         return power if tuned and tuned[0][0] <= LOW and power >= LEAST else 0.0

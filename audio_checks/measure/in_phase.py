@@ -68,19 +68,19 @@ def lines_in_phase(samples: NDArray[np.float64], rate_hz: float, mains_hz: float
     count = (min(len(samples), round(LONGEST_S * rate_hz)) - length) // hop + 1
     orders = np.arange(1, multiples + 1)
     windows = np.lib.stride_tricks.sliding_window_view(samples, length)[: count * hop : hop]
-    found, noise = _amplitudes(windows, rate_hz, mains_hz, orders)
+    amplitudes, noise = _amplitudes(windows, rate_hz, mains_hz, orders)
     starts_s = np.arange(count)[:, np.newaxis] * (hop / rate_hz)
-    found *= np.exp(-2j * np.pi * starts_s * (mains_hz * orders))  # what is left turns by how far the line is off
+    amplitudes *= np.exp(-2j * np.pi * starts_s * (mains_hz * orders))  # what is left turns by how far the line is off
     weights = 1 / noise
     whole = weights.sum(axis=0)
-    added = np.fft.fft(found * weights, TURNS, axis=0) / whole  # by steps of phase a window
+    added = np.fft.fft(amplitudes * weights, TURNS, axis=0) / whole  # by steps of phase a window
     step_hz = rate_hz / hop / TURNS
     offs_hz = np.arange(-off * mains_hz, off * mains_hz, step_hz / multiples)
     at_offs = added[np.round(offs_hz[:, np.newaxis] * orders / step_hz).astype(int), orders - 1]
     powers = np.square(np.abs(at_offs))
     prominent = powers * whole >= PROMINENT
     best = np.lexsort(((powers * prominent).sum(axis=1), prominent.sum(axis=1)))[-1]
-    turned = found * np.exp(-2j * np.pi * starts_s * (offs_hz[best] * orders))
+    turned = amplitudes * np.exp(-2j * np.pi * starts_s * (offs_hz[best] * orders))
     there = prominent[best] & _go_on(turned, noise)
     squares = np.square(np.abs((turned * weights).sum(axis=0) / whole)) * there
     there &= squares >= FAINTEST * squares.max()
@@ -91,11 +91,11 @@ def _amplitudes(
     windows: NDArray[np.float64], rate_hz: float, mains_hz: float, orders: NDArray[np.int64]
 ) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
     """Return each multiple's amplitude in each window, and the power of the noise next to it."""
-    found = (windows.copy() @ _waves(windows.shape[1], rate_hz, mains_hz, len(orders))).view(np.complex128)
-    beside = np.square(np.abs(found[:, len(orders) :]))
+    amplitudes = (windows.copy() @ _waves(windows.shape[1], rate_hz, mains_hz, len(orders))).view(np.complex128)
+    beside = np.square(np.abs(amplitudes[:, len(orders) :]))
     padded = np.pad(beside, ((0, 0), (1, 1)), mode="reflect")
     noise = (padded[:, :-3] + padded[:, 1:-2] + padded[:, 2:-1] + padded[:, 3:]) / 4  # two on either side
-    return found[:, : len(orders)], np.maximum(noise, FLOOR * np.median(noise, axis=0)) + 1e-14
+    return amplitudes[:, : len(orders)], np.maximum(noise, FLOOR * np.median(noise, axis=0)) + 1e-14
 
 
 @lru_cache(maxsize=4)

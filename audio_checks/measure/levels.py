@@ -131,7 +131,7 @@ class Levels:
             "sample_peak_s": self._peak_frame / self._rate,
             "rms_dbfs": rms,
             "crest_db": peak - rms if math.isfinite(rms) else 0.0,  # squares of what is smaller than 1e-154 are 0
-            "dc_offset_percent": 100 * max(abs(one) for one in sums) / seen,
-            "silent_channels": tuple(channel for channel, one in enumerate(peaks, 1) if one == 0),
-            "channel_peaks_dbfs": tuple(decibels(one) for one in peaks),
+            "dc_offset_percent": 100 * max(abs(total) for total in sums) / seen,
+            "silent_channels": tuple(channel for channel, channel_peak in enumerate(peaks, 1) if channel_peak == 0),
+            "channel_peaks_dbfs": tuple(decibels(channel_peak) for channel_peak in peaks),
         }

@@ -43,16 +43,16 @@ class Likeness:
     def add(self, block: NDArray[np.float64]) -> None:
         """Take the next samples, shape (n, channels)."""
         end = self._seen + len(block)
-        place = self._next
-        while place < len(self._starts) and self._starts[place] < end:
-            start = self._starts[place]
+        index = self._next
+        while index < len(self._starts) and self._starts[index] < end:
+            start = self._starts[index]
             until = min(start + self._length, end)
             first = max(start, self._seen)
             piece = block[first - self._seen : until - self._seen] @ self._weights
-            self._slices[place, first - start : until - start] = piece
+            self._slices[index, first - start : until - start] = piece
             if until == start + self._length:
-                self._next = place + 1
-            place += 1
+                self._next = index + 1
+            index += 1
         self._seen = end
 
     def result(self) -> dict[str, Any]:

@@ -68,8 +68,8 @@ class Excitation:
         """
         blocks = math.ceil(self._frames / self._hop)
         self._take(np.zeros((len(self._held), 2 * self._hop)))
-        found = np.concatenate(self._blocks) if self._blocks else np.zeros((0, BANDS))
-        return found[:blocks]
+        power = np.concatenate(self._blocks) if self._blocks else np.zeros((0, BANDS))
+        return power[:blocks]
 
     def _take(self, frames: NDArray[np.float64]) -> None:
         held = np.ascontiguousarray(np.concatenate((self._held, frames), axis=1))
@@ -165,8 +165,8 @@ def _strongest(others: Sequence[NDArray[np.float64]], part: NDArray[np.bool_]) -
 def _mean_db(power: NDArray[np.float64], part: NDArray[np.bool_]) -> NDArray[np.float64]:
     cells = np.maximum(1, part.sum(axis=0))
     with np.errstate(divide="ignore"):
-        found: NDArray[np.float64] = 10 * np.log10(np.sum(power, axis=0, where=part) / cells)
-    return found
+        mean_db: NDArray[np.float64] = 10 * np.log10(np.sum(power, axis=0, where=part) / cells)
+    return mean_db
 
 
 @lru_cache(maxsize=8)  # 8 ms each

@@ -82,7 +82,7 @@ def _floor(steps: NDArray[np.float64]) -> float | None:
     quieter, louder = sorted((mean_of(pause[: PAUSE // 2]), mean_of(pause[PAUSE // 2 :])))
     if louder > quieter * 10 ** (LEVEL_DB / 10):
         return None
-    beside = [means[place] for place in (quietest - PAUSE, quietest + PAUSE) if 0 <= place < len(means)]
+    beside = [means[index] for index in (quietest - PAUSE, quietest + PAUSE) if 0 <= index < len(means)]
     if min(beside, default=math.inf) <= floor * 10 ** (PLATEAU_DB / 10) or not _dies_away(means, quietest):
         return floor
     return None

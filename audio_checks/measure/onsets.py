@@ -90,12 +90,12 @@ def surroundings(cells: Cells, places: Sequence[tuple[int, int]], before: int, c
     cell_frames : int
         Frames of each cell.
     """
-    found: dict[tuple[int, int], Surroundings] = {}
+    by_cell: dict[tuple[int, int], Surroundings] = {}
     for channel in {channel for _, channel in places}:
         own = np.array([cell - before for cell, other in places if other == channel], np.int64)
         for cell, around in zip(own.tolist(), _around(cells, own, cell_frames, channel), strict=True):
-            found[cell + before, channel] = around
-    return [found[place] for place in places]
+            by_cell[cell + before, channel] = around
+    return [by_cell[position] for position in places]
 
 
 def is_isolated(around: Surroundings, heights: Heights, channel: int) -> bool:

@@ -56,6 +56,6 @@ class Pauses:
         long = np.flatnonzero((np.diff(loud) - 1) * seconds >= SHORTEST_S)
         return {
             "pauses": tuple(
-                (float((loud[place] + 1) * seconds), float(loud[place + 1] * seconds)) for place in long.tolist()
+                (float((loud[index] + 1) * seconds), float(loud[index + 1] * seconds)) for index in long.tolist()
             )
         }

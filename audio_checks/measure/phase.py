@@ -64,7 +64,7 @@ class Phase:
         """
         if len(self._products) != 2:
             return {**dict.fromkeys(self.FIGURES), "channel_correlation": _least_correlation(self._products)}
-        left, right, both, apart = (float(one) for one in self._stereo.energies.sum(axis=0))
+        left, right, both, apart = (float(energy) for energy in self._stereo.energies.sum(axis=0))
         if not (left or right):
             return dict.fromkeys(self.FIGURES)
         sums, means = self._by_hop()

@@ -37,7 +37,7 @@ class Steps:
         self._step = step
         count = min(SEGMENTS, math.ceil(frames / SEGMENT_FRAMES)) if step else 0
         last = max(frames - SEGMENT_FRAMES, 0)
-        self._starts = [place * last // max(count - 1, 1) for place in range(count)]
+        self._starts = [index * last // max(count - 1, 1) for index in range(count)]
         self._segments: list[list[NDArray[np.float64]]] = [[] for _ in self._starts]
         self._seen = 0
 

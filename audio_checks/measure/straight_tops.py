@@ -56,8 +56,8 @@ class StraightTops:
         rounded = max(ROUNDED * self._step, FLOAT * extreme)
         shape = np.array([sign, HIGH * extreme, rounded, max(self._step, FLOAT / ROUNDED * extreme)])
         scratch = np.zeros(3)
-        for place in places.tolist():
-            if kernel.straight_tops(row, maxima, int(place), shape, 1, scratch, self._found):
+        for index in places.tolist():
+            if kernel.straight_tops(row, maxima, int(index), shape, 1, scratch, self._found):
                 break
         else:
             return

@@ -124,7 +124,7 @@ def energy_decay_db(levels: Floats) -> Floats:
 
 def _slopes(course: Course) -> list[float]:
     """Return the bands' speeds of fall and rise, over windows of three lengths: quantiles, and incidence of falls."""
-    found: list[float] = []
+    features: list[float] = []
     held = np.maximum(course.levels, course.floors - 3).T.copy()
     active = course.active.T
     for rows in SLOPE_ROWS:
@@ -141,8 +141,8 @@ def _slopes(course: Course) -> list[float]:
             picked = np.take_along_axis(slopes[known], places, axis=1)
             table[known, :-1] = np.sign(picked) * np.log1p(10 * np.abs(picked))
             table[known, -1] = (slopes[known] < 0).sum(axis=1) / counts[known]
-        found += [*table.ravel(), *_over_octaves(table)]
-    return found
+        features += [*table.ravel(), *_over_octaves(table)]
+    return features
 
 
 def _over_octaves(table: Floats) -> list[float]:

@@ -57,13 +57,13 @@ def rises_and_falls(decay: DecayFigures) -> list[dict[str, Any]]:
     levels = _levels(decay)
     if levels is None:
         return []
-    found = []
+    bands = []
     for hz, column in zip(OCTAVES_HZ, levels.T, strict=False):
         if np.isnan(column[0]):
             continue
         steps = _steps(column, EVIDENCE_LAG) / (EVIDENCE_LAG * decay.hop_s)
-        found.append({"hz": hz, "rise_db_s": round(float(steps.max())), "fall_db_s": round(float(-steps.min()))})
-    return found
+        bands.append({"hz": hz, "rise_db_s": round(float(steps.max())), "fall_db_s": round(float(-steps.min()))})
+    return bands
 
 
 def _levels(decay: DecayFigures) -> Floats | None:
@@ -99,13 +99,13 @@ def _steps(levels: Floats, lag: int) -> Floats:
 
 def _leans_of(levels: Floats) -> Floats:
     """Return the rise of each band against its fall, and its position in time, shape (bands, _EACH)."""
-    found: list[Floats] = []
+    leans: list[Floats] = []
     for lag in LAGS:
         steps = _steps(levels, lag)
         squares = np.square(steps)
         means = squares.mean(axis=0)
         rising = np.where(steps > 0, squares, 0.0).mean(axis=0)
-        found += [
+        leans += [
             steps.max(axis=0) + steps.min(axis=0),
             np.log((rising + 1e-2) / (means - rising + 1e-2)),
             (steps * squares).mean(axis=0) / (means**1.5 + 1e-9),
@@ -117,7 +117,7 @@ def _leans_of(levels: Floats) -> Floats:
     before, after = tops - is_loud.argmax(axis=0) + 1, len(levels) - is_loud[::-1].argmax(axis=0) - tops
     return np.stack(
         [
-            *found,
+            *leans,
             along @ power / power.sum(axis=0),
             along @ levels / (levels.sum(axis=0) + 1e-9),
             along[tops],
@@ -129,12 +129,12 @@ def _leans_of(levels: Floats) -> Floats:
 
 def _between(levels: Floats) -> list[float]:
     """Return the octaves' joint course: starts and ends at once, and the place of the highs in time."""
-    known = [place for place in range(_WIDE) if not np.isnan(levels[0, place])]
+    known = [index for index in range(_WIDE) if not np.isnan(levels[0, index])]
     if len(known) < 2:
         return [math.nan] * 2
     starts, ends = [], []
-    for place in known:
-        loud = np.flatnonzero(levels[:, place] > levels[:, place].max() - 15)
+    for band in known:
+        loud = np.flatnonzero(levels[:, band] > levels[:, band].max() - 15)
         starts.append(float(loud[0]))
         ends.append(float(loud[-1]))
     together = math.log((np.std(ends) + 1) / (np.std(starts) + 1))

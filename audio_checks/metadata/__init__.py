@@ -60,7 +60,7 @@ class Metadata:
                 for point in self.cue_points[:SHOWN_POINTS]
             ]
         if self.instrument is not None:
-            given = {one.name: getattr(self.instrument, one.name) for one in fields(Instrument)}
+            given = {attribute.name: getattr(self.instrument, attribute.name) for attribute in fields(Instrument)}
             shown["instrument"] = {name: value for name, value in given.items() if value is not None}
         if self.damaged:
             shown["damaged"] = list(self.damaged)
@@ -87,12 +87,12 @@ def read_metadata(chunks: Iterable[tuple[str, bytes]]) -> Metadata:
     reading = _Reading(some)
     texts = {
         f"{group}.{name}": text
-        for group, found in (
+        for group, group_fields in (
             ("bext", reading.first("bext", read_bext)),
             ("iXML", reading.first("iXML", read_ixml)),
             ("INFO", reading.first("LIST", read_info)),
         )
-        for name, text in (found or {}).items()
+        for name, text in (group_fields or {}).items()
     }
     labels = reading.first("LIST", read_labels) or {}
     points = reading.first("cue ", lambda payload: read_cue(payload, labels)) or ()
@@ -104,7 +104,7 @@ def _both(sampler: Instrument | None, instrument: Instrument | None) -> Instrume
     """Return the two chunks' word together; `inst` says more, and wins."""
     if sampler is None or instrument is None:
         return sampler or instrument
-    values = {one.name: getattr(instrument, one.name) for one in fields(Instrument)}
+    values = {attribute.name: getattr(instrument, attribute.name) for attribute in fields(Instrument)}
     return Instrument(**{name: getattr(sampler, name) if value is None else value for name, value in values.items()})
 
 
@@ -120,10 +120,10 @@ class _Reading:
         for name, payload in self._chunks:
             if name == kind:
                 try:
-                    found = read(payload)
+                    parsed = read(payload)
                 except ValueError as error:
                     self.damaged[str(error)] = None
                     continue
-                if found:
-                    return found
+                if parsed:
+                    return parsed
         return None

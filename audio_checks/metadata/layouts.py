@@ -57,11 +57,11 @@ def layouts_of(channels: int, mask: int | None, *, ambisonic: bool = False) -> t
         Whether the header says so itself.
     """
     if ambisonic:
-        return tuple(name for name, one in LAYOUTS.items() if one.channels == channels and not one.masks)
+        return tuple(name for name, layout in LAYOUTS.items() if layout.channels == channels and not layout.masks)
     if channels == 1:
         return ("mono",)
     if not mask:
         if channels == 2:
             return ("stereo",)
-        return tuple(name for name, one in LAYOUTS.items() if one.channels == channels and not one.masks)
-    return tuple(name for name, one in LAYOUTS.items() if one.channels == channels and mask in one.masks)
+        return tuple(name for name, layout in LAYOUTS.items() if layout.channels == channels and not layout.masks)
+    return tuple(name for name, layout in LAYOUTS.items() if layout.channels == channels and mask in layout.masks)

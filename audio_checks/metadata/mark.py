@@ -27,8 +27,8 @@ def cue_marked(fields: Mapping[str, str]) -> str | None:
         "" when the mark names no cue; None for a real sound.
     """
     for name in MARKED_FIELDS:
-        if found := _MARKED.match(fields.get(name, "")):
-            return (found[1] or "").strip()
+        if match := _MARKED.match(fields.get(name, "")):
+            return (match[1] or "").strip()
     return "" if fields.get(STATE_FIELD, "").lower() == "placeholder" else None
 
 
@@ -50,5 +50,5 @@ def broadcast_chunk(number: str) -> tuple[str, bytes]:
 
 
 def _text(number: str) -> bytes:
-    cue = "".join(one for one in number if one.isprintable())[:64].strip()
+    cue = "".join(character for character in number if character.isprintable())[:64].strip()
     return f"{MARK} {cue}".strip().encode()

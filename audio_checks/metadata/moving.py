@@ -180,8 +180,8 @@ def _cue_offsets(payload: bytes | bytearray) -> range:
 
 def _move_cues(content: bytearray, move: Move) -> None:
     for at in _cue_offsets(content):
-        for place in (at + 4, at + 20):  # order of play, and frame: the same number where nothing is compressed
-            _put(content, place, move.position(_get(content, place)))
+        for offset in (at + 4, at + 20):  # order of play, and frame: the same number where nothing is compressed
+            _put(content, offset, move.position(_get(content, offset)))
 
 
 def _move_loops(content: bytearray, move: Move) -> None:
@@ -250,19 +250,19 @@ def _with_moved_frames(payload: bytes, low: bytes, high: bytes, moved: Callable[
     if not lows:
         return payload
     highs += [0] * (len(lows) - len(highs))
-    whole = [moved(one + (other << 32)) for one, other in zip(lows, highs, strict=False)]
-    payload = _with_ixml_numbers(payload, low, [one & 0xFFFFFFFF for one in whole])
-    return _with_ixml_numbers(payload, high, [one >> 32 & 0xFFFFFFFF for one in whole])
+    whole = [moved(low_word + (other << 32)) for low_word, other in zip(lows, highs, strict=False)]
+    payload = _with_ixml_numbers(payload, low, [number & 0xFFFFFFFF for number in whole])
+    return _with_ixml_numbers(payload, high, [number >> 32 & 0xFFFFFFFF for number in whole])
 
 
 def _ixml_numbers(payload: bytes, tag: bytes) -> list[int]:
-    return [int(found[1]) for found in re.finditer(rb"<%b>\s*([0-9]{1,20})\s*</%b>" % (tag, tag), payload)]
+    return [int(match[1]) for match in re.finditer(rb"<%b>\s*([0-9]{1,20})\s*</%b>" % (tag, tag), payload)]
 
 
 def _with_ixml_numbers(payload: bytes, tag: bytes, numbers: list[int]) -> bytes:
     left = iter(numbers)
     element = rb"(<%b>)\s*([0-9]{1,20})\s*(</%b>)" % (tag, tag)
-    return re.sub(element, lambda found: b"%b%d%b" % (found[1], next(left, int(found[2])), found[3]), payload)
+    return re.sub(element, lambda match: b"%b%d%b" % (match[1], next(left, int(match[2])), match[3]), payload)
 
 
 def _with_ixml_number(payload: bytes, tag: bytes, number: int) -> bytes:

@@ -68,7 +68,7 @@ def read_cue(payload: bytes, labels: dict[int, str]) -> tuple[CuePoint, ...]:
         raise ValueError(
             f'the "cue " chunk announces {counted(count, "point")}, more than it holds or than {MOST_POINTS}'
         )
-    points = (struct.unpack_from("<2I4s3I", payload, 4 + 24 * place) for place in range(count))
+    points = (struct.unpack_from("<2I4s3I", payload, 4 + 24 * index) for index in range(count))
     return tuple(CuePoint(number, frame, labels.get(number, "")) for number, _, _, _, _, frame in points)
 
 
