@@ -33,14 +33,14 @@ def sounds_by_path(project: Project, paths: Iterable[str]) -> dict[str, list[Pla
     for path in paths:
         steps = _steps(path)
         by_name[steps[0]].append((steps, path))
-    found: dict[str, list[PlayedSound]] = defaultdict(list)
+    by_path: dict[str, list[PlayedSound]] = defaultdict(list)
     places: dict[str, str | None] = {}
     for sound in project.played:
         if sound.file not in places:
             places[sound.file] = _best(_steps(sound.file), by_name)
-        if (place := places[sound.file]) is not None:
-            found[place].append(sound)
-    return found
+        if (asset_path := places[sound.file]) is not None:
+            by_path[asset_path].append(sound)
+    return by_path
 
 
 def _steps(path: str) -> tuple[str, ...]:
@@ -55,7 +55,7 @@ def _best(steps: tuple[str, ...], by_name: dict[str, list[tuple[tuple[str, ...],
         return None
     scored = [(_agreeing(steps, other), len(other), path) for other, path in candidates]
     most = max(score for score, _, _ in scored)
-    best = [one for one in scored if one[0] == most]
+    best = [candidate for candidate in scored if candidate[0] == most]
     if len(best) == 1:
         return best[0][2]
     whole = [path for score, length, path in best if length == score]  # all of the path agrees

@@ -55,7 +55,7 @@ def read_fmod(project: Path, texts: Mapping[str, str] | None = None) -> Project:
     files = ProjectFiles(project.parent, skipped=lambda name: name.startswith(".") or name == "Build", texts=texts)
     version = _model(files, project.name)
     reading = _Reading(files)
-    for file, text in files.texts(one for one in files.ending(".xml") if one.startswith("Metadata/")):
+    for file, text in files.texts(path for path in files.ending(".xml") if path.startswith("Metadata/")):
         try:
             reading.read(file, text)
         except NotRead as error:
@@ -93,43 +93,43 @@ class _Reading:
         if root.tag != "objects":
             raise NotRead(f"is a <{root.tag[:64]}> document; wanted <objects>")
         for element in root.iterfind("object"):
-            one = _Object(element.get("id", ""), element.get("class", ""), file)
+            fmod_object = _Object(element.get("id", ""), element.get("class", ""), file)
             for property_ in element.iterfind("property"):
-                one.properties[property_.get("name", "")] = (property_.findtext("value") or "").strip()
+                fmod_object.properties[property_.get("name", "")] = (property_.findtext("value") or "").strip()
             for relation in element.iterfind("relationship"):
                 ids = tuple((destination.text or "").strip() for destination in relation.iterfind("destination"))
-                one.relations[relation.get("name", "")] = ids
+                fmod_object.relations[relation.get("name", "")] = ids
             if len(self._objects) >= MOST_OBJECTS:
                 raise NotRead(f"the project has more than {MOST_OBJECTS:,} objects")
-            if one.id and one.id not in self._objects:
-                self._objects[one.id] = one
-                self._by_kind.setdefault(one.kind, []).append(one)
+            if fmod_object.id and fmod_object.id not in self._objects:
+                self._objects[fmod_object.id] = fmod_object
+                self._by_kind.setdefault(fmod_object.kind, []).append(fmod_object)
 
     def _link(self) -> None:
-        for one in self._objects.values():
+        for fmod_object in self._objects.values():
             for name in ("sounds", "modules"):
-                if name == "modules" and not one.kind.endswith("Track"):
+                if name == "modules" and not fmod_object.kind.endswith("Track"):
                     continue  # timelines and parameters list the same instruments once more
-                for id_ in one.relations.get(name, ()):
-                    self._holders.setdefault(id_, []).append(one)
-            for id_ in one.relations.get("masters", ()):  # its VCAs, where the strip names them
+                for id_ in fmod_object.relations.get(name, ()):
+                    self._holders.setdefault(id_, []).append(fmod_object)
+            for id_ in fmod_object.relations.get("masters", ()):  # its VCAs, where the strip names them
                 if (vca := self._objects.get(id_)) is not None and vca.kind == "MixerVCA":
-                    self._strips.setdefault(one.id, []).append(vca)
-            if one.kind == "EventSound":
-                self._nested.setdefault(one.first("event"), []).append(one)
-            elif one.kind == "Event":
-                self._events.setdefault(one.file, one)
-            elif one.kind == "SnapshotProperty" and one.properties.get("propertyName") == "volume":
-                name = self._snapshot_of(one)
+                    self._strips.setdefault(fmod_object.id, []).append(vca)
+            if fmod_object.kind == "EventSound":
+                self._nested.setdefault(fmod_object.first("event"), []).append(fmod_object)
+            elif fmod_object.kind == "Event":
+                self._events.setdefault(fmod_object.file, fmod_object)
+            elif fmod_object.kind == "SnapshotProperty" and fmod_object.properties.get("propertyName") == "volume":
+                name = self._snapshot_of(fmod_object)
                 moved = Dependency("", "volume", "state", f'snapshot "{name}"')
-                self._moved.setdefault(one.first("automatableObject"), []).append(moved)
-            elif one.kind == "MixerVCA":
-                for ids in one.relations.values():
+                self._moved.setdefault(fmod_object.first("automatableObject"), []).append(moved)
+            elif fmod_object.kind == "MixerVCA":
+                for ids in fmod_object.relations.values():
                     for id_ in ids:
-                        self._strips.setdefault(id_, []).append(one)
+                        self._strips.setdefault(id_, []).append(fmod_object)
 
     def _snapshot_of(self, moved: _Object) -> str:
-        snapshots = [one for one in self._by_kind.get("Snapshot", ()) if one.file == moved.file]
+        snapshots = [snapshot for snapshot in self._by_kind.get("Snapshot", ()) if snapshot.file == moved.file]
         return snapshots[0].properties.get("name", "") if snapshots else ""
 
     def played(self) -> Iterator[PlayedSound]:
@@ -145,12 +145,12 @@ class _Reading:
         parts: tuple[Part, ...] = ()
         depends: tuple[Dependency, ...] = ()
         looped = False
-        event = next((one for one in reversed(route) if one.kind == "Event"), None)
-        for one in route:
-            place = self._place(one, asset)
-            more = self._bus(one.id, place) if one.kind.startswith("Mixer") else self._own(one, place)
+        event = next((candidate for candidate in reversed(route) if candidate.kind == "Event"), None)
+        for step in route:
+            object_path = self._place(step, asset)
+            more = self._bus(step.id, object_path) if step.kind.startswith("Mixer") else self._own(step, object_path)
             parts, depends = parts + more[0], depends + more[1]
-            looped = looped or (one.kind in ("SingleSound", "MultiSound") and one.properties.get("looping") == "true")
+            looped = looped or (step.kind in ("SingleSound", "MultiSound") and step.properties.get("looping") == "true")
         heard = event is not None and bool(event.relations.get("banks"))
         name = self._event_path(event) if event is not None else ""
         return PlayedSound(
@@ -161,11 +161,11 @@ class _Reading:
 
     def _random_set(self, route: tuple[_Object, ...]) -> str:
         """Return the place of the instrument that plays one of its sounds: the event, where it is alone there."""
-        multi = next((one for one in route if one.kind == "MultiSound"), None)
+        multi = next((candidate for candidate in route if candidate.kind == "MultiSound"), None)
         event = self._events.get(multi.file) if multi is not None else None
         if multi is None or event is None:
             return ""
-        others = [one.id for one in self._by_kind["MultiSound"] if one.file == multi.file]
+        others = [other.id for other in self._by_kind["MultiSound"] if other.file == multi.file]
         if len(others) == 1:
             return self._event_path(event)
         return f"{self._event_path(event)}/{multi.properties.get('name') or f'part {others.index(multi.id) + 1}'}"
@@ -173,60 +173,60 @@ class _Reading:
     def _routes(self, sound: _Object, most: int) -> Iterator[tuple[_Object, ...]]:
         """Yield the objects from an instrument to the master bus, for each event that plays it."""
         waiting: list[tuple[_Object, ...]] = [(sound,)]
-        found = 0
-        while waiting and found < most:
+        route_count = 0
+        while waiting and route_count < most:
             route = waiting.pop()
             last = route[-1]
             above: list[_Object] = []
             if len(route) <= MOST_STEPS:
-                above = [one for one in self._above(last) if one not in route]
+                above = [holder for holder in self._above(last) if holder not in route]
             if above:
-                waiting += [(*route, one) for one in above]
+                waiting += [(*route, holder) for holder in above]
             else:
-                found += 1
+                route_count += 1
                 yield route
 
-    def _above(self, one: _Object) -> list[_Object]:
-        if one.kind == "Event":
-            plays = self._nested.get(one.id, [])
-            own = self._objects.get(one.first("mixerInput"))
-            return [*plays, *([own] if own is not None and (one.relations.get("banks") or not plays) else [])]
-        if one.kind == "EventMixerMaster":
-            event = self._events.get(one.file)
+    def _above(self, fmod_object: _Object) -> list[_Object]:
+        if fmod_object.kind == "Event":
+            plays = self._nested.get(fmod_object.id, [])
+            own = self._objects.get(fmod_object.first("mixerInput"))
+            return [*plays, *([own] if own is not None and (fmod_object.relations.get("banks") or not plays) else [])]
+        if fmod_object.kind == "EventMixerMaster":
+            event = self._events.get(fmod_object.file)
             return [event] if event is not None else []
-        if one.kind.endswith("Track"):
-            ids = (one.first("mixerGroup"),)
-        elif one.kind == "EventMixerGroup" or one.kind.startswith("Mixer"):
-            ids = (one.first("output"),)
+        if fmod_object.kind.endswith("Track"):
+            ids = (fmod_object.first("mixerGroup"),)
+        elif fmod_object.kind == "EventMixerGroup" or fmod_object.kind.startswith("Mixer"):
+            ids = (fmod_object.first("output"),)
         else:
-            return self._holders.get(one.id, [])
+            return self._holders.get(fmod_object.id, [])
         return [self._objects[id_] for id_ in ids if id_ in self._objects]
 
-    def _place(self, one: _Object, asset: _Object) -> str:
+    def _place(self, fmod_object: _Object, asset: _Object) -> str:
         """Return an object's place, for people."""
-        name = one.properties.get("name", "")
-        if one.kind == "Event":
-            return self._event_path(one)
-        if one.kind == "MixerMaster":
+        name = fmod_object.properties.get("name", "")
+        if fmod_object.kind == "Event":
+            return self._event_path(fmod_object)
+        if fmod_object.kind == "MixerMaster":
             return "bus:/"
-        if one.kind.startswith("Mixer") and one.kind != "MixerInput":
-            return f"bus:/{self._bus_name(one)}"
-        event = self._events.get(one.file)
-        path = self._event_path(event) if event is not None else one.file
-        if one.kind == "SingleSound":
+        if fmod_object.kind.startswith("Mixer") and fmod_object.kind != "MixerInput":
+            return f"bus:/{self._bus_name(fmod_object)}"
+        event = self._events.get(fmod_object.file)
+        path = self._event_path(event) if event is not None else fmod_object.file
+        if fmod_object.kind == "SingleSound":
             return f"{path}/{name or asset.properties['assetPath'].rpartition('/')[2]}"
-        if one.kind == "EventMixerMaster":
+        if fmod_object.kind == "EventMixerMaster":
             return f"{path}/Master"
-        return f"{path}/{name or one.kind}" if one.kind != "MixerInput" else path
+        return f"{path}/{name or fmod_object.kind}" if fmod_object.kind != "MixerInput" else path
 
     def _bus_name(self, bus: _Object) -> str:
         names: list[str] = []
-        one: _Object | None = bus
+        strip: _Object | None = bus
         for _ in range(MOST_STEPS):
-            if one is None or one.kind == "MixerMaster":
+            if strip is None or strip.kind == "MixerMaster":
                 break
-            names.append(one.properties.get("name", ""))
-            one = self._objects.get(one.first("output"))
+            names.append(strip.properties.get("name", ""))
+            strip = self._objects.get(strip.first("output"))
         return "/".join(reversed(names))
 
     def _event_path(self, event: _Object) -> str:
@@ -239,42 +239,44 @@ class _Reading:
             folder = self._objects.get(folder.first("folder"))
         return "event:/" + "/".join(reversed(names))
 
-    def _bus(self, id_: str, place: str) -> Found:
+    def _bus(self, id_: str, object_path: str) -> Found:
         if id_ not in self._buses:
-            self._buses[id_] = self._own(self._objects[id_], place)
+            self._buses[id_] = self._own(self._objects[id_], object_path)
         return self._buses[id_]
 
-    def _own(self, one: _Object, place: str) -> Found:
-        parts = gain(place, "volume", number(one.properties.get("volume")), one.file, _anchor(one))
-        depends = [Dependency(place, "volume", by.on, by.what) for by in self._moved.get(one.id, ())]
-        for vca in {vca.id: vca for vca in self._strips.get(one.id, ())}.values():
+    def _own(self, fmod_object: _Object, object_path: str) -> Found:
+        parts = gain(
+            object_path, "volume", number(fmod_object.properties.get("volume")), fmod_object.file, _anchor(fmod_object)
+        )
+        depends = [Dependency(object_path, "volume", by.on, by.what) for by in self._moved.get(fmod_object.id, ())]
+        for vca in {vca.id: vca for vca in self._strips.get(fmod_object.id, ())}.values():
             depends += self._automated(vca, "volume", f"vca:/{vca.properties.get('name', '')}")
             vca_place = f"vca:/{vca.properties.get('name', '')}"
             parts += gain(vca_place, "volume", number(vca.properties.get("volume")), vca.file, _anchor(vca))
-        depends += self._automated(one, "volume", place)
-        chain = self._objects.get(one.first("effectChain"))
+        depends += self._automated(fmod_object, "volume", object_path)
+        chain = self._objects.get(fmod_object.first("effectChain"))
         for effect in (self._objects.get(id_) for id_ in (chain.relations.get("effects", ()) if chain else ())):
             if effect is None or effect.properties.get("bypass") == "true":
                 continue
             if effect.kind == "GainEffect":
-                name = f"{place}: gain effect"
+                name = f"{object_path}: gain effect"
                 parts += gain(name, "gain", number(effect.properties.get("gain")), effect.file, _anchor(effect))
                 depends += self._automated(effect, "gain", name)
             elif effect.kind in DISTANCE:
-                depends.append(Dependency(place, "effect", "distance", "spatialiser"))
+                depends.append(Dependency(object_path, "effect", "distance", "spatialiser"))
             elif effect.kind not in PASSIVE:
-                depends.append(Dependency(place, "effect", "effect", effect.kind))
+                depends.append(Dependency(object_path, "effect", "effect", effect.kind))
         return parts, tuple(depends)
 
-    def _automated(self, one: _Object, name: str, place: str) -> list[Dependency]:
-        found = []
+    def _automated(self, fmod_object: _Object, name: str, object_path: str) -> list[Dependency]:
+        dependencies = []
         for kind, key in AUTOMATED:
-            for id_ in one.relations.get(kind, ()):
+            for id_ in fmod_object.relations.get(kind, ()):
                 by = self._objects.get(id_)
                 if by is not None and by.properties.get(key) == name:
                     on: DependsOn = "random" if by.kind == "RandomizerModulator" else "state"
-                    found.append(Dependency(place, name, on, self._automating(by)))
-        return found
+                    dependencies.append(Dependency(object_path, name, on, self._automating(by)))
+        return dependencies
 
     def _automating(self, by: _Object) -> str:
         if by.kind != "Automator":
@@ -289,5 +291,5 @@ class _Reading:
         return "automation"
 
 
-def _anchor(one: _Object) -> str:
-    return f'id="{one.id}"'
+def _anchor(fmod_object: _Object) -> str:
+    return f'id="{fmod_object.id}"'

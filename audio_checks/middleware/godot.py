@@ -156,7 +156,11 @@ class _Reading:
             scene.instances[path] = scene.resources.external.get(reference(section.header["instance"])[1], "")
         kind = text_of(section.header.get("type", ""))
         properties = section.properties
-        if kind in PLAYERS or PLAYED & properties.keys() or any("ExtResource" in one for one in properties.values()):
+        if (
+            kind in PLAYERS
+            or PLAYED & properties.keys()
+            or any("ExtResource" in property_text for property_text in properties.values())
+        ):
             node = _Node(name, kind, properties, scene.file, section.line, scene.resources)
             node.set_in = dict.fromkeys(properties, (scene.file, section.line))
             scene.nodes[path] = node
@@ -186,36 +190,36 @@ class _Reading:
         node = scene.nodes.get(path) if own else None
         if node is not None and node.kind:
             return node
-        place = path
+        node_path = path
         for _ in range(MOST_STEPS):
-            if place in scene.instances:
-                inner = "." if place == path else path if place == "." else path[len(place) + 1 :]
-                base = self._node(scene.instances[place], inner, depth + 1)
+            if node_path in scene.instances:
+                inner = "." if node_path == path else path if node_path == "." else path[len(node_path) + 1 :]
+                base = self._node(scene.instances[node_path], inner, depth + 1)
                 if base is not None:
                     return base if node is None else _over(base, node)
-            if place == ".":
+            if node_path == ".":
                 return None
-            place = place.rpartition("/")[0] or "."
+            node_path = node_path.rpartition("/")[0] or "."
         return None
 
     def _of_player(self, scene: _Scene, path: str, node: _Node) -> Iterator[PlayedSound]:
-        place = f"{scene.file}: {path if path != '.' else node.name}"
+        object_path = f"{scene.file}: {path if path != '.' else node.name}"
         parts: tuple[Part, ...] = ()
         for name in ("volume_db", "unit_db"):
             file, anchor = node.set_in.get(name, (node.file, node.anchor))
-            parts += gain(place, name, number(node.properties.get(name)), file, anchor)
+            parts += gain(object_path, name, number(node.properties.get(name)), file, anchor)
         depends: tuple[Dependency, ...] = ()
         if node.kind != "AudioStreamPlayer":
-            depends += (Dependency(place, "attenuation", "distance", node.kind),)
+            depends += (Dependency(object_path, "attenuation", "distance", node.kind),)
         name = path.rpartition("/")[2] if path != "." else node.name
-        if any(one.partition(":")[0].rpartition("/")[2] == name for one in scene.animated):
-            depends += (Dependency(place, "volume_db", "state", "an animation"),)
+        if any(track.partition(":")[0].rpartition("/")[2] == name for track in scene.animated):
+            depends += (Dependency(object_path, "volume_db", "state", "an animation"),)
         bus_parts, bus_depends = self._buses.chain(text_of(node.properties.get("bus", "Master").lstrip("&")))
         for sound, more, others, is_random in self._sounds(node.properties.get("stream", ""), node.resources, 0):
             yield PlayedSound(
-                sound, place, more + parts + bus_parts, (*others, *depends, *bus_depends),
+                sound, object_path, more + parts + bus_parts, (*others, *depends, *bus_depends),
                 self._conversions.get(sound, ()), (scene.file,), True, True, self._looped.get(sound), None,
-                place if is_random else "",
+                object_path if is_random else "",
             )  # fmt: skip
 
     def _sounds(
@@ -238,15 +242,17 @@ class _Reading:
         if section is None:
             return
         kind, id_ = (text_of(section.header.get(key, "")) for key in ("type", "id"))
-        place = f"{resources.file}: {kind or 'resource'} {id_}".strip()
+        object_path = f"{resources.file}: {kind or 'resource'} {id_}".strip()
         depends: tuple[Dependency, ...] = ()
         if number(section.properties.get("random_volume_offset_db")):
             what = f"random by {section.properties['random_volume_offset_db']} dB"
-            depends = (Dependency(place, "random_volume_offset_db", "random", what),)
+            depends = (Dependency(object_path, "random_volume_offset_db", "random", what),)
         for key, text in section.properties.items():
             if _STREAM.fullmatch(key) or key in ("audio_stream", "stream"):
                 volume_key = f"{key.partition('/')[0]}/volume"
-                own = gain(place, volume_key, number(section.properties.get(volume_key)), resources.file, section.line)
+                own = gain(
+                    object_path, volume_key, number(section.properties.get(volume_key)), resources.file, section.line
+                )
                 for sound, more, others, is_random in self._sounds(text, resources, depth + 1):
                     yield sound, more + own, others + depends, is_random or kind == "AudioStreamRandomizer"
 
@@ -256,8 +262,8 @@ class _Reading:
             for id_ in re.findall(r'ExtResource\(\s?"?([\w-]{1,64})"?\s?\)', text[:65_536]):
                 sound = node.resources.external.get(id_, "")
                 if sound.lower().endswith(AUDIO):
-                    place = f"{scene.file}: {path if path != '.' else node.name}"
-                    yield self._scripted(sound, f"{place}.{key}", scene.file)
+                    object_path = f"{scene.file}: {path if path != '.' else node.name}"
+                    yield self._scripted(sound, f"{object_path}.{key}", scene.file)
 
     def _of_scripts(self) -> Iterator[PlayedSound]:
         for file, text in self._files.texts(self._files.ending(".gd", ".cs")):
@@ -265,10 +271,18 @@ class _Reading:
                 if sound.lower().endswith(AUDIO):
                     yield self._scripted(sound, file, file)
 
-    def _scripted(self, sound: str, place: str, file: str) -> PlayedSound:
-        depends = (Dependency(place, "", "script", "the script that plays it"),)
+    def _scripted(self, sound: str, object_path: str, file: str) -> PlayedSound:
+        depends = (Dependency(object_path, "", "script", "the script that plays it"),)
         return PlayedSound(
-            sound, place, (), depends, self._conversions.get(sound, ()), (file,), True, False, self._looped.get(sound)
+            sound,
+            object_path,
+            (),
+            depends,
+            self._conversions.get(sound, ()),
+            (file,),
+            True,
+            False,
+            self._looped.get(sound),
         )
 
 
@@ -286,15 +300,15 @@ class _Buses:
                     if section.kind == "sub_resource":
                         self._effects[text_of(section.header.get("id", ""))] = section
                     elif section.kind == "resource":
-                        for key, one in section.properties.items():
+                        for key, property_text in section.properties.items():
                             if key.startswith("bus/") and key.count("/") >= 2:
-                                _, place, name = key.split("/", 2)
-                                numbered.setdefault(place, {})[name] = one
+                                _, bus_index, name = key.split("/", 2)
+                                numbered.setdefault(bus_index, {})[name] = property_text
             except NotRead as error:
                 files.leave_out(file, str(error), error.line)
-        for place, bus in numbered.items():
-            bus["place"] = place
-            name = text_of(bus.get("name", "").lstrip("&")) or ("Master" if place == "0" else "")
+        for index, bus in numbered.items():
+            bus["place"] = index
+            name = text_of(bus.get("name", "").lstrip("&")) or ("Master" if index == "0" else "")
             self._buses.setdefault(name, bus)
 
     def chain(self, name: str) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
@@ -306,27 +320,27 @@ class _Buses:
         while name in self._buses and name not in seen and len(seen) < MOST_STEPS:
             seen.add(name)
             bus = self._buses[name]
-            place = f"bus {name}"
+            bus_path = f"bus {name}"
             anchor = f"bus/{bus['place']}/volume_db"
-            parts += gain(place, "volume_db", number(bus.get("volume_db")), self._file, anchor)
+            parts += gain(bus_path, "volume_db", number(bus.get("volume_db")), self._file, anchor)
             if bus.get("mute") == "true":
-                parts += gain(place, "mute", decibels(0), self._file, f"bus/{bus['place']}/mute")
+                parts += gain(bus_path, "mute", decibels(0), self._file, f"bus/{bus['place']}/mute")
             for key, text in bus.items():
                 if key.startswith("effect/") and key.endswith("/effect") and bus.get(f"{key[:-7]}/enabled") != "false":
-                    more, other = self._effect(place, text)
+                    more, other = self._effect(bus_path, text)
                     parts, depends = parts + more, depends + other
             name = "" if name == "Master" else text_of(bus.get("send", '"Master"').lstrip("&")) or "Master"
         return parts, depends
 
-    def _effect(self, place: str, text: str) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
+    def _effect(self, bus_path: str, text: str) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
         section = self._effects.get(reference(text)[1])
         kind = text_of(section.header.get("type", "")) if section is not None else ""
         if section is not None and kind == "AudioEffectAmplify":
             own = number(section.properties.get("volume_db"))
-            return gain(f"{place}: {kind}", "volume_db", own, self._file, section.line), ()
+            return gain(f"{bus_path}: {kind}", "volume_db", own, self._file, section.line), ()
         if kind in ("AudioEffectSpectrumAnalyzer", "AudioEffectRecord", "AudioEffectCapture", ""):
             return (), ()
-        return (), (Dependency(place, "effect", "effect", kind),)
+        return (), (Dependency(bus_path, "effect", "effect", kind),)
 
 
 def _over(base: _Node, node: _Node) -> _Node:

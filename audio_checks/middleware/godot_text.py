@@ -51,7 +51,9 @@ def sections(text: str) -> Iterator[Section]:
             if kind is None:
                 raise NotRead("a section has no name; wanted one such as [node]", number)
             head = line[:16_384]
-            section = Section(kind[1], {one[1]: one[2] for one in _HEADER.finditer(head, kind.end())}, line[:1_024])
+            section = Section(
+                kind[1], {match[1]: match[2] for match in _HEADER.finditer(head, kind.end())}, line[:1_024]
+            )
         elif section is not None and "=" in line[:1_024]:
             name, _, value = line.partition("=")
             key, kept = name.strip(), value.strip()
@@ -70,8 +72,8 @@ def _structure(line: str, open_: int, in_string: bool) -> tuple[int, bool]:
         if end is None:
             return open_, True
         line = line[end.end() :]
-    for found in _STRUCTURE.finditer(line):
-        mark = found[0]
+    for match in _STRUCTURE.finditer(line):
+        mark = match[0]
         if mark == '"':
             return open_, True
         if mark in "[{(":
@@ -91,5 +93,5 @@ def text_of(value: str) -> str:
 
 def reference(value: str) -> tuple[str, str]:
     """Return the kind and the id of a reference such as ExtResource("1_a"); empty where it is none."""
-    found = _REFERENCE.match(value)
-    return (found[1], found[2]) if found is not None else ("", "")
+    match = _REFERENCE.match(value)
+    return (match[1], match[2]) if match is not None else ("", "")

@@ -32,25 +32,25 @@ def read_project(path: str | Path) -> Project:
     ProjectRefused
         There is no such project, or more than one in the folder.
     """
-    place = Path(path)
-    if not place.exists():
-        raise ProjectRefused(f"{place}: does not exist; {WANTED}")
-    if place.is_dir():
-        place = _project_in(place)
-    name = place.name.lower()
+    project_path = Path(path)
+    if not project_path.exists():
+        raise ProjectRefused(f"{project_path}: does not exist; {WANTED}")
+    if project_path.is_dir():
+        project_path = _project_in(project_path)
+    name = project_path.name.lower()
     if name.endswith(".wproj"):
-        return read_wwise(place)
+        return read_wwise(project_path)
     if name.endswith(".fspro"):
-        return read_fmod(place)
+        return read_fmod(project_path)
     if name == "project.godot":
-        return read_godot(place.parent)
-    if place.is_dir():
-        return read_unity(place)
+        return read_godot(project_path.parent)
+    if project_path.is_dir():
+        return read_unity(project_path)
     if name == "projectversion.txt":
-        return read_unity(place.parent.parent)
+        return read_unity(project_path.parent.parent)
     if name.endswith(".json"):
-        return read_unreal(place)
-    raise ProjectRefused(f"{place}: is not a project that is known; {WANTED}")
+        return read_unreal(project_path)
+    raise ProjectRefused(f"{project_path}: is not a project that is known; {WANTED}")
 
 
 def read_project_texts(path: str, texts: Mapping[str, str]) -> Project:
@@ -95,9 +95,13 @@ def _project_in(folder: Path) -> Path:
     """Return the project that stands in a folder; a Unity project is its folder."""
     if (folder / "Assets").is_dir() and (folder / "ProjectSettings").is_dir():
         return folder
-    files = [one for one in sorted(folder.iterdir()) if not one.name.startswith("._")]  # which macOS leaves
+    files = [path for path in sorted(folder.iterdir()) if not path.name.startswith("._")]  # which macOS leaves
     projects = [file for file in files if file.suffix.lower() in (".wproj", ".fspro") or file.name == "project.godot"]
     if len(projects) != 1:
-        which = f"more than one project: {', '.join(one.name for one in projects[:4])}" if projects else "no project"
+        which = (
+            f"more than one project: {', '.join(candidate.name for candidate in projects[:4])}"
+            if projects
+            else "no project"
+        )
         raise ProjectRefused(f"{folder}: holds {which}; {WANTED}")
     return projects[0]

@@ -81,8 +81,8 @@ class ProjectFiles:
         while waiting:
             folder, depth = waiting.pop()
             try:
-                with os.scandir(self.root / folder) as found:
-                    for entry in found:
+                with os.scandir(self.root / folder) as scan:
+                    for entry in scan:
                         entries += 1
                         if entries > MOST_ENTRIES:
                             raise ProjectRefused(

@@ -109,13 +109,13 @@ class _Reading:
 
     def _read_metas(self) -> None:
         for file, text in self._files.texts(self._files.ending(".meta")):
-            if (found := _GUID.search(text)) is None:
+            if (match := _GUID.search(text)) is None:
                 continue
             asset = file[: -len(".meta")]
-            self._file_of[found[1]] = asset
+            self._file_of[match[1]] = asset
             if asset.lower().endswith(AUDIO) and "\nAudioImporter:" in text:
-                self._conversions[found[1]] = tuple(_harms(text, file))
-                self._streamed[found[1]] = value(text, "loadType", indent=4) == "2"
+                self._conversions[match[1]] = tuple(_harms(text, file))
+                self._streamed[match[1]] = value(text, "loadType", indent=4) == "2"
 
     def _manager_parts(self) -> tuple[Part, ...]:
         file = "ProjectSettings/AudioManager.asset"
@@ -147,8 +147,8 @@ class _Reading:
         self._holders[guid] = holder
         for document in holder.documents.values():
             if document.kind == "MonoBehaviour" or (file.endswith(".playable") and document.kind != "AudioSource"):
-                for found in _CLIP.finditer(document.text):
-                    self._scripted.setdefault(found[1], []).append((file, _field_before(document.text, found.start())))
+                for match in _CLIP.finditer(document.text):
+                    self._scripted.setdefault(match[1], []).append((file, _field_before(document.text, match.start())))
             elif document.kind == "AudioRandomContainer":
                 self._containers[guid] = _container(holder, document)
 
@@ -161,11 +161,11 @@ class _Reading:
                         yield self._sound(holder, document, source, clip, more)
         for clip, places in self._scripted.items():
             if clip in self._file_of:
-                for place, name in dict.fromkeys(places):
-                    depends = (Dependency(f"{place}: {name}", name, "script", "the script that plays it"),)
+                for holder_file, name in dict.fromkeys(places):
+                    depends = (Dependency(f"{holder_file}: {name}", name, "script", "the script that plays it"),)
                     yield PlayedSound(
-                        self._file_of[clip], f"{place}: {name}", (), depends, self._conversions.get(clip, ()),
-                        (place,), True, False, None, self._streamed.get(clip),
+                        self._file_of[clip], f"{holder_file}: {name}", (), depends, self._conversions.get(clip, ()),
+                        (holder_file,), True, False, None, self._streamed.get(clip),
                     )  # fmt: skip
         for clip, file in self._file_of.items():
             if clip in self._conversions and any(name in f"/{file}" for name in BY_NAME):
@@ -240,15 +240,16 @@ class _Reading:
     def _sound(
         self, holder: _Holder, document: Document, source: _Source, clip: str, more: tuple[Part, ...]
     ) -> PlayedSound:
-        place = f"{holder.file}: {source.name or document.id}"
-        parts = more + gain(place, "m_Volume", decibels(source.volume), source.volume_file, source.anchor)
+        object_path = f"{holder.file}: {source.name or document.id}"
+        parts = more + gain(object_path, "m_Volume", decibels(source.volume), source.volume_file, source.anchor)
         if source.is_muted:
-            parts += gain(place, "Mute", decibels(0), holder.file, source.anchor)
+            parts += gain(object_path, "Mute", decibels(0), holder.file, source.anchor)
         group_parts, depends = self.mixers.chain(*source.group)
         if source.is_spatial:
-            depends += (Dependency(place, "panLevelCustomCurve", "distance", "3D sound"),)
+            depends += (Dependency(object_path, "panLevelCustomCurve", "distance", "3D sound"),)
         return PlayedSound(
-            self._file_of[clip], place, parts + group_parts + self._manager, depends, self._conversions.get(clip, ()),
+            self._file_of[clip], object_path, parts + group_parts + self._manager, depends,
+            self._conversions.get(clip, ()),
             (holder.file,), True, True, source.is_looped, self._streamed.get(clip), self._random_set(source),
         )  # fmt: skip
 

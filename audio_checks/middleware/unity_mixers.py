@@ -41,7 +41,7 @@ class Mixers:
             if document.kind == "AudioMixerController":
                 mixer.start = flow(document.text, "m_StartSnapshot")[0]
                 mixer.output = flow(document.text, "m_OutputGroup")[::-1]
-                mixer.exposed = {found[1]: found[2] for found in _EXPOSED.finditer(document.text)}
+                mixer.exposed = {match[1]: match[2] for match in _EXPOSED.finditer(document.text)}
             elif document.kind == "AudioMixerGroupController":
                 mixer.groups[document.id] = document
                 for child in _children(document.text, "m_Children"):
@@ -49,7 +49,7 @@ class Mixers:
             elif document.kind == "AudioMixerEffectController":
                 mixer.effects[document.id] = document
             elif document.kind == "AudioMixerSnapshotController":
-                values = {found[1]: number(found[2]) or 0.0 for found in _FLOAT.finditer(document.text)}
+                values = {match[1]: number(match[2]) or 0.0 for match in _FLOAT.finditer(document.text)}
                 mixer.snapshots[document.id] = value(document.text, "m_Name"), values
         self._mixers[guid] = mixer
 
@@ -80,26 +80,26 @@ class Mixers:
 
 
 def _group(mixer: _Mixer, group: Document) -> tuple[tuple[Part, ...], list[Dependency]]:
-    place = f"{mixer.file}: {value(group.text, 'm_Name')}"
+    group_path = f"{mixer.file}: {value(group.text, 'm_Name')}"
     volume = value(group.text, "m_Volume")
     _, started = mixer.snapshots.get(mixer.start, ("", {}))
     own_db = started.get(volume, 0.0)
-    parts = gain(place, "m_Volume", own_db, mixer.file, f"{volume}:" if volume else "")
+    parts = gain(group_path, "m_Volume", own_db, mixer.file, f"{volume}:" if volume else "")
     if value(group.text, "m_Mute") == "1":
-        parts += gain(place, "m_Mute", decibels(0), mixer.file, f"&{group.id}")
+        parts += gain(group_path, "m_Mute", decibels(0), mixer.file, f"&{group.id}")
     depends = [
-        Dependency(place, "m_Volume", "state", f'snapshot "{name}", {values.get(volume, 0.0):g} dB')
+        Dependency(group_path, "m_Volume", "state", f'snapshot "{name}", {values.get(volume, 0.0):g} dB')
         for id_, (name, values) in mixer.snapshots.items()
         if id_ != mixer.start and values.get(volume, 0.0) != own_db
     ]
     if volume in mixer.exposed:
-        depends.append(Dependency(place, "m_Volume", "script", f'exposed parameter "{mixer.exposed[volume]}"'))
+        depends.append(Dependency(group_path, "m_Volume", "script", f'exposed parameter "{mixer.exposed[volume]}"'))
     for id_ in _children(group.text, "m_Effects"):
         effect = mixer.effects.get(id_)
         name = value(effect.text, "m_EffectName") if effect is not None else ""
         if effect is None or name in PASSIVE or value(effect.text, "m_Bypass") == "1":
             continue
-        depends.append(Dependency(place, "m_Effects", "state" if name == "Duck Volume" else "effect", name))
+        depends.append(Dependency(group_path, "m_Effects", "state" if name == "Duck Volume" else "effect", name))
     return parts, depends
 
 
@@ -108,9 +108,9 @@ def _children(text: str, key: str) -> list[str]:
     begin = text.find(f"\n  {key}:\n")
     if begin < 0:
         return []
-    found = []
+    children = []
     at = begin + len(key) + 5
-    while (one := _CHILD.match(text, at)) is not None:
-        found.append(one[1])
-        at = one.end() + 1
-    return found
+    while (match := _CHILD.match(text, at)) is not None:
+        children.append(match[1])
+        at = match.end() + 1
+    return children

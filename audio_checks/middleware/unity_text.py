@@ -43,9 +43,9 @@ class Document:
         """Return the changes of an instance of a prefab, by the object's id and the prefab's guid."""
         if self._modifications is None:
             self._modifications = {}
-            for found in _MODIFICATION.finditer(self.text):
-                change = found[3], found[4].strip(), (found[5], found[6] or "")
-                self._modifications.setdefault((found[1], found[2]), []).append(change)
+            for match in _MODIFICATION.finditer(self.text):
+                change = match[3], match[4].strip(), (match[5], match[6] or "")
+                self._modifications.setdefault((match[1], match[2]), []).append(change)
         return self._modifications
 
     def source_prefab(self) -> str:
@@ -71,8 +71,8 @@ def value(text: str, key: str, *, indent: int = 2) -> str:
     if pattern is None:
         pattern = re.compile(rf"^ {{{indent}}}{re.escape(key)}: ?([^\n]{{0,{LONGEST_VALUE}}})$", re.MULTILINE)
         _PATTERNS[key, indent] = pattern
-    found = pattern.search(text)
-    return found[1].strip() if found is not None else ""
+    match = pattern.search(text)
+    return match[1].strip() if match is not None else ""
 
 
 def flow(text: str, key: str) -> tuple[str, str]:
@@ -83,5 +83,5 @@ def flow(text: str, key: str) -> tuple[str, str]:
             rf"^  {re.escape(key)}: \{{fileID: (-?\d{{1,20}})(?:,\s{{1,32}}guid: ([0-9a-f]{{32}}))?", re.MULTILINE
         )
         _PATTERNS[key, -1] = pattern
-    found = pattern.search(text)
-    return (found[1], found[2] or "") if found is not None else ("", "")
+    match = pattern.search(text)
+    return (match[1], match[2] or "") if match is not None else ("", "")

@@ -83,13 +83,13 @@ class _Reading:
         self._by_path: dict[str, dict[str, dict[str, Any]]] = {}
         for list_ in LISTS:
             entries = document.get(list_, [])
-            found: dict[str, dict[str, Any]] = {}
-            for place, entry in enumerate(entries if isinstance(entries, list) else ()):
+            by_path: dict[str, dict[str, Any]] = {}
+            for index, entry in enumerate(entries if isinstance(entries, list) else ()):
                 if isinstance(entry, dict) and _text(entry, "path"):
-                    found.setdefault(_text(entry, "path"), entry)
+                    by_path.setdefault(_text(entry, "path"), entry)
                 else:
-                    self.leave_out(f"{list_}[{place}]", "wanted an object with a path")
-            self._by_path[list_] = found
+                    self.leave_out(f"{list_}[{index}]", "wanted an object with a path")
+            self._by_path[list_] = by_path
 
     def leave_out(self, what: str, message: str) -> None:
         """Note that something is not read; the first few of each export are enough."""
@@ -147,10 +147,12 @@ class _Reading:
             path if play is not None and play.get("random") is True else "",
         )  # fmt: skip
 
-    def _factor(self, place: str, name: str, volume: object) -> tuple[Part, ...]:
+    def _factor(self, object_path: str, name: str, volume: object) -> tuple[Part, ...]:
         if isinstance(volume, bool) or not isinstance(volume, int | float):
             return ()
-        return gain(place, name, decibels(float(min(volume, 1e9))), self._file, json.dumps(place.partition(": ")[0]))
+        return gain(
+            object_path, name, decibels(float(min(volume, 1e9))), self._file, json.dumps(object_path.partition(": ")[0])
+        )
 
     def _up(self, list_: str, path: str, key: str) -> tuple[Part, ...]:
         """Return the gains of a class or a submix and of all above it."""

@@ -184,8 +184,8 @@ class Project:
         return {
             "engine": self.engine,
             "version": self.version,
-            "sounds": [one.to_dict() for one in self.played],
-            "unread": [one.to_dict() for one in self.unread],
+            "sounds": [sound.to_dict() for sound in self.played],
+            "unread": [gap.to_dict() for gap in self.unread],
         }
 
 
@@ -212,4 +212,4 @@ def gain(object_path: str, name: str, gain_db: float | None, file: str, anchor: 
 
 def in_order(played: Iterable[PlayedSound]) -> tuple[PlayedSound, ...]:
     """Return sounds by their files and objects."""
-    return tuple(sorted(played, key=lambda one: (one.file, one.object_path)))
+    return tuple(sorted(played, key=lambda sound: (sound.file, sound.object_path)))

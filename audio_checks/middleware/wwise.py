@@ -139,9 +139,9 @@ class _Reading:
                 self._children(unit, id_, file, 0)
                 break  # the one unit of the file
 
-    def _add(self, one: _Object) -> None:
-        if one.id and len(self._objects) < MOST_OBJECTS:
-            self._objects.setdefault(one.id, one)
+    def _add(self, wwise_object: _Object) -> None:
+        if wwise_object.id and len(self._objects) < MOST_OBJECTS:
+            self._objects.setdefault(wwise_object.id, wwise_object)
 
     def _children(self, element: ET.Element, parent: str, file: str, depth: int) -> None:
         if depth > MOST_DEPTH // 2:
@@ -188,7 +188,7 @@ class _Reading:
             id_ = target.get("ID", "")
             if kind == PLAY:
                 plays.append(id_)
-            elif any("Volume" in one for one in properties):
+            elif any("Volume" in property_name for property_name in properties):
                 self._set_by.setdefault(id_, []).append(
                     Dependency("", "Volume", "state", f'an action of event "{name}"')
                 )
@@ -209,35 +209,37 @@ class _Reading:
     def played(self) -> Iterator[PlayedSound]:
         """Yield a sound for each file that an object plays."""
         self._link_events()
-        for one in self._objects.values():
-            for source in _active(one):
-                yield self._sound(one, source)
+        for wwise_object in self._objects.values():
+            for source in _active(wwise_object):
+                yield self._sound(wwise_object, source)
 
-    def _sound(self, one: _Object, source: _Source) -> PlayedSound:
-        path = self._path(one.id)
-        parts, depends = self._chain(one)
-        offset = gain(f"{path}\\{source.name}", "VolumeOffset", source.offset_db, one.file, f'ID="{source.id}"')
+    def _sound(self, wwise_object: _Object, source: _Source) -> PlayedSound:
+        path = self._path(wwise_object.id)
+        parts, depends = self._chain(wwise_object)
+        offset = gain(
+            f"{path}\\{source.name}", "VolumeOffset", source.offset_db, wwise_object.file, f'ID="{source.id}"'
+        )
         events: dict[str, None] = {}
         looped, streamed = None, None
         conversion: tuple[Conversion, ...] = ()
         converted = False
-        for holder in self._holders(one):
+        for holder in self._holders(wwise_object):
             events.update(dict.fromkeys(self._targets.get(holder.id, ())))
             has_own = holder.settings.get("OverrideConversion") == "True" or self._is_top(holder)
             if not converted and has_own and "Conversion" in holder.references:
                 converted = True
                 conversion = self._conversions.get(holder.references["Conversion"][1], ())
-        if one.tag == "Sound":
-            looped = one.settings.get("IsLoopingEnabled") == "True"
-            streamed = one.settings.get("IsStreamingEnabled") == "True"
+        if wwise_object.tag == "Sound":
+            looped = wwise_object.settings.get("IsLoopingEnabled") == "True"
+            streamed = wwise_object.settings.get("IsStreamingEnabled") == "True"
         return PlayedSound(
             self._file_of(source), path, offset + parts, depends, conversion,
-            tuple(events), bool(events), True, looped, streamed, self._random_set(one),
+            tuple(events), bool(events), True, looped, streamed, self._random_set(wwise_object),
         )  # fmt: skip
 
-    def _random_set(self, one: _Object) -> str:
+    def _random_set(self, wwise_object: _Object) -> str:
         """Return the nearest container that plays its sounds at random; one that plays a sequence is none."""
-        for holder in self._holders(one):
+        for holder in self._holders(wwise_object):
             if holder.tag == "RandomSequenceContainer":
                 return "" if holder.settings.get("RandomOrSequence") == SEQUENCE else self._path(holder.id)
         return ""
@@ -247,21 +249,21 @@ class _Reading:
         path = f"{self._originals}/{folder}/{source.audio_file}".replace("\\", "/")
         return self._by_lower.get(path.lower(), path)
 
-    def _parent(self, one: _Object) -> _Object | None:
-        return self._objects.get(one.parent or self._references.get(one.id, ""))
+    def _parent(self, wwise_object: _Object) -> _Object | None:
+        return self._objects.get(wwise_object.parent or self._references.get(wwise_object.id, ""))
 
-    def _holders(self, one: _Object) -> Iterator[_Object]:
+    def _holders(self, wwise_object: _Object) -> Iterator[_Object]:
         """Yield an object and all that hold it, up to its work unit."""
-        holder: _Object | None = one
+        holder: _Object | None = wwise_object
         for _ in range(MOST_STEPS):
             if holder is None:
                 return
             yield holder
             holder = self._parent(holder)
 
-    def _is_top(self, one: _Object) -> bool:
+    def _is_top(self, wwise_object: _Object) -> bool:
         """Whether nothing with properties of its own holds an object."""
-        return all(holder.tag in ("WorkUnit", "Folder") for holder in list(self._holders(one))[1:])
+        return all(holder.tag in ("WorkUnit", "Folder") for holder in list(self._holders(wwise_object))[1:])
 
     def _path(self, id_: str) -> str:
         names: list[str] = []
@@ -274,17 +276,17 @@ class _Reading:
             names.append("")
         return "\\".join(reversed(names))
 
-    def _chain(self, one: _Object) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
+    def _chain(self, wwise_object: _Object) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
         """Return the gains of an object and all above it, and what else changes them."""
-        parts, depends = self._own(one, OBJECT_GAINS)
+        parts, depends = self._own(wwise_object, OBJECT_GAINS)
         routed = None
         distance = False
-        for holder in list(self._holders(one))[1:]:
+        for holder in list(self._holders(wwise_object))[1:]:
             if holder.tag in ("WorkUnit", "Folder"):
                 continue
             more = self._own(holder, OBJECT_GAINS)
             parts, depends = parts + more[0], depends + more[1]
-        for holder in self._holders(one):
+        for holder in self._holders(wwise_object):
             top = self._is_top(holder)
             if routed is None and (top or holder.settings.get("OverrideOutput") == "True"):
                 routed = holder.references.get("OutputBus", MASTER if top else None)
@@ -300,18 +302,18 @@ class _Reading:
             parts, depends = parts + more[0], depends + more[1]
         return parts, tuple(dict.fromkeys(depends))
 
-    def _own(self, one: _Object, names: tuple[str, ...]) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
-        if not (one.gains or one.depends or one.id in self._set_by):
+    def _own(self, wwise_object: _Object, names: tuple[str, ...]) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
+        if not (wwise_object.gains or wwise_object.depends or wwise_object.id in self._set_by):
             return (), ()
-        path = self._path(one.id)
+        path = self._path(wwise_object.id)
         parts = tuple(
             part
             for name in names
-            if name in one.gains
-            for part in gain(path, name, one.gains[name], one.file, f'ID="{one.id}"')
+            if name in wwise_object.gains
+            for part in gain(path, name, wwise_object.gains[name], wwise_object.file, f'ID="{wwise_object.id}"')
         )
-        set_by = [Dependency(path, by.property, by.on, by.what) for by in self._set_by.get(one.id, ())]
-        return parts, (*(Dependency(path, by.property, by.on, by.what) for by in one.depends), *set_by)
+        set_by = [Dependency(path, by.property, by.on, by.what) for by in self._set_by.get(wwise_object.id, ())]
+        return parts, (*(Dependency(path, by.property, by.on, by.what) for by in wwise_object.depends), *set_by)
 
     def _bus_chain(self, id_: str) -> tuple[tuple[Part, ...], tuple[Dependency, ...]]:
         if id_ not in self._chains:
@@ -326,42 +328,42 @@ class _Reading:
 
 
 def _object(element: ET.Element, parent: str, file: str) -> _Object:
-    one = _Object(element.get("ID", ""), element.tag, element.get("Name", ""), file, parent)
+    wwise_object = _Object(element.get("ID", ""), element.tag, element.get("Name", ""), file, parent)
     for name, property_ in properties_of(element):
         if name in GAINS:
             if (value := number(value_of(property_))) is not None:
-                one.gains[name] = value
-            one.depends += changes_of(name, property_)
+                wwise_object.gains[name] = value
+            wwise_object.depends += changes_of(name, property_)
         elif name in (
             "OverrideOutput", "OverrideConversion", "OverridePositioning", "IsLoopingEnabled", "IsStreamingEnabled",
             "RandomOrSequence",
         ):  # fmt: skip
-            one.settings[name] = value_of(property_)
+            wwise_object.settings[name] = value_of(property_)
         elif name == "EnableLoudnessNormalization" and value_of(property_) == "True":
-            one.depends.append(Dependency("", name, "loudness", "loudness normalization of the source"))
+            wwise_object.depends.append(Dependency("", name, "loudness", "loudness normalization of the source"))
         elif name == "HdrEnable" and value_of(property_) == "True":
-            one.depends.append(Dependency("", name, "state", "the HDR window"))
+            wwise_object.depends.append(Dependency("", name, "state", "the HDR window"))
     for reference in element.iterfind("ReferenceList/Reference"):
         meant = reference.find("ObjectRef")
         name = reference.get("Name", "")
         if meant is not None:
-            one.references[name] = (meant.get("Name", ""), meant.get("ID", ""))
+            wwise_object.references[name] = (meant.get("Name", ""), meant.get("ID", ""))
         if name.startswith("Effect") and name[6:].isdigit():
             what = meant.get("Name", "") if meant is not None else reference.get("PluginName", "")
-            one.depends.append(Dependency("", name, "effect", f'effect "{what}"'))
-    one.depends += [*states_of(element), *curves_of(element), *effects_of(element)]
+            wwise_object.depends.append(Dependency("", name, "effect", f'effect "{what}"'))
+    wwise_object.depends += [*states_of(element), *curves_of(element), *effects_of(element)]
     for track in element.iterfind("BlendTrackList/BlendTrack"):
         for name, property_ in properties_of(track):
             if name in GAINS:
-                one.depends += changes_of(name, property_)
+                wwise_object.depends += changes_of(name, property_)
     for duck in element.iter("DuckInfo") if element.tag in BUSES else ():
-        one.depends.append(Dependency("", "Ducking", "state", f'ducked buses "{duck.get("Name", "")}"'))
-    one.active = {source.get("ID", "") for source in element.iterfind("ActiveSourceList/ActiveSource")}
-    return one
+        wwise_object.depends.append(Dependency("", "Ducking", "state", f'ducked buses "{duck.get("Name", "")}"'))
+    wwise_object.active = {source.get("ID", "") for source in element.iterfind("ActiveSourceList/ActiveSource")}
+    return wwise_object
 
 
-def _active(one: _Object) -> list[_Source]:
+def _active(wwise_object: _Object) -> list[_Source]:
     """Return the sources that are played: of each language the active ones, else all."""
-    chosen = [source for source in one.sources if source.id in one.active]
+    chosen = [source for source in wwise_object.sources if source.id in wwise_object.active]
     covered = {source.language for source in chosen}
-    return [source for source in one.sources if source in chosen or source.language not in covered]
+    return [source for source in wwise_object.sources if source in chosen or source.language not in covered]

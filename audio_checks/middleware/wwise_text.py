@@ -28,21 +28,21 @@ def value_of(property_: ET.Element) -> str:
 
 def changes_of(name: str, property_: ET.Element) -> list[Dependency]:
     """Return influences that move a property away from its value."""
-    found = []
+    dependencies = []
     for rtpc in property_.iterfind("RTPCList/RTPC"):
         meant = rtpc.find("ReferenceList/Reference[@Name='ControlInput']/ObjectRef")
         what = meant.get("Name", "") if meant is not None else rtpc.get("Name", "")
-        found.append(Dependency("", name, "state", f'game parameter "{what}"'))
+        dependencies.append(Dependency("", name, "state", f'game parameter "{what}"'))
     for modifier in property_.iterfind("ModifierList/ModifierInfo/Modifier"):
-        values = {one: value_of(two) for one, two in properties_of(modifier)}
+        values = {key: value_of(two) for key, two in properties_of(modifier)}
         if values.get("Enabled") == "True":
             what = f"random from {values.get('Min', '0')} to {values.get('Max', '0')} dB"
-            found.append(Dependency("", name, "random", what))
+            dependencies.append(Dependency("", name, "random", what))
     if property_.find("ValueList/Value[@Platform]") is not None:
         values_of = {value.text for value in property_.iterfind("ValueList/Value")}
         if len(values_of) > 1:
-            found.append(Dependency("", name, "state", "the platform"))
-    return found
+            dependencies.append(Dependency("", name, "state", "the platform"))
+    return dependencies
 
 
 def states_of(element: ET.Element) -> Iterator[Dependency]:
@@ -59,7 +59,7 @@ def states_of(element: ET.Element) -> Iterator[Dependency]:
 def curves_of(element: ET.Element) -> Iterator[Dependency]:
     """Yield the gains that game parameters move, as Wwise writes them since 2022.1: in a list beside the properties."""
     for rtpc in element.iterfind("ObjectLists/ObjectList[@Name='RTPC']//RTPC"):
-        name = next((value_of(one) for name, one in properties_of(rtpc) if name == "PropertyName"), "")
+        name = next((value_of(property_) for name, property_ in properties_of(rtpc) if name == "PropertyName"), "")
         if name in GAINS:
             meant = rtpc.find("ReferenceList/Reference[@Name='ControlInput']/ObjectRef")
             what = f'game parameter "{meant.get("Name", "")}"' if meant is not None else "a modulator"
@@ -69,7 +69,7 @@ def curves_of(element: ET.Element) -> Iterator[Dependency]:
 def effects_of(element: ET.Element) -> Iterator[Dependency]:
     """Yield the effects in an object's slots, as Wwise writes them since 2022.1; one that is bypassed does nothing."""
     for slot in element.iterfind("ObjectLists/ObjectList//EffectSlot"):
-        if any(name == "Bypass" and value_of(one) == "True" for name, one in properties_of(slot)):
+        if any(name == "Bypass" and value_of(property_) == "True" for name, property_ in properties_of(slot)):
             continue
         for reference in slot.iterfind("ReferenceList/Reference[@Name='Effect']"):
             meant = reference.find("ObjectRef")
@@ -84,6 +84,6 @@ def harms_of(conversion: ET.Element, file: str) -> tuple[Conversion, ...]:
     harms = []
     if (rate := number(values.get("SampleRate"))) and rate >= 1_000:
         harms.append(Conversion(f'"{name}": SampleRate', f"resampled to {rate:,.0f} Hz", file))
-    if any(one.get("PluginName") == "ADPCM" for one in conversion.iter("ConversionPlugin")):
+    if any(plugin.get("PluginName") == "ADPCM" for plugin in conversion.iter("ConversionPlugin")):
         harms.append(Conversion(f'"{name}": ADPCM', "4 bits a sample undo the dither", file))
     return tuple(harms)

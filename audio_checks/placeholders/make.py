@@ -211,7 +211,7 @@ class _Form:
                 "placeholder:container",
                 'name a --target, or add "wav" to [accept] containers',
             )
-        layouts = sorted((LAYOUTS[name] for name in accept.layouts or ()), key=lambda one: one.channels)
+        layouts = sorted((LAYOUTS[name] for name in accept.layouts or ()), key=lambda layout: layout.channels)
         fitting = [layout for layout in layouts if accept.channels is None or layout.channels in accept.channels]
         channels = fitting[0].channels if fitting else min(accept.channels or (1,))
         mask = fitting[0].masks[0] if fitting and channels > 2 and fitting[0].masks else None
@@ -284,12 +284,12 @@ def _word(cue: CueFacts, variation: int, sample_rate_hz: int, frames: int) -> ND
     """Return the cue's name, spoken, then its pattern for what is left of its length; None where that cannot be."""
     name = cue.name or cue.file_name.rpartition(".")[0] or cue.file_name
     name = name.replace("_", " ")
-    said = synthesize_speech(f"{name} {variation}" if cue.variations > 1 else name, sample_rate_hz, frames)
-    if said is None:
+    spoken = synthesize_speech(f"{name} {variation}" if cue.variations > 1 else name, sample_rate_hz, frames)
+    if spoken is None:
         return None
     whole = np.zeros(frames)
-    whole[: len(said)] = said
-    rest = frames - len(said) - round(PAUSE_S * sample_rate_hz)
+    whole[: len(spoken)] = spoken
+    rest = frames - len(spoken) - round(PAUSE_S * sample_rate_hz)
     if rest > 0:
         whole[frames - rest :] = pattern(cue.number, variation, rest, sample_rate_hz)
     return whole

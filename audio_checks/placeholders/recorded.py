@@ -63,8 +63,8 @@ def read_recording(content: bytes, sample_rate_hz: int) -> NDArray[np.float64]:
     """Return the samples of a tidied recording at a rate, shape (frames,)."""
     file = io.BytesIO(content)
     layout = wav.read_layout(file)
-    said = np.concatenate([block[:, 0] for block in wav.blocks(file, layout)])
-    return at_rate(said, layout.sample_rate_hz, sample_rate_hz)
+    recording = np.concatenate([block[:, 0] for block in wav.blocks(file, layout)])
+    return at_rate(recording, layout.sample_rate_hz, sample_rate_hz)
 
 
 def _trimmed(mono: NDArray[np.float64], peak: float, sample_rate_hz: int) -> NDArray[np.float64]:

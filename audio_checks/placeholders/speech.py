@@ -21,7 +21,7 @@ SILENCE_DBFS = -50.0
 
 def engine() -> str | None:
     """Return the path of the speech engine that is installed; None for none."""
-    return next((found for name in ENGINES if (found := installed_program(name))), None)
+    return next((program for name in ENGINES if (program := installed_program(name))), None)
 
 
 def synthesize_speech(text: str, sample_rate_hz: int, most_frames: int | None) -> NDArray[np.float64] | None:
@@ -43,11 +43,11 @@ def synthesize_speech(text: str, sample_rate_hz: int, most_frames: int | None) -
         cannot say it shortly enough.
     """
     program = engine()
-    said = "".join(one if one.isprintable() else " " for one in text)[:MOST_CHARACTERS].strip()
-    if program is None or not said:
+    speakable = "".join(character if character.isprintable() else " " for character in text)[:MOST_CHARACTERS].strip()
+    if program is None or not speakable:
         return None
     for words_a_minute in WORDS_A_MINUTE:
-        sound = _said(program, said, words_a_minute, sample_rate_hz)
+        sound = _said(program, speakable, words_a_minute, sample_rate_hz)
         if sound is None or most_frames is None or len(sound) <= most_frames:
             return sound
     return None

@@ -93,8 +93,8 @@ def comments_of(file: BinaryIO, layout: wav.WavLayout, master: OpenSound, *, all
         comments.append((MASK_COMMENT, f"0x{layout.channel_mask:04X}"))
     if all_chunks:
         fields = metadata_of(file, layout).fields
-        said = {COMMENT_NAMES[name]: text for name, text in fields.items() if name in COMMENT_NAMES}
-        comments += [(name, text) for name, text in sorted(said.items()) if name not in dict(comments)]
+        comment_texts = {COMMENT_NAMES[name]: text for name, text in fields.items() if name in COMMENT_NAMES}
+        comments += [(name, text) for name, text in sorted(comment_texts.items()) if name not in dict(comments)]
     return comments
 
 
@@ -108,8 +108,8 @@ def update_loudness(sound: OpenSound, path: Path, figures: Mapping[str, float | 
 
     Only now is it known: the chunk stands before the sound.
     """
-    found = next((chunk for chunk in sound.layout.chunks if chunk.id == "bext"), None)
-    levels = updated_levels(wav.chunk_payload(sound.file, found), figures) if found is not None else None
+    bext_chunk = next((chunk for chunk in sound.layout.chunks if chunk.id == "bext"), None)
+    levels = updated_levels(wav.chunk_payload(sound.file, bext_chunk), figures) if bext_chunk is not None else None
     if levels is None:
         return
     with path.open("r+b") as file:

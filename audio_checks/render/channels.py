@@ -59,7 +59,7 @@ def mixed(block: NDArray[np.float64], gains: NDArray[np.float64]) -> NDArray[np.
     columns = []
     for channel in range(gains.shape[1]):
         column = block[:, 0] * gains[0, channel]
-        for place in range(1, len(gains)):
-            column = column + block[:, place] * gains[place, channel]
+        for source_channel in range(1, len(gains)):
+            column = column + block[:, source_channel] * gains[source_channel, channel]
         columns.append(column)
     return np.stack(columns, axis=1)

@@ -32,8 +32,8 @@ def rewrite_flac(source: BinaryIO, out: BinaryIO, *, comments: Comments, chunks:
         if len(kept) <= MOST_BLOCK_BYTES:
             blocks.append((APPLICATION, kept))
     out.write(MAGIC)
-    for place, (kind, payload) in enumerate(blocks):
-        last = LAST if place == len(blocks) - 1 else 0
+    for index, (kind, payload) in enumerate(blocks):
+        last = LAST if index == len(blocks) - 1 else 0
         out.write(bytes([kind | last]) + len(payload).to_bytes(3, "big") + payload)
     shutil.copyfileobj(source, out)
 

@@ -83,9 +83,9 @@ def ensure_kept(facts: Facts, target: Target) -> None:
     fits_format = facts.encoding == target.encoding and facts.sample_rate_hz <= target.sample_rate_hz
     if target.keep_coded or (fits_format and target.channels in ("master", facts.channels)):
         return
-    found = f"{label_of(facts.encoding)} at {facts.sample_rate_hz} Hz"
+    description = f"{label_of(facts.encoding)} at {facts.sample_rate_hz} Hz"
     raise RenderRefused(
-        f"it was adopted as {found}, and a coded file is not a master: no other file is made of it",
+        f"it was adopted as {description}, and a coded file is not a master: no other file is made of it",
         code="render:coded-master",
         fix="deliver the WAV that it was made from, or say keep_coded = true in the target to ship it as it is",
     )
@@ -95,17 +95,17 @@ def _loop_points(path: str | os.PathLike[str], frames: int) -> tuple[tuple[int, 
     """Return the loop that Ogg comments state in frames, as `LOOPSTART` and `LOOPLENGTH`; none beyond the file."""
     with wav.open_regular(path) as file:
         head = file.read(HEAD_BYTES)
-    found = dict(_numbers(head)) if head.startswith(b"OggS") else {}
-    if found.keys() != {b"LOOPSTART", b"LOOPLENGTH"}:
+    points = dict(_numbers(head)) if head.startswith(b"OggS") else {}
+    if points.keys() != {b"LOOPSTART", b"LOOPLENGTH"}:
         return ()
-    first, last = found[b"LOOPSTART"], found[b"LOOPSTART"] + found[b"LOOPLENGTH"] - 1
+    first, last = points[b"LOOPSTART"], points[b"LOOPSTART"] + points[b"LOOPLENGTH"] - 1
     return ((first, last),) if first <= last < frames else ()
 
 
 def _numbers(head: bytes) -> Iterator[tuple[bytes, int]]:
     """Yield the comments of a loop; the length of each stands before it, in four bytes."""
-    for found in _LOOP.finditer(head):
-        length = int.from_bytes(head[max(found.start() - 4, 0) : found.start()], "little")
-        digits = head[found.end() : found.start() + length]
+    for match in _LOOP.finditer(head):
+        length = int.from_bytes(head[max(match.start() - 4, 0) : match.start()], "little")
+        digits = head[match.end() : match.start() + length]
         if digits.isdigit() and len(digits) <= MOST_DIGITS:
-            yield found[1], int(digits)
+            yield match[1], int(digits)

@@ -210,14 +210,14 @@ def excitation(path: str | os.PathLike[str], *, max_s: float) -> NDArray[np.floa
     """
     with open_sound(path, coded=True) as sound:
         layout = sound.layout
-        found = Excitation(layout.sample_rate_hz, layout.channels)
+        accumulator = Excitation(layout.sample_rate_hz, layout.channels)
         left = round(max_s * layout.sample_rate_hz)
         for block in wav.blocks(sound.file, layout):
-            found.add(block[:left])
+            accumulator.add(block[:left])
             left -= len(block)
             if left <= 0:
                 break
-        return found.power()
+        return accumulator.power()
 
 
 def playable_rate_hz(sample_rate_hz: int) -> int:

@@ -42,7 +42,7 @@ class Survey:
         meters: tuple[Accumulator, ...] = ()
         if measures_loss:
             meters = Levels(*size), TruePeak(*size), Loudness(*size, weights=weights)
-        others = [one for one in (self._edges, self._phase, self._spectrum) if one is not None]
+        others = [measure for measure in (self._edges, self._phase, self._spectrum) if measure is not None]
         if meters or others:
             for block in wav.blocks(file, layout):
                 for accumulator in (*meters, *others):

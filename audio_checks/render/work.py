@@ -72,7 +72,7 @@ class Work:
         self._new_points = (
             ((0, self._frames - 1),)
             if self._circular and self._points
-            else tuple((one.first, one.last) for one in self._fitted)
+            else tuple((loop.first, loop.last) for loop in self._fitted)
         )
         self._shelf = self._shelf_gain()
 
@@ -286,7 +286,7 @@ class Work:
         if self._recipe.loop_points is not None:
             return list(self._fitted)
         kinds = (loop.kind for loop in self._layout.loops)
-        return [one for one, kind in zip(self._fitted, kinds, strict=False) if kind == "forward"]
+        return [loop for loop, kind in zip(self._fitted, kinds, strict=False) if kind == "forward"]
 
     def _move(self, bit_depth: int, dither: Dither, lowered_db: float) -> Move:
         """Return the changes to the sound, for all that points into it."""
@@ -301,7 +301,7 @@ class Work:
             sample_rate_hz=layout.sample_rate_hz,
             to_hz=recipe.sample_rate_hz,
             new_channels=recipe.gains is not None,
-            loops={(one.start, one.end): (one.first, one.last) for one in self._fitted},
+            loops={(loop.start, loop.end): (loop.first, loop.last) for loop in self._fitted},
             stretch=fitted if self._circular else 1.0,
             history=coding_history_line(recipe.sample_rate_hz, bit_depth, self._channels),
         )
