@@ -64,7 +64,7 @@ class Finding:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the finding as the report has it."""
-        found = {
+        document = {
             "check": self.check,
             "code": self.code,
             "severity": self.severity,
@@ -76,7 +76,7 @@ class Finding:
             "start_s": _plain(self.start_s),
             "end_s": _plain(self.end_s),
         }
-        return {**found, "waived": True} if self.waived else found
+        return {**document, "waived": True} if self.waived else document
 
     @classmethod
     def from_dict(cls, found: Mapping[str, Any]) -> Self:
@@ -155,7 +155,7 @@ class FileReport:
             "findings": [finding.to_dict() for finding in self.findings],
             **({"likeness_print": self.likeness_print} if self.likeness_print else {}),
             **({"loudness_presets": _plain(self.loudness_presets)} if self.loudness_presets else {}),
-            **({"unjudged": [one.to_dict() for one in self.unjudged]} if self.unjudged else {}),
+            **({"unjudged": [failed.to_dict() for failed in self.unjudged]} if self.unjudged else {}),
         }
 
     def to_measured(self) -> dict[str, Any]:
@@ -166,8 +166,8 @@ class FileReport:
     def from_dict(cls, entry: Mapping[str, Any]) -> Self:
         """Return the entry that a report holds; a figure that was -inf comes back as None."""
         known = {key: value for key, value in entry.items() if key in _FILE_FIELDS}
-        findings = tuple(Finding.from_dict(one) for one in entry.get("findings", ()))
-        unjudged = tuple(Unjudged.from_dict(one) for one in entry.get("unjudged", ()))
+        findings = tuple(Finding.from_dict(finding) for finding in entry.get("findings", ()))
+        unjudged = tuple(Unjudged.from_dict(failed) for failed in entry.get("unjudged", ()))
         return cls(**{**known, "findings": findings, "unjudged": unjudged})
 
 
@@ -264,7 +264,10 @@ def printable(text: str) -> str:
     r"""Return text that is safe to print on one line: what does not print is shown escaped, as in `\n` or `\u202e`."""
     if text.isprintable():
         return text
-    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in text)
+    return "".join(
+        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
+        for character in text
+    )
 
 
 def _plain(value: Any) -> Any:
@@ -272,9 +275,9 @@ def _plain(value: Any) -> Any:
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if isinstance(value, Mapping):
-        return {key: _plain(one) for key, one in value.items()}
+        return {key: _plain(member) for key, member in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(one) for one in value]
+        return [_plain(member) for member in value]
     return value
 
 

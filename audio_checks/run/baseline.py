@@ -36,8 +36,8 @@ def read_baseline(path: str | Path) -> Waived:
     """Return the waived codes by the hash of the sound; SpecError when the file holds no baseline."""
     where = str(path)
     waived: dict[str, frozenset[str]] = {}
-    for place, entry in enumerate(_document(path)["waived"]):
-        sound, codes = _entry(entry, f"{where}: waived[{place}]")
+    for index, entry in enumerate(_document(path)["waived"]):
+        sound, codes = _entry(entry, f"{where}: waived[{index}]")
         waived[sound] = waived.get(sound, frozenset()) | codes
     return waived
 
@@ -61,7 +61,7 @@ def add_to_baseline(path: str | Path, entries: Iterable[FileReport]) -> int:
     known = read_baseline(path) if document["waived"] else {}
     added: dict[str, dict[str, Any]] = {}
     count = 0
-    for entry in sorted(entries, key=lambda one: one.path):
+    for entry in sorted(entries, key=lambda file: file.path):
         sound = entry.pcm_sha256 or entry.sha256
         new = sorted({finding.code for finding in entry.findings} - known.get(sound or "", frozenset()))
         if sound is None or not new or entry.verdict == "unjudged":

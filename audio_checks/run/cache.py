@@ -140,7 +140,7 @@ class VerdictCache:
         recalled: list[FileReport | None] = [None] * len(tasks)
         unknown: list[tuple[int, Task]] = []
         noted: set[str] = set()
-        for place, task in enumerate(tasks):
+        for index, task in enumerate(tasks):
             printed = _print_of(task.path)
             if printed is None:
                 continue
@@ -152,25 +152,25 @@ class VerdictCache:
             if row is not None:
                 self._hashes[task.path] = row[0]
                 noted.add(task.path)
-                recalled[place] = self._verdict(database, task, row[0])
+                recalled[index] = self._verdict(database, task, row[0])
             elif _may_be_known(database, task, printed.size):
-                unknown.append((place, task))
+                unknown.append((index, task))
         if unknown:
             from concurrent.futures import ThreadPoolExecutor  # a first run, and one of few files, does without
 
             with ThreadPoolExecutor(self._threads) as pool:
                 hashes = list(pool.map(_sha256, (task.path for _, task in unknown)))
-            for (place, task), sha256 in zip(unknown, hashes, strict=True):
+            for (index, task), sha256 in zip(unknown, hashes, strict=True):
                 if sha256 is not None:
                     self._hashes[task.path] = sha256
-                    recalled[place] = self._verdict(database, task, sha256)
+                    recalled[index] = self._verdict(database, task, sha256)
         if self._used:
             with _one_step(database):
                 database.executemany(
                     "UPDATE verdicts SET used_on = ? WHERE key = ?", [(self._today, key) for key in self._used]
                 )
-        found = (task.path for task, entry in zip(tasks, recalled, strict=True) if entry is not None)
-        self._note(database, [path for path in found if path not in noted])
+        known_paths = (task.path for task, entry in zip(tasks, recalled, strict=True) if entry is not None)
+        self._note(database, [path for path in known_paths if path not in noted])
         return recalled
 
     def _place(self, path: str) -> bytes:
@@ -203,9 +203,9 @@ class VerdictCache:
                 continue
             self._hashes[task.path] = sha256
             findings = [vars(finding) for finding in entry.findings]
-            said = json.dumps({**vars(entry), "path": "", "findings": findings}).encode()  # -inf stays -inf
+            verdict_json = json.dumps({**vars(entry), "path": "", "findings": findings}).encode()  # -inf stays -inf
             key = _key(task, sha256)
-            rows.append((key, _context(task), before.size, said, self._today, _mark(key, said)))
+            rows.append((key, _context(task), before.size, verdict_json, self._today, _mark(key, verdict_json)))
             kept.append(task.path)
         with _one_step(database):
             database.executemany("INSERT OR REPLACE INTO verdicts VALUES (?, ?, ?, ?, ?, ?)", rows)
@@ -264,18 +264,18 @@ def _one_step(database: sqlite3.Connection) -> Iterator[None]:
 
 def _may_be_known(database: sqlite3.Connection, task: Task, size: int) -> bool:
     """Return whether any verdict in this context is on a file of this size: only then is its hash worth reading."""
-    found = database.execute("SELECT 1 FROM verdicts WHERE context = ? AND size = ? LIMIT 1", (_context(task), size))
-    return found.fetchone() is not None
+    cursor = database.execute("SELECT 1 FROM verdicts WHERE context = ? AND size = ? LIMIT 1", (_context(task), size))
+    return cursor.fetchone() is not None
 
 
 def _print_of(path: str) -> _Print | None:
     try:
-        found = os.stat(reachable(path))
+        status = os.stat(reachable(path))
     except (OSError, ValueError):
         return None
-    if not stat.S_ISREG(found.st_mode):
+    if not stat.S_ISREG(status.st_mode):
         return None
-    return _Print(found.st_size, found.st_mtime_ns, found.st_ctime_ns, found.st_ino)
+    return _Print(status.st_size, status.st_mtime_ns, status.st_ctime_ns, status.st_ino)
 
 
 def _is_settled(printed: _Print, now: int) -> bool:

@@ -58,11 +58,11 @@ class Changes:
 
     def touch(self, path: str | os.PathLike[str]) -> bool:
         """Return whether the change touches a file; NoHistory if that cannot be known."""
-        place = os.path.abspath(path)
-        links = [link for link in self._links_on(place) if self._is_of_the_change(link)]
+        absolute_path = os.path.abspath(path)
+        links = [link for link in self._links_on(absolute_path) if self._is_of_the_change(link)]
         if any(self._touches(link) for link in links):
             return True
-        target = os.path.realpath(place)
+        target = os.path.realpath(absolute_path)
         if links and ".git" in target.split(os.sep):
             return False  # as git-annex keeps files: by their content, so another one is another link
         if links and self._root(os.path.dirname(target)) is None:
@@ -78,10 +78,10 @@ class Changes:
         """Return the submodules below the paths that the change moved, and that are not checked out."""
         absent: dict[str, None] = {}
         for path in paths:
-            place = os.path.realpath(path)
-            root = self._root(place if os.path.isdir(place) else os.path.dirname(place))
+            real_path = os.path.realpath(path)
+            root = self._root(real_path if os.path.isdir(real_path) else os.path.dirname(real_path))
             for folder, touched in self._submodules(root) if root is not None else ():
-                if touched and _is_within(folder, place) and not _is_checked_out(folder):
+                if touched and _is_within(folder, real_path) and not _is_checked_out(folder):
                     absent[folder] = None
         return list(absent)
 
@@ -99,15 +99,15 @@ class Changes:
         root = self._root(os.path.dirname(link))
         return root is not None and (self._base is None or _is_within(root, self._base))
 
-    def _links_on(self, place: str) -> list[str]:
+    def _links_on(self, path: str) -> list[str]:
         """Return the links on an absolute path, and those that they lead to."""
-        folder = os.path.dirname(place)
+        folder = os.path.dirname(path)
         if folder not in self._links:
             self._links[folder] = _links_on(folder)
-        return [*(_links_on(place, folder) if os.path.islink(place) else ()), *self._links[folder]]
+        return [*(_links_on(path, folder) if os.path.islink(path) else ()), *self._links[folder]]
 
-    def _touches(self, place: str) -> bool:
-        folder, name = os.path.split(place)
+    def _touches(self, path: str) -> bool:
+        folder, name = os.path.split(path)
         folder = os.path.realpath(folder)  # as Git calls it
         root = self._root(folder)
         if root is None:
@@ -188,10 +188,10 @@ def _root_of(folder: str) -> str | None:
     return None if top is None else os.path.realpath(os.fsdecode(top.rstrip(b"\n")))
 
 
-def _links_on(place: str, below: str = "") -> list[str]:
+def _links_on(link_path: str, below: str = "") -> list[str]:
     """Return the links on an absolute path, from its end upwards to a folder, and those that they lead to."""
     links: list[str] = []
-    pending = [place]
+    pending = [link_path]
     while pending and len(links) < MOST_LINKS:
         path = pending.pop()
         while path not in (below, os.path.dirname(path)):
@@ -230,10 +230,10 @@ def _copy_of_index(root: str) -> Iterator[str | None]:
 
     The copy keeps the time of the index, by which Git tells files that were written in the same moment.
     """
-    place = _git(root, "rev-parse", "--git-path", "index")
+    index_path = _git(root, "rev-parse", "--git-path", "index")
     with tempfile.TemporaryDirectory(prefix="audio-checks-", ignore_cleanup_errors=True) as folder:
         try:
-            copy = shutil.copy2(os.path.join(root, os.fsdecode((place or b"").rstrip(b"\n"))), folder)
+            copy = shutil.copy2(os.path.join(root, os.fsdecode((index_path or b"").rstrip(b"\n"))), folder)
         except OSError:
             copy = None  # nothing was ever added
         yield copy

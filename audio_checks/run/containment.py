@@ -18,7 +18,7 @@ def run_checks(
     checks: Iterable[Check], file: AudioFile, spec: DeliverySpec, cue: CueFacts | None
 ) -> tuple[list[Finding], list[Finding]]:
     """Return the findings, and the checks that broke; one whose figure could not be measured is among them."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     crashed: list[Finding] = []
     errors = file.errors
     for check in checks:
@@ -26,12 +26,12 @@ def run_checks(
         try:
             if error is not None:
                 raise error
-            found += list(check.run(file, spec, cue))
+            findings += list(check.run(file, spec, cue))
         except Unreadable:
             raise
         except Exception as error:  # a check's bug is the tool's, and the other checks still count
             crashed.append(crash(check.name, error))
-    return found, crashed
+    return findings, crashed
 
 
 def make_judgements(

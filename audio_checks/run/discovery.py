@@ -51,11 +51,11 @@ def audio_files(paths: Iterable[str], unvisited: list[str] | None = None) -> Ite
     """
     seen: set[str] = set()
     walk = _Walk([] if unvisited is None else unvisited)
-    for found in walk.files(paths):
-        key = os.path.normpath(found.path)
+    for file in walk.files(paths):
+        key = os.path.normpath(file.path)
         if key not in seen:
             seen.add(key)
-            yield found
+            yield file
 
 
 class _Walk:
@@ -97,16 +97,20 @@ class _Walk:
             self._visited.add(_identity(folder))
             below = os.path.normpath(os.path.join(link, os.path.relpath(folder, top))) if folder != top else link
             if not (folders or names) and is_absent_submodule(folder):
-                place = os.path.join(path, below)
-                self._unvisited.append(f"{place}: not checked out: git submodule update --init --recursive")
-            folders[:] = sorted(one for one in folders if not one.startswith("."))
-            linked = [one for one in folders if _is_link(os.path.join(folder, one))]
+                submodule_path = os.path.join(path, below)
+                self._unvisited.append(f"{submodule_path}: not checked out: git submodule update --init --recursive")
+            folders[:] = sorted(folder_name for folder_name in folders if not folder_name.startswith("."))
+            linked = [folder_name for folder_name in folders if _is_link(os.path.join(folder, folder_name))]
             if linked:
                 holder = os.path.realpath(folder)
-                self._links += ((path, os.path.join(below, one), holder) for one in linked)
-                folders[:] = [one for one in folders if one not in linked]
+                self._links += ((path, os.path.join(below, folder_name), holder) for folder_name in linked)
+                folders[:] = [folder_name for folder_name in folders if folder_name not in linked]
             if not again:
-                folders[:] = [one for one in folders if _identity(os.path.join(folder, one)) not in self._visited]
+                folders[:] = [
+                    folder_name
+                    for folder_name in folders
+                    if _identity(os.path.join(folder, folder_name)) not in self._visited
+                ]
             for name in sorted(names):
                 if name.startswith("."):
                     continue
@@ -142,7 +146,9 @@ def is_absent_submodule(folder: str) -> bool:
         except OSError:
             continue
         places = (line.partition("=") for line in text.splitlines())
-        return any(key.strip() == "path" and above / place.strip().strip('"') == path for key, _, place in places)
+        return any(
+            key.strip() == "path" and above / submodule.strip().strip('"') == path for key, _, submodule in places
+        )
     return False
 
 
@@ -164,13 +170,13 @@ def dry_stems(paths: Iterable[str], sound_list: SoundList | None = None) -> dict
             sounds.append(((folder, stem_of_file(name)), path))
         else:
             stems[folder, stem_of] = path
-    return {path: stems[place] for place, path in sounds if place in stems}
+    return {path: stems[index] for index, path in sounds if index in stems}
 
 
 def without_dry_stems(found: Sequence[Found], sound_list: SoundList | None = None) -> list[Found]:
     """Return the files that are not a dry stem of another one; see `dry_stems`."""
-    stems = frozenset(dry_stems((one.path for one in found), sound_list).values())
-    return [one for one in found if one.path not in stems]
+    stems = frozenset(dry_stems((file.path for file in found), sound_list).values())
+    return [file for file in found if file.path not in stems]
 
 
 class SpecFinder:

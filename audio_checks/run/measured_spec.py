@@ -103,11 +103,11 @@ def _text(name: str, files: Sequence[FileReport], warned: Iterable[str]) -> str:
         ("bit_depth", "bit_depths", plain),
         ("channels", "channels", facts),
     ):
-        lines += _listed(listed, Counter(one[key] for one in those))
+        lines += _listed(listed, Counter(file_facts[key] for file_facts in those))
     lines += _range("duration_s", [fact["duration_s"] for fact in facts], 0.01)
-    lines += _range("bit_rate_kbps", [one["bit_rate_kbps"] for one in coded], 1.0)
+    lines += _range("bit_rate_kbps", [file_facts["bit_rate_kbps"] for file_facts in coded], 1.0)
     measured = [file.to_dict()["measurements"] or {} for file in files]
-    peaks = [one["true_peak_dbtp"] for one in measured if one.get("true_peak_dbtp") is not None]
+    peaks = [figures["true_peak_dbtp"] for figures in measured if figures.get("true_peak_dbtp") is not None]
     over = sum(peak > USUAL_PEAK_DBTP for peak in peaks)
     limit_dbtp = USUAL_PEAK_DBTP if over <= COMMON * count else math.ceil(10 * max(peaks)) / 10
     above = f"{over:,} of {counted(count, 'file')} {verb(over, 'is', 'are')}"

@@ -143,15 +143,15 @@ def _use(sound: SoundSize, view: DeliverySpec, target: Target) -> MemoryUse:
     return MemoryUse(sound.category, count, 0, count * pcm, count * coded, count * resident)
 
 
-def _plus(one: MemoryUse, other: MemoryUse) -> MemoryUse:
+def _plus(memory: MemoryUse, other: MemoryUse) -> MemoryUse:
     return MemoryUse(
-        one.category,
-        one.files + other.files,
-        one.unknown_files + other.unknown_files,
-        one.pcm_bytes + other.pcm_bytes,
-        one.disk_bytes + other.disk_bytes,
-        one.memory_bytes + other.memory_bytes,
-        one.budget_bytes,
+        memory.category,
+        memory.files + other.files,
+        memory.unknown_files + other.unknown_files,
+        memory.pcm_bytes + other.pcm_bytes,
+        memory.disk_bytes + other.disk_bytes,
+        memory.memory_bytes + other.memory_bytes,
+        memory.budget_bytes,
     )
 
 

@@ -52,15 +52,15 @@ def in_processes(
     results: dict[int, R] = {}
 
     def keep(places: Iterable[int], finished: Iterable[R]) -> None:
-        for place, result in zip(places, finished, strict=True):
-            results[place] = result
+        for index, result in zip(places, finished, strict=True):
+            results[index] = result
             if done:
                 done(result)
 
-    largest_first = sorted(range(len(tasks)), key=lambda place: -size(tasks[place]))
+    largest_first = sorted(range(len(tasks)), key=lambda index: -size(tasks[index]))
     with _Helpers(work) as helpers, ThreadPoolExecutor(workers) as threads:
         running = {
-            threads.submit(helpers.call, [tasks[place] for place in places]): places
+            threads.submit(helpers.call, [tasks[index] for index in places]): places
             for places in _shares(largest_first, workers)
         }
         try:
@@ -72,13 +72,13 @@ def in_processes(
             threads.shutdown(wait=False, cancel_futures=True)
             helpers.close()
             raise
-        for place in range(len(tasks)):
-            if place not in results:  # so that only the task that kills its process has no result
+        for task_index in range(len(tasks)):
+            if task_index not in results:  # so that only the task that kills its process has no result
                 try:
-                    keep([place], helpers.call([tasks[place]]))
+                    keep([task_index], helpers.call([tasks[task_index]]))
                 except HelperDied as error:
-                    keep([place], [died(tasks[place], error)])
-    return [results[place] for place in range(len(tasks))]
+                    keep([task_index], [died(tasks[task_index], error)])
+    return [results[index] for index in range(len(tasks))]
 
 
 def _shares(places: list[int], workers: int) -> Iterator[list[int]]:

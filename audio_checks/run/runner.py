@@ -178,8 +178,8 @@ def measure_file(
             category=category,
             facts=file.facts.to_dict(),
             measurements=measurements,
-            judgements={one: judgement.to_dict() for one, judgement in judged.items()},
-            loudness_presets={one: preset.against(measurements) for one, preset in wanted.items()},
+            judgements={check_name: judgement.to_dict() for check_name, judgement in judged.items()},
+            loudness_presets={preset_name: preset.against(measurements) for preset_name, preset in wanted.items()},
             unjudged=failed_checks(file, failed),
         )
 
@@ -245,12 +245,12 @@ def task_for(
 def with_set_checks(tasks: Sequence[Task], entries: Sequence[FileReport]) -> list[FileReport]:
     """Return the reports on files, with the findings over all of them together."""
     judged = {
-        place: JudgedFile(entry, task.spec, task.cue, task.variation, is_alternate=_is_alternate(task))
-        for place, (task, entry) in enumerate(zip(tasks, entries, strict=True))
+        index: JudgedFile(entry, task.spec, task.cue, task.variation, is_alternate=_is_alternate(task))
+        for index, (task, entry) in enumerate(zip(tasks, entries, strict=True))
         if task.spec is not None
     }
-    found = dict(zip(judged, with_set_findings(list(judged.values())), strict=True))
-    return [found.get(place, entry) for place, entry in enumerate(entries)]
+    reports = dict(zip(judged, with_set_findings(list(judged.values())), strict=True))
+    return [reports.get(index, entry) for index, entry in enumerate(entries)]
 
 
 def _is_alternate(task: Task) -> bool:
@@ -311,7 +311,7 @@ def _judge(
                 file.prepare(figure for name in asked for figure in judgements.figures_of(name))
             facts, measurements = file.facts.to_dict(), file.measurements.to_dict()
             likeness_print = file.measurements.likeness_print
-            found, crashed = run_checks(selected, file, spec, task.cue)
+            ungraded, crashed = run_checks(selected, file, spec, task.cue)
             judged, failed = make_judgements(asked, file, spec.kind)
             unjudged = failed_checks(file, failed)
     except Unreadable as error:
@@ -319,8 +319,12 @@ def _judge(
     except Exception as error:  # whatever breaks in the tool must not be held against the file
         return broken(shown, error, spec.category)
     if task.unlisted:
-        found.append(_unlisted())
-    findings = [one for one in (graded(finding, spec) for finding in found) if one is not None]
+        ungraded.append(_unlisted())
+    findings = [
+        graded_finding
+        for graded_finding in (graded(finding, spec) for finding in ungraded)
+        if graded_finding is not None
+    ]
     findings = as_listed(findings, file.name, task.cue)
     verdict: Verdict = "rejected" if any(finding.severity == "error" for finding in findings) else "conforming"
     findings = [*crashed, *findings]
@@ -332,7 +336,7 @@ def _judge(
         category=spec.category,
         facts=facts,
         measurements=measurements,
-        judgements={one: judgement.to_dict() for one, judgement in judged.items()},
+        judgements={check_name: judgement.to_dict() for check_name, judgement in judged.items()},
         findings=ordered(findings),
         likeness_print=likeness_print,
         unjudged=unjudged,

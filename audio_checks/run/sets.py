@@ -29,16 +29,20 @@ def set_findings(files: Sequence[JudgedFile]) -> list[tuple[Finding, ...]]:
     list of tuple of Finding
         In the order of the files; empty for a file that nothing was found in.
     """
-    found: list[list[Finding]] = [[] for _ in files]
-    for check in [one for one in all_checks().values() if one.is_over_sets]:
-        places = [place for place, one in enumerate(files) if one.was_read and one.spec.checks.get(check.name) != "off"]
+    findings_by_file: list[list[Finding]] = [[] for _ in files]
+    for check in [candidate for candidate in all_checks().values() if candidate.is_over_sets]:
+        places = [
+            file_index
+            for file_index, file in enumerate(files)
+            if file.was_read and file.spec.checks.get(check.name) != "off"
+        ]
         try:
-            for place, finding in list(check.run_set([files[place] for place in places])):
-                found[places[place]].append(finding)
+            for index, finding in list(check.run_set([files[file_index] for file_index in places])):
+                findings_by_file[places[index]].append(finding)
         except Exception as error:  # a check's bug is the tool's, never held against a file
-            for place in places:
-                found[place].append(crash(check.name, error))
-    return [tuple(_graded(findings, one.spec)) for findings, one in zip(found, files, strict=True)]
+            for index in places:
+                findings_by_file[index].append(crash(check.name, error))
+    return [tuple(_graded(findings, file.spec)) for findings, file in zip(findings_by_file, files, strict=True)]
 
 
 def offset_from_set_lu(files: Sequence[JudgedFile]) -> list[float | None]:
@@ -50,16 +54,16 @@ def offset_from_set_lu(files: Sequence[JudgedFile]) -> list[float | None]:
 
 def _graded(findings: Sequence[Finding], spec: DeliverySpec) -> Iterator[Finding]:
     for finding in findings:
-        one = finding if finding.code.endswith(":crashed") else graded(finding, spec)
-        if one is not None:
-            yield one
+        graded_finding = finding if finding.code.endswith(":crashed") else graded(finding, spec)
+        if graded_finding is not None:
+            yield graded_finding
 
 
 def with_set_findings(files: Sequence[JudgedFile]) -> list[FileReport]:
     """Return the reports of files with what is found over them together, their verdicts following."""
     reports = []
-    for one, findings in zip(files, set_findings(files), strict=True):
-        report = one.report
+    for file, findings in zip(files, set_findings(files), strict=True):
+        report = file.report
         if findings:
             verdict = report.verdict
             if any(finding.code.endswith(":crashed") for finding in findings):

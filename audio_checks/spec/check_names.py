@@ -34,13 +34,13 @@ STATED = re.compile(r"^(SEVERITY|OVER_FILES|LIMITS) = (.+?)(?:  #.*)?$", re.MULT
 @cache
 def _stated() -> dict[str, dict[str, Any]]:
     """Return each `checks` module's statements, by the name of its check; a module without a severity is none."""
-    found: dict[str, dict[str, Any]] = {}
+    by_name: dict[str, dict[str, Any]] = {}
     for module in pkgutil.iter_modules([str(CHECKS)]):
         source = (CHECKS / f"{module.name}.py").read_text(encoding="utf-8")
         stated = {name: ast.literal_eval(value) for name, value in STATED.findall(source)}
         if "SEVERITY" in stated:
-            found[module.name.replace("_", "-")] = stated
-    return found
+            by_name[module.name.replace("_", "-")] = stated
+    return by_name
 
 
 @cache

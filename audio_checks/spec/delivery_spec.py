@@ -114,8 +114,8 @@ class DeliverySpec:
     @cached_property
     def sha256(self) -> str:
         """The hash of the canonical JSON of the tables; `[files]` says where, not what, and is left out."""
-        said = {key: value for key, value in self.tables.items() if key != "files"}
-        plain = json.dumps(said, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+        rule_tables = {key: value for key, value in self.tables.items() if key != "files"}
+        plain = json.dumps(rule_tables, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
         return hashlib.sha256(plain.encode("utf-8", "surrogatepass")).hexdigest()
 
     @cached_property
@@ -165,11 +165,11 @@ class DeliverySpec:
         """Return the category that `[files]` gives to a path; the last matching glob wins."""
         from audio_checks.spec.globs import matches
 
-        found = None
+        matched_category = None
         for glob, category in self.tables.get("files", {}).items():
             if matches(glob, path, self.folder):
-                found = category
-        return found
+                matched_category = category
+        return matched_category
 
     def to_toml(self) -> str:
         """Return the spec as TOML that reads back to the same spec."""
@@ -187,11 +187,11 @@ def parse_spec(text: str, *, where: str = "spec.toml") -> DeliverySpec:
     tables = read_tables(text, where)
     if "extend" in tables:
         raise SpecError("a spec that extends another must be read from its file", where=f"{where}: extend")
-    for place, naming in namings(tables):
+    for naming_path, naming in namings(tables):
         if "ucs_list" in naming:
             raise SpecError(
                 "a spec that names a file must be read from its own; here, write the ids as ucs_ids",
-                where=f"{where}: {place}.ucs_list",
+                where=f"{where}: {naming_path}.ucs_list",
             )
     return _spec(tables, None, where, text)
 
@@ -247,7 +247,7 @@ def _spec(tables: Tables, folder: Path | None, where: str, text: str, inside: st
                 raise placed(error, f"categories.{name}", ".") from None
             if len(warnings) < MOST_WARNINGS:
                 own = _warnings_of(view, f"{name}: ")
-                warnings += (one for one in own if one.removeprefix(f"{name}: ") not in warnings)
+                warnings += (warning for warning in own if warning.removeprefix(f"{name}: ") not in warnings)
     except SpecError as error:
         raise placed(with_lines(error, text, inside=inside), where) from None
     return _view(tables, folder, warnings=tuple(warnings[:MOST_WARNINGS]))
@@ -308,8 +308,8 @@ def _warnings_of(spec: DeliverySpec, prefix: str) -> list[str]:
         for target in spec.targets.values()
         if target.coding is not None and target.channels == "master" and many > target.coding.most_channels
     )
-    found = list(islice(chain(low, crowded), MOST_WARNINGS))
+    texts = list(islice(chain(low, crowded), MOST_WARNINGS))
     extension = spec.naming.extension
     if extension is not None and not re.fullmatch(r"\.[A-Za-z0-9]+", extension):
-        found.append(f'{prefix}naming.extension "{extension}" is not an ending such as ".wav"')
-    return found
+        texts.append(f'{prefix}naming.extension "{extension}" is not an ending such as ".wav"')
+    return texts

@@ -37,9 +37,9 @@ def load_tables(path: Path, seen: tuple[Path, ...]) -> Tables:
     if len(seen) >= MOST_FILES:
         raise SpecError(f"extends more than {MOST_FILES} files, one after the other", where=str(path))
     tables = read_tables(read_text(path), str(path), pyproject=path.name == "pyproject.toml")
-    for place, naming in namings(tables):
+    for naming_path, naming in namings(tables):
         if "ucs_list" in naming:
-            naming["ucs_ids"] = _cat_ids(path, naming.pop("ucs_list"), place)
+            naming["ucs_ids"] = _cat_ids(path, naming.pop("ucs_list"), naming_path)
     base = tables.pop("extend", None)
     return tables if base is None else merged(load_tables(path.parent / base, (*seen, real)), tables)
 
@@ -77,14 +77,14 @@ def with_lines(error: SpecError, text: str, *, inside: str = "") -> SpecError:
     `inside` is the table of the text that the places are in.
     """
     if isinstance(error, SpecErrors):
-        return SpecErrors([with_lines(one, text, inside=inside) for one in error.errors])
+        return SpecErrors([with_lines(inner_error, text, inside=inside) for inner_error in error.errors])
     lines = _lines_of_keys(text)
-    place = ".".join(part for part in (inside, re.sub(r"\[\d+\]", "", error.where)) if part)
-    while place and place not in lines:
-        place = place.rpartition(".")[0]
-    if not place or place == inside:
+    key_path = ".".join(part for part in (inside, re.sub(r"\[\d+\]", "", error.where)) if part)
+    while key_path and key_path not in lines:
+        key_path = key_path.rpartition(".")[0]
+    if not key_path or key_path == inside:
         return error
-    return SpecError(f"{error.args[0]} (line {lines[place]})", where=error.where)
+    return SpecError(f"{error.args[0]} (line {lines[key_path]})", where=error.where)
 
 
 def _lines_of_keys(text: str) -> dict[str, int]:
@@ -111,7 +111,7 @@ def _dotted(name: str) -> str:
 def placed(error: SpecError, where: str, join: str = ": ") -> SpecError:
     """Return the error with its place put behind where the tables came from."""
     if isinstance(error, SpecErrors):
-        return SpecErrors([placed(one, where, join) for one in error.errors])
+        return SpecErrors([placed(inner_error, where, join) for inner_error in error.errors])
     return SpecError(error.args[0], where=f"{where}{join}{error.where}" if error.where else where)
 
 
@@ -119,15 +119,15 @@ def namings(tables: Tables) -> list[tuple[str, Tables]]:
     """Return the tables that say how files are named, each with its place."""
     places = [
         ("naming", tables),
-        *((f"categories.{name}.naming", one) for name, one in tables.get("categories", {}).items()),
+        *((f"categories.{name}.naming", category) for name, category in tables.get("categories", {}).items()),
     ]
-    return [(place, one["naming"]) for place, one in places if "naming" in one]
+    return [(path, table["naming"]) for path, table in places if "naming" in table]
 
 
-def _cat_ids(spec: Path, named: str, place: str) -> list[str]:
+def _cat_ids(spec: Path, named: str, naming_path: str) -> list[str]:
     from audio_checks.spec.ucs import read_cat_ids
 
     try:
         return read_cat_ids(spec.parent / named)
     except SpecError as error:
-        raise SpecError(f"{error.where}: {error.args[0]}", where=f"{spec}: {place}.ucs_list") from None
+        raise SpecError(f"{error.where}: {error.args[0]}", where=f"{spec}: {naming_path}.ucs_list") from None

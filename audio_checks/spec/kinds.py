@@ -157,7 +157,7 @@ class Listed:
         if self.may_be_any and not value:
             raise SpecError('an empty list accepts nothing; "any" accepts everything', where=where)
         _ensure_few(value, self.most, where)
-        return list(dict.fromkeys(self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)))
+        return list(dict.fromkeys(self.kind.read(element, f"{where}[{index}]") for index, element in enumerate(value)))
 
     def schema(self) -> dict[str, Any]:
         """Return an array, or "any"."""
@@ -202,7 +202,7 @@ class Pair:
         """Return the two values."""
         if not isinstance(value, list) or len(value) != 2:
             raise SpecError(f"wanted a list of two numbers, found {_shown(value)}", where=where)
-        return [self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)]
+        return [self.kind.read(element, f"{where}[{index}]") for index, element in enumerate(value)]
 
     def schema(self) -> dict[str, Any]:
         """Return an array of two."""
@@ -226,7 +226,7 @@ class Table:
         if self.may_be_any and value == ANY:
             return ANY
         table = _table(value, where)
-        return each_read(table, lambda key, one: self._read_key(key, one, _join(where, key)))
+        return each_read(table, lambda key, member: self._read_key(key, member, _join(where, key)))
 
     def _read_key(self, key: str, value: object, where: str) -> Any:
         if key not in self.keys:
@@ -261,7 +261,7 @@ class Named:
         """Return the table with each value read."""
         table = _table(value, where)
         _ensure_few(table, self.most, where)
-        return each_read(table, lambda key, one: self._read_key(key, one, _join(where, key)))
+        return each_read(table, lambda key, member: self._read_key(key, member, _join(where, key)))
 
     def _read_key(self, key: str, value: object, where: str) -> Any:
         if self.slugs and not re.fullmatch(SLUG, key):
@@ -293,7 +293,7 @@ class Rows:
         if not isinstance(value, list) or not value:
             raise SpecError(f'wanted a list of tables or "any", found {_shown(value)}', where=where)
         _ensure_few(value, self.most, where)
-        return [self.kind.read(one, f"{where}[{place}]") for place, one in enumerate(value)]
+        return [self.kind.read(element, f"{where}[{index}]") for index, element in enumerate(value)]
 
     def schema(self) -> dict[str, Any]:
         """Return an array of tables, or "any"."""

@@ -278,22 +278,22 @@ def _read_duration(text: str, context: CellContext) -> Reading:
 
 def _bounded_length(plain: str, text: str, context: CellContext) -> Reading:
     for pattern, words in ((_MOST, "at most"), (_LEAST, "at least")):
-        if (found := pattern.match(plain)) and (rest := plain[found.end() :]):
+        if (match := pattern.match(plain)) and (rest := plain[match.end() :]):
             value = _seconds_in(rest, text, context)
             return Reading(value, f"{words} {number_text(value)} s; the list keeps one length", is_part=True)
     for pattern, words in ((_MOST_AFTER, "at most"), (_LEAST_AFTER, "at least"), (_ABOUT_AFTER, "about")):
-        if (found := pattern.search(plain)) and found.start():
-            value = _seconds_in(plain[: found.start()], text, context)
+        if (match := pattern.search(plain)) and match.start():
+            value = _seconds_in(plain[: match.start()], text, context)
             return Reading(
                 value, f"{words} {number_text(value)} s; the list keeps one length", is_part=words != "about"
             )
-    if found := _ABOUT.match(plain):
-        reading = _bounded_length(plain[found.end() :], text, context) if found.end() < len(plain) else None
+    if match := _ABOUT.match(plain):
+        reading = _bounded_length(plain[match.end() :], text, context) if match.end() < len(plain) else None
         if reading is None:
             raise _no_length(text)
         return Reading(reading.value, reading.note or f"about {number_text(reading.value)} s", reading.is_part)
-    if found := re.fullmatch(r"(.{1,20}?)\s*(?:±|\+/-|\+-)\s*.{1,20}", plain):
-        value = _seconds_in(found[1], text, context)
+    if match := re.fullmatch(r"(.{1,20}?)\s*(?:±|\+/-|\+-)\s*.{1,20}", plain):
+        value = _seconds_in(match[1], text, context)
         return Reading(value, "the tolerance is not kept; the spec has one for lengths", is_part=True)
     try:
         return _with_clock_note(plain, _seconds_in(plain, text, context))
@@ -315,9 +315,9 @@ def _middle(first: str, last: str, text: str, context: CellContext) -> Reading:
 
 
 def _with_clock_note(plain: str, value: float) -> Reading:
-    found = _CLOCK.fullmatch(plain)
-    if found and found[1] and int(found[1]) and float(found[3].replace(",", ".")) == 0:
-        hours, minutes = int(found[1]), int(found[2])
+    match = _CLOCK.fullmatch(plain)
+    if match and match[1] and int(match[1]) and float(match[3].replace(",", ".")) == 0:
+        hours, minutes = int(match[1]), int(match[2])
         return Reading(
             value, f"{hours} h {minutes} min; if {hours} min {minutes} s was meant, write 0:{hours}:{minutes:02}"
         )
@@ -330,27 +330,27 @@ def _no_length(text: str) -> ValueError:
 
 def _seconds_in(plain: str, text: str, context: CellContext) -> float:
     plain = plain.strip()
-    if found := _CLOCK.fullmatch(plain):
-        hours, minutes, seconds = found[1], found[2], found[3]
+    if match := _CLOCK.fullmatch(plain):
+        hours, minutes, seconds = match[1], match[2], match[3]
         return int(hours or 0) * 3600 + int(minutes) * 60 + float(seconds.replace(",", "."))
-    if found := _TIMECODE.fullmatch(plain):
-        hours, minutes, seconds, frames = (int(part) for part in found.groups())
+    if match := _TIMECODE.fullmatch(plain):
+        hours, minutes, seconds, frames = (int(part) for part in match.groups())
         return round(hours * 3600 + minutes * 60 + seconds + frames * _unit_s("frames", text, context), 6)
-    if (found := _PARTS.fullmatch(plain)) and sum(part is not None for part in found.groups()) > (
+    if (match := _PARTS.fullmatch(plain)) and sum(part is not None for part in match.groups()) > (
         0 if plain[-1:] in "\"”″'’′" else 1
     ):
-        hours, minutes, seconds = found.groups()
+        hours, minutes, seconds = match.groups()
         return round(int(hours or 0) * 3600 + int(minutes or 0) * 60 + float((seconds or "0").replace(",", ".")), 6)
-    if found := _MINUTES_AND_REST.fullmatch(plain):  # 1'30
-        return round(int(found[1]) * 60 + float(found[2].replace(",", ".")), 6)
-    if found := _WITH_UNIT.fullmatch(plain):
-        plain = found[1]
-        if found[2] in COUNTED_UNITS or (found[2] == "f" and context.frame_rate_fps):
-            unit_s = _unit_s(COUNTED_UNITS.get(found[2], "frames"), text, context)
-        elif found[2] not in UNITS:
+    if match := _MINUTES_AND_REST.fullmatch(plain):  # 1'30
+        return round(int(match[1]) * 60 + float(match[2].replace(",", ".")), 6)
+    if match := _WITH_UNIT.fullmatch(plain):
+        plain = match[1]
+        if match[2] in COUNTED_UNITS or (match[2] == "f" and context.frame_rate_fps):
+            unit_s = _unit_s(COUNTED_UNITS.get(match[2], "frames"), text, context)
+        elif match[2] not in UNITS:
             raise _no_length(text)
         else:
-            unit_s = UNITS[found[2]]
+            unit_s = UNITS[match[2]]
     elif context.counted:
         unit_s = _unit_s(context.counted, text, context)
     else:
@@ -384,19 +384,19 @@ def _read_count(text: str, _context: CellContext) -> Reading:
     if text.strip().lower() in EMPTY:
         return Reading(1)
     plain = unicodedata.normalize("NFKC", text.strip().lower())
-    if found := re.fullmatch(r"[x×]?\s*([0-9]{1,6})(?:[.,]0+)?\s*[x×]?(?:\s*[(\[]?[^\W\d_][^\d]{0,30})?", plain):
-        return Reading(int(found[1]))
+    if match := re.fullmatch(r"[x×]?\s*([0-9]{1,6})(?:[.,]0+)?\s*[x×]?(?:\s*[(\[]?[^\W\d_][^\d]{0,30})?", plain):
+        return Reading(int(match[1]))
     if plain in NUMBER_WORDS:
         return Reading(NUMBER_WORDS[plain])
-    if found := re.fullmatch(
+    if match := re.fullmatch(
         r"(~|≈|ca\.?|approx\.?|about|min\.?|max\.?|up to|at least|>=?|<=?|≥|≤)\s*([0-9]{1,6})", plain
     ):
-        return Reading(int(found[2]), f"{found[1]} {found[2]}; the list keeps one number", is_part=True)
-    if found := re.fullmatch(r"([0-9]{1,6})\s*(?:\+|or more|以上)", plain):
-        return Reading(int(found[1]), f"at least {found[1]}; the list keeps one number", is_part=True)
-    if found := re.fullmatch(r"([0-9]{1,6})\s*(?:-|–|—|−|~|to|bis|à|or|/)\s*([0-9]{1,6})(?:\s*[^\W\d_]{1,20})?", plain):
-        most = max(int(found[1]), int(found[2]))
-        return Reading(most, f"the larger of {found[1]} and {found[2]}", is_part=True)
+        return Reading(int(match[2]), f"{match[1]} {match[2]}; the list keeps one number", is_part=True)
+    if match := re.fullmatch(r"([0-9]{1,6})\s*(?:\+|or more|以上)", plain):
+        return Reading(int(match[1]), f"at least {match[1]}; the list keeps one number", is_part=True)
+    if match := re.fullmatch(r"([0-9]{1,6})\s*(?:-|–|—|−|~|to|bis|à|or|/)\s*([0-9]{1,6})(?:\s*[^\W\d_]{1,20})?", plain):
+        most = max(int(match[1]), int(match[2]))
+        return Reading(most, f"the larger of {match[1]} and {match[2]}", is_part=True)
     raise ValueError(f'wanted a whole number, found "{text[:40]}"')
 
 
@@ -453,10 +453,10 @@ def _read_need(text: str, _context: CellContext) -> Reading:
 def is_day_first(cells: Sequence[str]) -> bool | None:
     """Return whether a column writes the day before the month, as in 31/5/2026; None where no cell shows it."""
     for cell in cells:
-        if found := SLASHED.match(cell.strip()[:MAX_FIGURE_CHARS]):
-            if int(found[1]) > 12:
+        if match := SLASHED.match(cell.strip()[:MAX_FIGURE_CHARS]):
+            if int(match[1]) > 12:
                 return True
-            if int(found[2]) > 12:
+            if int(match[2]) > 12:
                 return False
     return None
 
@@ -473,8 +473,8 @@ def _read_day(text: str, context: CellContext) -> Reading:
         return Reading(None)
     if len(plain) > MAX_FIGURE_CHARS:
         raise ValueError(f'wanted a day such as 2026-12-04, found "{text[:40]}"')
-    if found := re.fullmatch(r"(.{6,40}?)\s*(?:→|->|–|—|\sto\s|\sbis\s)\s*(.{6,40})", plain):
-        last = _read_day(found[2], context)  # a period, as project tools write it: needed by its end
+    if match := re.fullmatch(r"(.{6,40}?)\s*(?:→|->|–|—|\sto\s|\sbis\s)\s*(.{6,40})", plain):
+        last = _read_day(match[2], context)  # a period, as project tools write it: needed by its end
         return Reading(last.value, f"the end of {text.strip()[:60]}", is_part=True)
     bare = _DAY_NAME.sub("", plain)
     bare = _TIME_OF_DAY.sub("", bare).strip(" ,")
@@ -498,36 +498,36 @@ class _TwoDays(ValueError):
 
 
 def _day_in(plain: str, text: str, context: CellContext) -> Reading | None:
-    if found := re.fullmatch(r"(\d{4})[-/.]\s?(\d{1,2})[-/.]\s?(\d{1,2})\.?(?:[t ].*)?", plain, re.ASCII):
-        return Reading(date(int(found[1]), int(found[2]), int(found[3])))
-    if found := re.fullmatch(r"(20\d{2})(\d{2})(\d{2})", plain, re.ASCII):
-        return Reading(date(int(found[1]), int(found[2]), int(found[3])))
-    if found := _ERA_DAY.fullmatch(plain):
-        return Reading(date(int(found[1]), int(found[2]), int(found[3])))
-    if found := re.fullmatch(r"(\d{1,2})\.\s*(\d{1,2})\.\s*(\d{2}|\d{4})", plain, re.ASCII):
-        return Reading(date(_year(found[3]), int(found[2]), int(found[1])))
-    if found := SLASHED.fullmatch(plain):
-        return _slashed_day(found, text, context.day_first)
-    if found := re.fullmatch(
+    if match := re.fullmatch(r"(\d{4})[-/.]\s?(\d{1,2})[-/.]\s?(\d{1,2})\.?(?:[t ].*)?", plain, re.ASCII):
+        return Reading(date(int(match[1]), int(match[2]), int(match[3])))
+    if match := re.fullmatch(r"(20\d{2})(\d{2})(\d{2})", plain, re.ASCII):
+        return Reading(date(int(match[1]), int(match[2]), int(match[3])))
+    if match := _ERA_DAY.fullmatch(plain):
+        return Reading(date(int(match[1]), int(match[2]), int(match[3])))
+    if match := re.fullmatch(r"(\d{1,2})\.\s*(\d{1,2})\.\s*(\d{2}|\d{4})", plain, re.ASCII):
+        return Reading(date(_year(match[3]), int(match[2]), int(match[1])))
+    if match := SLASHED.fullmatch(plain):
+        return _slashed_day(match, text, context.day_first)
+    if match := re.fullmatch(
         r"(\d{1,2})(?:st|nd|rd|th|er|º|\.)?[\s/-]*(?:of |de |d')?\s*([^\W\d_]{3,10})\.?,?[\s/-]*(?:of |de |del )?"
         r"'?(\d{4}|\d{2})",
         plain,
     ):
-        return Reading(date(_year(found[3]), MONTHS.get(found[2], 0), int(found[1])))
-    if found := re.fullmatch(
+        return Reading(date(_year(match[3]), MONTHS.get(match[2], 0), int(match[1])))
+    if match := re.fullmatch(
         r"([^\W\d_]{3,10})\.?[\s/-]*(\d{1,2})(?:st|nd|rd|th)?(?:,\s*|[\s/-]+)'?(\d{4}|\d{2})", plain
     ):
-        return Reading(date(_year(found[3]), MONTHS.get(found[1], 0), int(found[2])))
-    if found := re.fullmatch(r"(\d{4})[\s/-]+([^\W\d_]{3,10})\.?[\s/-]+(\d{1,2})", plain):
-        return Reading(date(int(found[1]), MONTHS.get(found[2], 0), int(found[3])))
+        return Reading(date(_year(match[3]), MONTHS.get(match[1], 0), int(match[2])))
+    if match := re.fullmatch(r"(\d{4})[\s/-]+([^\W\d_]{3,10})\.?[\s/-]+(\d{1,2})", plain):
+        return Reading(date(int(match[1]), MONTHS.get(match[2], 0), int(match[3])))
     if re.fullmatch(r"\d{5}(?:\.\d+)?", plain, re.ASCII) and FIRST_SERIAL <= float(plain) <= LAST_SERIAL:
         day = SERIAL_EPOCH + timedelta(days=int(float(plain)))
         return Reading(day, f"{day} is day {int(float(plain)):,} as spreadsheets count them")
     return None
 
 
-def _slashed_day(found: re.Match[str], text: str, day_first: bool | None) -> Reading:
-    first, second, year = int(found[1]), int(found[2]), _year(found[3])
+def _slashed_day(match: re.Match[str], text: str, day_first: bool | None) -> Reading:
+    first, second, year = int(match[1]), int(match[2]), _year(match[3])
     if day_first is None and first != second and max(first, second) <= 12:
         raise _TwoDays(
             f'"{text[:40]}" could be {date(year, second, first):%d %B} or {date(year, first, second):%d %B}; '

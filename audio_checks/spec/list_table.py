@@ -74,8 +74,8 @@ def separator_of(text: str, heads_in: HeadsIn = known_heads_in, *, pasted: bool 
 def records(text: str, heads_in: HeadsIn = known_heads_in, *, pasted: bool = False) -> Iterator[tuple[int, list[str]]]:
     """Yield the numbered rows of CSV text or of pasted cells; raise TableUnreadable where a quote never closes."""
     first = 1
-    if found := re.match(rf"sep=([{SEPARATORS}:])\r?\n", text):  # Excel's own way to name the separator
-        text, first, separator = text[found.end() :], 2, found[1]
+    if match := re.match(rf"sep=([{SEPARATORS}:])\r?\n", text):  # Excel's own way to name the separator
+        text, first, separator = text[match.end() :], 2, match[1]
     else:
         separator = separator_of(text, heads_in, pasted=pasted)
     yield from enumerate(_split(text, separator), start=first)
@@ -113,29 +113,29 @@ def headed(
     rows: Rows, heads_in: HeadsIn = known_heads_in, *, must_have_head: bool
 ) -> tuple[int | None, tuple[str, ...], list[int], Rows]:
     """Return the row of the head, the names of columns, the places that these have in rows, and the rows below."""
-    heads = max(range(min(HEAD_WITHIN_ROWS, len(rows))), key=lambda place: heads_in(rows[place][1]))
+    heads = max(range(min(HEAD_WITHIN_ROWS, len(rows))), key=lambda index: heads_in(rows[index][1]))
     has_head = must_have_head or heads_in(rows[heads][1]) > 0
     header_row, names = rows[heads] if has_head else (None, [])
     below = rows[heads + 1 :] if has_head else rows
     used = sorted(
-        {place for cells in (names, *(cells for _, cells in below)) for place, cell in enumerate(cells) if cell}
+        {index for cells in (names, *(cells for _, cells in below)) for index, cell in enumerate(cells) if cell}
     )
     if header_row is None:
-        names = [f"Column {place + 1}" for place in range(used[-1] + 1)]
-    columns = tuple(_distinct((names[place] if place < len(names) else "", place) for place in used))
+        names = [f"Column {index + 1}" for index in range(used[-1] + 1)]
+    columns = tuple(_distinct((names[index] if index < len(names) else "", index) for index in used))
     return (
         header_row,
         columns,
         used,
-        [(row, [cells[place] if place < len(cells) else "" for place in used]) for row, cells in below],
+        [(row, [cells[index] if index < len(cells) else "" for index in used]) for row, cells in below],
     )
 
 
 def _distinct(names: Iterable[tuple[str, int]]) -> Iterator[str]:
     """Yield column names of which no two are alike in lower case; a column without a name gets its place."""
     seen: set[str] = set()
-    for name, place in names:
-        plain = " ".join(name.split())[:100] or f"Column {place + 1}"
+    for name, index in names:
+        plain = " ".join(name.split())[:100] or f"Column {index + 1}"
         again = 2
         unique = plain
         while unique.lower() in seen:
@@ -162,7 +162,7 @@ def rows_without_cue(
         Numbers of rows with a cell that is merged over several columns.
     """
     reader = _Reader(rows, columns, fields, frozenset(merged_across))
-    return [without_cue for place in range(len(rows)) if (without_cue := reader.row_without_cue(place))]
+    return [without_cue for index in range(len(rows)) if (without_cue := reader.row_without_cue(index))]
 
 
 class _Reader:
@@ -174,45 +174,45 @@ class _Reader:
         self._rows = rows
         self._merged_across = merged_across
         self._heads = [plain_head(column) for column in columns]
-        self._names = [place for place, field in fields.items() if field in ("name", "file_name", "number")]
+        self._names = [index for index, field in fields.items() if field in ("name", "file_name", "number")]
         self._categories = {
-            plain_head(cells[place]) for _, cells in rows for place, field in fields.items() if field == "category"
+            plain_head(cells[index]) for _, cells in rows for index, field in fields.items() if field == "category"
         } - {""}
         counts = [sum(map(bool, cells)) for _, cells in rows]
         full = [cells for (_, cells), count in zip(rows, counts, strict=True) if count > 1]
         self._is_table = len(columns) > 1 and 2 * len(full) > len(rows) / 2
-        names = [cells[place] for cells in full for place in self._names[:1] if cells[place]]
+        names = [cells[index] for cells in full for index in self._names[:1] if cells[index]]
         self._has_capitals = 2 * sum(name == name.upper() != name.lower() for name in names) > len(names)
         self._is_snake = bool(names) and 10 * sum(_is_snake(name) for name in names) >= 8 * len(names)
-        self._duration = next((place for place, field in fields.items() if field == "duration_s"), None)
+        self._duration = next((index for index, field in fields.items() if field == "duration_s"), None)
 
-    def row_without_cue(self, place: int) -> RowWithoutCue | None:
-        row, cells = self._rows[place]
+    def row_without_cue(self, index: int) -> RowWithoutCue | None:
+        row, cells = self._rows[index]
         texts = [(at, cell) for at, cell in enumerate(cells) if cell]
-        said = ", ".join(text for _, text in texts)[:MAX_NOTE_CHARS]
+        row_text = ", ".join(text for _, text in texts)[:MAX_NOTE_CHARS]
         if len(texts) > 1 and all(plain_head(text) == self._heads[at] for at, text in texts):
-            return RowWithoutCue(row, "head", said, "the head again")
+            return RowWithoutCue(row, "head", row_text, "the head again")
         first_at, first = texts[0]
         others = [text for _, text in texts[1:]]
         if _TOTAL.fullmatch(first.strip(" :.=")) and all(_is_figure(text) for text in others):
-            return RowWithoutCue(row, "total", said, "a sum of the list, and not a sound")
+            return RowWithoutCue(row, "total", row_text, "a sum of the list, and not a sound")
         is_nameless = bool(self._names) and not any(cells[at] for at in self._names)
-        is_last = place == len(self._rows) - 1
+        is_last = index == len(self._rows) - 1
         if is_nameless and (len(texts) > 1 or is_last) and all(_is_figure(text) for _, text in texts):
-            return RowWithoutCue(row, "total", said, "figures without a name")
+            return RowWithoutCue(row, "total", row_text, "figures without a name")
         if others or not self._is_table or is_broken_formula(first):
             return None
         if _NOTE.match(first):
-            return RowWithoutCue(row, "note", said, "a note, and not a sound")
+            return RowWithoutCue(row, "note", row_text, "a note, and not a sound")
         if first_at in self._names[:1] or first_at == 0 or not cells[self._names[0] if self._names else 0]:
-            why = self._why_section(place, first)
+            why = self._why_section(index, first)
             if why:
-                return RowWithoutCue(row, "section", said, why)
+                return RowWithoutCue(row, "section", row_text, why)
         return None
 
-    def _why_section(self, place: int, text: str) -> str:
-        row = self._rows[place][0]
-        follows = self._rows[place + 1] if place + 1 < len(self._rows) else None
+    def _why_section(self, index: int, text: str) -> str:
+        row = self._rows[index][0]
+        follows = self._rows[index + 1] if index + 1 < len(self._rows) else None
         leads = follows is not None
         plain = plain_head(text)
         words = {plain, plain.removesuffix("s"), f"{plain}s"} | {plain.rpartition(" ")[0]}
@@ -230,7 +230,7 @@ class _Reader:
             return "not written as the other names are, with nothing beside it"
         if _SECTION_WORD.search(text) and not _is_snake(text):
             return "a title by its words, with nothing beside it"
-        before = self._rows[place - 1][0] if place else row - 1
+        before = self._rows[index - 1][0] if index else row - 1
         if row - before > 1 and follows and follows[0] - row == 1:
             return "stands alone below an empty row"
         return ""

@@ -243,17 +243,17 @@ def read_limits(table: Tables) -> Limits:
 
 def read_naming(table: Tables) -> Naming:
     """Return the content of a table `naming`; SpecError where it gives a name two rules."""
-    said = stated(table)
-    rules = [key for key in ("pattern", "tokens", "grammar") if key in said]
+    values = stated(table)
+    rules = [key for key in ("pattern", "tokens", "grammar") if key in values]
     if len(rules) > 1:
         raise SpecError(
             f'a name has one rule, and here are {" and ".join(rules)}; lift the others, as in {rules[0]} = "any"',
             where="naming",
         )
-    tokens = tuple(_token(keys, f"naming.tokens[{place}]") for place, keys in enumerate(said.pop("tokens", ())))
-    ids = tuple(said.pop("ucs_ids", ()))
-    portable = said.pop("portable", bool(rules) or "extension" in said)
-    return Naming(**said, tokens=tokens, ucs_ids=ids, portable=portable)
+    tokens = tuple(_token(keys, f"naming.tokens[{index}]") for index, keys in enumerate(values.pop("tokens", ())))
+    ids = tuple(values.pop("ucs_ids", ()))
+    portable = values.pop("portable", bool(rules) or "extension" in values)
+    return Naming(**values, tokens=tokens, ucs_ids=ids, portable=portable)
 
 
 def read_target(name: str, keys: Tables) -> Target:
@@ -264,11 +264,11 @@ def read_target(name: str, keys: Tables) -> Target:
     for needed in ("sample_rate_hz",) if is_lossy else ("sample_rate_hz", "bit_depth"):
         if needed not in keys:
             raise SpecError("a target must say it", where=f"{where}.{needed}")
-    said = {**stated(keys), "name": name}
+    values = {**stated(keys), "name": name}
     if is_lossy:  # a depth and a dither that another category's files have say nothing here
-        said |= {"bit_depth": DECODED_BITS, "dither": "none", "quality": said.get("quality", QUALITY)}
+        values |= {"bit_depth": DECODED_BITS, "dither": "none", "quality": values.get("quality", QUALITY)}
     else:
-        _ensure_no_quality(said, encoding, where)
+        _ensure_no_quality(values, encoding, where)
         depth = keys["bit_depth"]
         valid = DEPTHS.get(encoding, (8, 16, 24))
         if depth not in valid:
@@ -276,12 +276,12 @@ def read_target(name: str, keys: Tables) -> Target:
                 f"{depth} bit is not a depth for {encoding}; it can be {', '.join(map(str, valid))}",
                 where=f"{where}.bit_depth",
             )
-        said = {"dither": "none" if encoding == "float" or depth == 24 else "tpdf", **said}
+        values = {"dither": "none" if encoding == "float" or depth == 24 else "tpdf", **values}
     if encoding in CODINGS:
         _ensure_codable(CODINGS[encoding], keys["sample_rate_hz"], where)
-    if "mono_gains" in said:
-        said["mono_gains"] = tuple(said["mono_gains"])
-    target = Target(**said)
+    if "mono_gains" in values:
+        values["mono_gains"] = tuple(values["mono_gains"])
+    target = Target(**values)
     if target.dither == "shaped" and target.sample_rate_hz < 44_100:
         raise SpecError(
             "shaped dither needs 44100 Hz or more: below, the noise has nowhere to hide", where=f"{where}.dither"
@@ -289,8 +289,8 @@ def read_target(name: str, keys: Tables) -> Target:
     return target
 
 
-def _ensure_no_quality(said: Tables, encoding: str, where: str) -> None:
-    if "quality" in said:
+def _ensure_no_quality(values: Tables, encoding: str, where: str) -> None:
+    if "quality" in values:
         raise SpecError(
             f'a quality is for {" and ".join(LOSSY_ENCODINGS)}, and the encoding here is "{encoding}"; '
             'take it out, or lift it with quality = "any"',

@@ -74,8 +74,8 @@ class Pattern:
             return False
         now = self._start
         last = len(text) - 1
-        for place, character in enumerate(text):
-            symbol = _LAST_LINE_END if character == "\n" and place == last else character
+        for index, character in enumerate(text):
+            symbol = _LAST_LINE_END if character == "\n" and index == last else character
             now = now.following.get(symbol) or self._step(now, symbol)
             if not now.states:
                 return False
@@ -200,7 +200,7 @@ class _Automaton:
 def _test(operator: str, argument: Any, flags: int) -> Test:
     """Return the test of one character for an operator."""
     if operator == "ANY":
-        return (lambda _: True) if flags & re.DOTALL else (lambda one: one != "\n")
+        return (lambda _: True) if flags & re.DOTALL else (lambda character: character != "\n")
     items = [("LITERAL", argument)] if operator in ("LITERAL", "NOT_LITERAL") else argument
     return _set_test([(str(kind), value) for kind, value in items], flags, negated=operator == "NOT_LITERAL")
 
@@ -219,12 +219,17 @@ def _set_test(items: Sequence[tuple[str, Any]], flags: int, *, negated: bool) ->
             name = str(value).removeprefix("CATEGORY_")
             others.append((_CATEGORIES[name.removeprefix("NOT_")], not name.startswith("NOT_")))
 
-    def holds(one: str) -> bool:
-        return any(low <= one <= high for low, high in ranges) or any(test(one) is wanted for test, wanted in others)
+    def holds(character: str) -> bool:
+        return any(low <= character <= high for low, high in ranges) or any(
+            test(character) is wanted for test, wanted in others
+        )
 
     if flags & re.IGNORECASE:
-        return lambda one: (holds(one) or (one.isascii() and (holds(one.lower()) or holds(one.upper())))) is not negated
-    return lambda one: holds(one) is not negated
+        return lambda character: (
+            (holds(character) or (character.isascii() and (holds(character.lower()) or holds(character.upper()))))
+            is not negated
+        )
+    return lambda character: holds(character) is not negated
 
 
 def _condition(name: str, flags: int) -> Condition:

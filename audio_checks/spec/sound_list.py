@@ -201,8 +201,8 @@ def _columns(names: Sequence[str], rows: Rows, rates: CellContext, where: str, n
     has_rate_column = any(head_of(name).field == "frame_rate_fps" for name in names)
     taken: dict[str, str] = {}
     columns = []
-    for place, name in enumerate(names):
-        guess = guess_column(name, [cells[place] for _, cells in rows], rates, has_rate_column=has_rate_column)
+    for index, name in enumerate(names):
+        guess = guess_column(name, [cells[index] for _, cells in rows], rates, has_rate_column=has_rate_column)
         guess = guess if name.strip().lower() not in HEADS else replace(guess, field=name.strip().lower(), note="")
         field = guess.field
         if field in taken:
@@ -212,7 +212,7 @@ def _columns(names: Sequence[str], rows: Rows, rates: CellContext, where: str, n
             notes.append(f'column "{name}"{"" if field else " is not read"}: {guess.note}')
         if field:
             taken[field] = name
-        columns.append(_Column(place, name, field, guess.context))
+        columns.append(_Column(index, name, field, guess.context))
     if not {"number", "name", "file_name"} & taken.keys():
         raise SpecError(
             f"no column has numbers, names or file names of cues; found {', '.join(names)[:200]}; "

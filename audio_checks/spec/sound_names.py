@@ -36,12 +36,12 @@ def parse_file_name(file_name: str) -> TakeName:
     stem, extension = _split(whole)
     alternate = version = None
     for _ in range(2):  # the two may come in either order
-        if alternate is None and (found := _ALTERNATE.search(stem)):
-            alternate = int(found[1]) if found[1] else ord(found[2]) - ord("A") + 1
-            stem = stem[: found.start()]
-        if version is None and (found := _TYPED_VERSION.search(stem)):
-            version = int(found[1])
-            stem = stem[: found.start()]
+        if alternate is None and (match := _ALTERNATE.search(stem)):
+            alternate = int(match[1]) if match[1] else ord(match[2]) - ord("A") + 1
+            stem = stem[: match.start()]
+        if version is None and (match := _TYPED_VERSION.search(stem)):
+            version = int(match[1])
+            stem = stem[: match.start()]
     return TakeName(stem, alternate, version, extension)
 
 
@@ -61,7 +61,7 @@ def dry_stem_name(file_name: str) -> str | None:
     `warp_in__dry.wav` is that of `warp_in.wav`, and `warp_in__alt2__dry.wav` that of `warp_in__alt2.wav`.
     """
     stem = stem_of_file(file_name)
-    return stem[: found.start()] if (found := _DRY_STEM.search(stem)) else None
+    return stem[: match.start()] if (match := _DRY_STEM.search(stem)) else None
 
 
 def stem_of_file(file_name: str) -> str:
@@ -101,4 +101,4 @@ def stems_of(name: str, file_name: str, variations: int = 1) -> list[str]:
     if variations <= 1:
         return [stem]
     width = max(2, len(str(variations)))
-    return [f"{stem}_{place:0{width}}" for place in range(1, variations + 1)]
+    return [f"{stem}_{number:0{width}}" for number in range(1, variations + 1)]

@@ -40,8 +40,8 @@ class TargetPreset:
 
 
 TARGET_PRESETS = {
-    one.name: one
-    for one in (
+    preset.name: preset
+    for preset in (
         TargetPreset(
             "wwise",
             "Wwise",

@@ -34,8 +34,8 @@ def misfit(stem: str, cat_ids: Collection[str]) -> str | None:
     """
     blocks = stem.split("_")
     if not 4 <= len(blocks) <= 5:
-        found = "1 block" if len(blocks) == 1 else f"{len(blocks)} blocks"
-        return f"{found} between underscores, wanted CatID_FXName_CreatorID_SourceID"
+        blocks_text = "1 block" if len(blocks) == 1 else f"{len(blocks)} blocks"
+        return f"{blocks_text} between underscores, wanted CatID_FXName_CreatorID_SourceID"
     for name, block in zip(BLOCKS, blocks, strict=False):
         if not block.strip():
             return f"the {name} is empty"
@@ -73,9 +73,9 @@ def read_cat_ids(path: Path) -> list[str]:
     names = [name.strip().lower().replace(" ", "") for name in rows[0]] if rows else []
     if "catid" not in names:
         raise SpecError("its first row names no column CatID", where=where)
-    place = names.index("catid")
-    ids = dict.fromkeys(row[place].strip() for row in rows[1:] if len(row) > place and row[place].strip())
-    wrong = next((one for one in ids if not CAT_ID.fullmatch(one)), None)
+    column = names.index("catid")
+    ids = dict.fromkeys(row[column].strip() for row in rows[1:] if len(row) > column and row[column].strip())
+    wrong = next((cat_id for cat_id in ids if not CAT_ID.fullmatch(cat_id)), None)
     if wrong is not None:
         raise SpecError(f'"{wrong[:40]}" in the column CatID is not an id, such as GUNAuto', where=where)
     if not ids:

@@ -60,8 +60,8 @@ def installed_program(name: str) -> str | None:
     """Return the absolute path of a program on PATH; never one of the working directory, where Windows looks first."""
     folders = [folder for folder in os.environ.get("PATH", os.defpath).split(os.pathsep) if os.path.isabs(folder)]
     os.environ["NoDefaultCurrentDirectoryInExePath"] = "1"  # noqa: SIM112 - Windows spells it so
-    found = shutil.which(name, path=os.pathsep.join(folders))
-    return found if found is not None and os.path.isabs(found) else None
+    path = shutil.which(name, path=os.pathsep.join(folders))
+    return path if path is not None and os.path.isabs(path) else None
 
 
 def _merge(packages: tuple[str, ...]) -> str:
@@ -86,5 +86,5 @@ def _folders_imported_from() -> set[str]:
 def _folder_of(package: str) -> str | None:
     """Return the folder that holds the top-level package of a module; None where it is not loaded, or built in."""
     module = sys.modules.get(package.partition(".")[0])
-    place = next(iter(getattr(module, "__path__", ())), None) or getattr(module, "__file__", None)
-    return None if place is None else os.path.dirname(os.path.abspath(place))
+    package_path = next(iter(getattr(module, "__path__", ())), None) or getattr(module, "__file__", None)
+    return None if package_path is None else os.path.dirname(os.path.abspath(package_path))

@@ -134,7 +134,7 @@ def _strictly(data: bytes, encoding: str) -> str:
 def _fitting(data: bytes, guessed: Iterable[str]) -> list[str]:
     """Return the code pages in which the bytes are text, the likeliest first."""
     scored = []
-    for place, name in enumerate(guessed):
+    for rank, name in enumerate(guessed):
         try:
             data.decode(CODE_PAGES[name])
         except UnicodeDecodeError:
@@ -144,7 +144,7 @@ def _fitting(data: bytes, guessed: Iterable[str]) -> list[str]:
             score = _east_asian_score(sample, name)
         else:
             score = _alphabet_score(sample, ALPHABETS[name]) if name in ALPHABETS else _western_score(sample)
-        scored.append((score, -place, name))
+        scored.append((score, -rank, name))
     return [name for _, _, name in sorted(scored, reverse=True)]
 
 

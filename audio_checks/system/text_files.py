@@ -88,8 +88,8 @@ def _ensure_bounded(text: str, where: str) -> None:
     if len(text) > MOST_TOML_CHARACTERS:
         raise SpecError(f"has {len(text):,} characters; at most {MOST_TOML_CHARACTERS:,} are read", where=where)
     depth, dots = 0, 0
-    for found in _TOKEN.finditer(text):
-        mark = found["mark"]
+    for token in _TOKEN.finditer(text):
+        mark = token["mark"]
         if mark == ".":
             dots += 1
         elif mark:
@@ -99,9 +99,9 @@ def _ensure_bounded(text: str, where: str) -> None:
             fault = f"a key has more than {MOST_KEY_PARTS} parts with dots between them"
         elif depth > MOST_DEPTH:
             fault = f"arrays and tables lie more than {MOST_DEPTH} deep in one another"
-        elif found["word"] and len(found["word"]) > LONGEST_WORD:
-            fault = f"a key or number has {len(found['word']):,} characters; at most {LONGEST_WORD} are read"
+        elif token["word"] and len(token["word"]) > LONGEST_WORD:
+            fault = f"a key or number has {len(token['word']):,} characters; at most {LONGEST_WORD} are read"
         else:
             continue
-        line = text.count("\n", 0, found.start()) + 1
+        line = text.count("\n", 0, token.start()) + 1
         raise SpecError(f"is not read: {fault} (line {line})", where=where)

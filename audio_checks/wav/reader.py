@@ -369,14 +369,17 @@ class _Reading:
         """Return the one `fmt ` and the one `data` chunk, in this order (R3)."""
         formats = [chunk for chunk in chunks if chunk.id == "fmt "]
         datas = [chunk for chunk in chunks if chunk.id == "data"]
-        for found, name, role in ((formats, "fmt ", "describes the sample format"), (datas, "data", "holds the sound")):
-            if len(found) != 1:
-                count = "no" if not found else str(len(found))
+        for matching_chunks, name, role in (
+            (formats, "fmt ", "describes the sample format"),
+            (datas, "data", "holds the sound"),
+        ):
+            if len(matching_chunks) != 1:
+                count = "no" if not matching_chunks else str(len(matching_chunks))
                 raise Unreadable(
-                    f'the file has {count} "{name}" chunk{"s" if len(found) > 1 else ""}, which {role};'
+                    f'the file has {count} "{name}" chunk{"s" if len(matching_chunks) > 1 else ""}, which {role};'
                     " exactly one is wanted",
                     "R3",
-                    f"structure:{'no' if not found else 'several'}-{name.strip()}",
+                    f"structure:{'no' if not matching_chunks else 'several'}-{name.strip()}",
                     EXPORT_AGAIN,
                 )
         if formats[0].offset > datas[0].offset:
