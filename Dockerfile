@@ -18,7 +18,7 @@ COPY .ci/locked.py .ci/
 RUN python .ci/locked.py uv > build.txt \
     && pip install --no-cache-dir --require-hashes --only-binary :all: --requirement build.txt
 ENV UV_COMPILE_BYTECODE=1 UV_NO_CACHE=1 UV_PYTHON_DOWNLOADS=never
-RUN UV_PROJECT_ENVIRONMENT=/opt/build uv sync --frozen --no-build --no-install-workspace --only-group build \
+RUN UV_PROJECT_ENVIRONMENT=/opt/build uv sync --frozen --no-build --no-install-workspace --only-group build --only-group docs \
     && UV_PROJECT_ENVIRONMENT=/opt/soundlist uv sync --frozen --no-build --no-install-workspace --no-dev --package soundlist
 COPY setup.py MANIFEST.in LICENSE ./
 COPY packages ./packages
@@ -26,6 +26,10 @@ COPY audio_checks ./audio_checks
 COPY app ./app
 COPY migrations ./migrations
 COPY --from=page /src/frontend/dist ./frontend/dist
+COPY docs ./docs
+COPY zensical.toml ./
+COPY .ci/docs_site.py .ci/
+RUN /opt/build/bin/python .ci/docs_site.py
 # The tag that is checked out, as git describe says it; without it two versions could not be told apart.
 ARG VERSION
 RUN case "$VERSION" in v[0-9]*) ;; *) \
