@@ -1,5 +1,6 @@
 """The guides: every path to one leads somewhere, and every reader finds the way."""
 
+import json
 import os
 import re
 from collections.abc import Iterator
@@ -79,3 +80,71 @@ def test_the_first_page_of_the_repository_is_one_screen():
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert len(text.splitlines()) <= 60
     assert "![" in text
+
+
+USER_PAGES = [*(ROOT / "docs" / "how-to").glob("*.md"), *(ROOT / "docs" / "tutorials").glob("*.md")]
+FOR_OPERATORS = {"operate.md"}  # what a proxy passes on
+# What the product says with a name, a figure or a word of a sheet in it, or what another program shows.
+COMPOSED = {
+    "Bedarf",
+    "Download game",
+    "Former user",
+    "Import 3 cues",
+    "Import 4 cues",
+    "Interface",
+    "Length (as written)",
+    "Length (frames)",
+    "Map to",
+    "MoSCoW",
+    "Only a wish for Shield hit",
+    "Prefer A",
+    "Priority",
+    "Sample peak 0.0 dBFS. Limit −0.1 dBFS.",
+    "Squashed peaks",
+    "Third chord higher",
+    "This is an MP3 named .wav.",
+    "This link does not open anything any more.",
+    "Unclear: Of what? How heavy? Into what?",
+    "Upload renamed files",
+}
+
+
+def without_folded(page: Path) -> str:
+    """Return a page without its code and its folded blocks."""
+    return re.sub(r"```.*?```|<details.*?</details>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+
+
+@pytest.mark.parametrize("page", USER_PAGES, ids=lambda page: page.name)
+def test_user_pages_fold_what_is_for_programs(page: Path):
+    text = without_folded(page)
+    assert page.name in FOR_OPERATORS or "/v1/" not in text
+    assert not re.search(r"\bp95\b|\d ms at the median|on two busy cores", text), "figures of speed are benchmarks"
+
+
+def test_every_label_that_user_pages_name_is_on_a_screen():
+    sources = [*(ROOT / "frontend/src").rglob("*.ts*"), *(ROOT / "app/agreements/clauses/library").glob("*.md")]
+    screens = " ".join(path.read_text(encoding="utf-8") for path in sources if ".test." not in path.name)
+    screens = re.sub(r"\s+", " ", screens)
+    unknown = {
+        f"{page.name}: {label}"
+        for page in USER_PAGES
+        for label in re.findall(r"(?<![*\w])\*([A-Z][^*\n]{1,60})\*(?![*\w])", without_folded(page))
+        if label not in COMPOSED and label.replace("'", "’") not in screens and label.rstrip(".:,") not in screens
+    }
+    assert unknown == set()
+
+
+def test_every_request_that_user_pages_name_is_one():
+    document = json.loads((ROOT / "frontend/openapi.json").read_text(encoding="utf-8"))
+    requests = {
+        f"{method.upper()} {re.sub(r'{[^}]*}', '{}', path)}"
+        for path, methods in document["paths"].items()
+        for method in methods
+    }
+    named = {
+        f"{method} {re.sub(r'{[^}]*}', '{}', path)}"
+        for page in USER_PAGES
+        for method, path in re.findall(r"`(GET|PUT|POST|PATCH|DELETE) (/v1/[^`?\s]*)", page.read_text(encoding="utf-8"))
+    }
+    assert len(named) > 100
+    assert named - requests == set()

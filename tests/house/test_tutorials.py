@@ -1,4 +1,4 @@
-"""The tutorial of the CI check: its commands give the output that it shows."""
+"""The tutorials: their commands give the output that they show."""
 
 import re
 import shlex
@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from audio_checks.cli import main
+from tests.support.added_check import ROOT, copy_of_library, run
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "first-ci-check.md"
+TUTORIALS = ROOT / "docs" / "tutorials"
+PAGE = TUTORIALS / "first-ci-check.md"
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
@@ -45,3 +47,23 @@ def output_of(command: str, capsys: pytest.CaptureFixture[str]) -> str:
             return output
         Path(target).write_text(output, encoding="utf-8")
     return ""
+
+
+@pytest.mark.slow
+def test_the_check_of_the_first_change_in_python_passes_its_test_and_says_what_the_page_shows(tmp_path: Path):
+    blocks = BLOCK.findall((TUTORIALS / "first-python-change.md").read_text(encoding="utf-8"))
+    sound, test, check = (block for language, block in blocks if language == "python")
+    outputs = [block for language, block in blocks if language == "" and "conforming" in block]
+    tree = copy_of_library(tmp_path)
+    (tree / "square.py").write_text(sound)
+    run(tree, "square.py")
+    (tree / "spec.toml").write_text(run(tree, "-m", "audio_checks.cli", "new-spec").stdout)
+    checking = ("-m", "audio_checks.cli", "check", "--spec", "spec.toml", "square.wav")
+    assert run(tree, *checking).stdout == outputs[0]
+    (tree / "audio_checks" / "checks" / "squashed.py").write_text(check)
+    assert run(tree, *checking).stdout == outputs[1]
+    assert "limited until its peaks" in run(tree, "-m", "audio_checks.cli", "explain", "squashed").stdout
+    (tree / "test_squashed.py").write_text(test)
+    shutil.copy(ROOT / "tests/audio_checks/checks/conftest.py", tree)
+    passed = run(tree, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test_squashed.py")
+    assert "3 passed" in passed.stdout, passed.stdout + passed.stderr

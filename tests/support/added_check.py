@@ -40,11 +40,17 @@ def check(file, spec):
 '''
 
 
-def copy_with_check(folder: Path) -> Path:
-    """Copy the package into a folder, with the check among the others; return the folder."""
+def copy_of_library(folder: Path) -> Path:
+    """Copy the package into a folder; return the folder."""
     shutil.copytree(
         Path(audio_checks.__file__).parent, folder / "audio_checks", ignore=shutil.ignore_patterns("__pycache__")
     )
+    return folder
+
+
+def copy_with_check(folder: Path) -> Path:
+    """Copy the package into a folder, with the check among the others; return the folder."""
+    copy_of_library(folder)
     (folder / "audio_checks" / "checks" / "long_crest.py").write_text(CHECK)
     return folder
 
