@@ -65,6 +65,9 @@ def run_in(folder, command, **environment):
     [
         ("vendor.github-actions", "action.yml"),
         ("vendor.gitlab-ci", "integrations/gitlab/audio-checks.gitlab-ci.yml"),
+        ("vendor.github-workflows", ".github/workflows/release.yml"),
+        ("vendor.github-issue-config", ".github/ISSUE_TEMPLATE/config.yml"),
+        *(("vendor.github-issue-forms", f".github/ISSUE_TEMPLATE/{form}.yml") for form in ("bug", "idea", "verdict")),
     ],
 )
 def test_the_files_are_what_their_services_take(schema, path):
