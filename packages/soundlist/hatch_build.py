@@ -20,7 +20,8 @@ class BuiltPage(BuildHookInterface):  # type: ignore[type-arg]
     """Refuses to build a server without its page."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002 - hatchling's interface
-        """Look for the page, except for an editable installation."""
-        page = Path(self.root, "../../frontend/dist/index.html").resolve()
-        if version == "standard" and not page.exists():
-            raise SystemExit(f"the page is not built ({page} is missing); build it first: make .make/page")
+        """Look for the page and the guides, except for an editable installation."""
+        for part in ("index.html", "help/index.html"):
+            page = Path(self.root, "../../frontend/dist", part).resolve()
+            if version == "standard" and not page.exists():
+                raise SystemExit(f"the page is not built ({page} is missing); build it first: make setup")

@@ -89,7 +89,7 @@ class Machine:
         for source in sources:
             path = ROOT / source
             if path.is_dir():
-                ignored = shutil.ignore_patterns("__pycache__", "*.so", "_version.py")  # as .dockerignore does
+                ignored = shutil.ignore_patterns("__pycache__", "*.so", "_version.py", "help")  # as .dockerignore does
                 shutil.copytree(path, folder, ignore=ignored, dirs_exist_ok=True)
             else:
                 folder.mkdir(parents=True, exist_ok=True)
@@ -99,7 +99,7 @@ class Machine:
 @pytest.fixture(scope="module")
 def machine() -> Iterator[Machine]:
     """The file system of the image, which another user can read."""
-    assert (ROOT / "frontend/dist/index.html").exists(), "run: make .make/page"
+    assert (ROOT / "frontend/dist/index.html").exists(), "run: make setup"
     root = Path(tempfile.mkdtemp(prefix="soundlist-image-"))
     root.chmod(0o755)
     programs = root / "python"
@@ -166,7 +166,8 @@ def test_what_runs_is_the_wheels_and_what_the_lock_names(machine: Machine):
     assert "fastapi" in versions
     assert not {"pytest", "mypy", "hatchling", "setuptools-scm"} & set(versions)
     packages = next(machine.root.glob("opt/soundlist/lib/python*/site-packages"))
-    assert (packages / "soundlist/frontend/dist/index.html").exists()
+    for page in ("index.html", "help/how-to/review.html"):
+        assert (packages / "soundlist/frontend/dist" / page).exists()
     assert not list(packages.glob("audio_checks/**/*.c"))
 
 

@@ -110,7 +110,7 @@ def test_the_bills_of_materials_name_what_is_locked(tmp_path: Path):
 @pytest.fixture(scope="module")
 def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A clone of this project at a tag, with its page built."""
-    assert (ROOT / "frontend/dist/index.html").exists(), "run: make .make/page"
+    assert (ROOT / "frontend/dist/help/index.html").exists(), "run: make setup"
     folder = tmp_path_factory.mktemp("source")
     ignored = shutil.ignore_patterns("__pycache__", "*.so", "_version.py")
     for part in PARTS:
@@ -170,7 +170,12 @@ def test_the_server_holds_code_migrations_and_page_in_one_package(release: Path)
         names = opened.namelist()
         metadata = opened.read(f"soundlist-{VERSION}.dist-info/METADATA").decode()
     assert {name.split("/")[0] for name in names if ".dist-info" not in name} == {"soundlist"}
-    for path in ("app/main.py", "migrations/versions/0001_initial.py", "frontend/dist/index.html"):
+    for path in (
+        "app/main.py",
+        "migrations/versions/0001_initial.py",
+        "frontend/dist/index.html",
+        "frontend/dist/help/index.html",
+    ):
         assert f"soundlist/{path}" in names
     assert not [name for name in names if "__pycache__" in name]
     assert f"Requires-Dist: audio-checks=={VERSION}\n" in metadata
@@ -190,14 +195,15 @@ def test_an_archive_without_git_knows_its_version(tmp_path: Path, version: str):
     assert run(sys.executable, "-m", "setuptools_scm", cwd=tmp_path).strip() == version
 
 
-def test_without_a_page_the_server_is_not_built(source: Path, tmp_path: Path):
-    (source / "frontend/dist").rename(tmp_path / "dist")
+def test_without_its_guides_the_server_is_not_built(source: Path, tmp_path: Path):
+    guides = source / "frontend/dist/help"
+    guides.rename(tmp_path / "help")
     try:
         command = [UV, "build", "--no-build-isolation", "--python", sys.executable, "--wheel"]
         command += ["--package", "soundlist", "--out-dir", str(tmp_path)]
         done = subprocess.run(command, cwd=source, capture_output=True, text=True)
     finally:
-        (tmp_path / "dist").rename(source / "frontend/dist")
+        (tmp_path / "help").rename(guides)
     assert done.returncode != 0
     assert "the page is not built" in done.stdout + done.stderr
 
@@ -305,4 +311,5 @@ def test_the_installed_demo_serves_health_page_and_interface(demo: httpx.Client)
     assert "<title>Soundlist</title>" in page.text
     script = page.text.partition('src="/assets/')[2].partition('"')[0]
     assert demo.get(f"/assets/{script}").headers["content-type"].startswith("text/javascript")
+    assert "<title>" in demo.get("/help/").text
     assert demo.get("/v1/openapi.json").json()["info"]["title"] == "Soundlist"
