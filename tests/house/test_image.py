@@ -131,7 +131,8 @@ def user_id() -> int:
 def interpreter() -> tuple[str, int | None]:
     """Return a Python, and the user to run it as: that of the image, where this process may become it."""
     own = os.path.realpath(sys.executable)
-    test = "import ensurepip, sys, sysconfig; sys.exit(sys.version_info < (3, 11))"
+    has_headers = "os.path.exists(os.path.join(sysconfig.get_path('include'), 'Python.h'))"
+    test = f"import ensurepip, os, sys, sysconfig; sys.exit(sys.version_info < (3, 11) or not {has_headers})"
     for python in (own, "/usr/bin/python3") if os.geteuid() == 0 else ():
         with contextlib.suppress(OSError):  # in a folder of root's own
             if subprocess.run([python, "-c", test], user=user_id()).returncode == 0:
