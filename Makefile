@@ -146,6 +146,7 @@ fix: setup  ## Format and fix what can be fixed by itself
 
 docs: setup  ## Write the generated pages
 	$(BIN)/python -m audio_checks.cli.pages docs/checks
+	$(BIN)/python -m tests.support.architecture docs/pictures/architecture.svg
 
 docs-site: .make/python  # Build the guides as a site, which the server has at /help
 	@$(BIN)/python .ci/docs_site.py

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support import architecture
+
 pytestmark = pytest.mark.lint
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -148,3 +150,14 @@ def test_every_request_that_user_pages_name_is_one():
     }
     assert len(named) > 100
     assert named - requests == set()
+
+
+def test_the_picture_of_the_architecture_is_that_of_the_imports():
+    shown = (ROOT / "docs/pictures/architecture.svg").read_text(encoding="utf-8")
+    assert shown == architecture.svg(), "run: make docs"
+
+
+def test_an_import_that_follows_from_others_is_not_drawn():
+    imports = {"shares": {"reviews", "core"}, "reviews": {"core"}, "core": set()}
+    assert architecture.reduced(imports) == {"shares": {"reviews"}, "reviews": {"core"}, "core": set()}
+    assert architecture.heights(imports) == {"core": 0, "reviews": 1, "shares": 2}
