@@ -50,7 +50,7 @@ export default defineConfig({
     // A fast test takes at most 1 s of a processor.
     testTimeout: 10_000,
     // Hooks load the parts of a page, which takes long on a loaded machine.
-    hookTimeout: 60_000,
+    hookTimeout: 15_000,
     tags: [{ name: 'slow', description: 'Left to `npm run test:slow`.', timeout: 60_000 }],
     projects: [
       // Files share a page environment and modules: to load them for each doubled what the tests of screens cost.

@@ -51,6 +51,7 @@ class MyProject(Schema):
     approves_all: bool = Field(description="False for who approves some categories only, or none.")
     engagement_kind: EngagementKind | None
     nda_open: bool = Field(description="Brief, list and spec stay closed to the caller until the NDA is agreed.")
+    is_sample: bool = Field(default=False, description="The sample project, which one request deletes.")
 
 
 class Me(Schema):

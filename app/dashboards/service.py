@@ -79,6 +79,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
                     and project.id in engagements
                     and nda_is_pending(project, engagements[project.id])
                 ),
+                is_sample=project.is_sample,
             )
             for project in projects
         ],

@@ -15,5 +15,9 @@ class ErasureRefused(Conflict):
     """Something requires that this stays, or ends first."""
 
 
+class NotASample(Conflict):
+    """The project is not a sample, and goes by a confirmed erasure only."""
+
+
 class ConfirmationMismatch(Invalid):
     """The typed confirmation is not the name of what is to be erased."""

@@ -26,6 +26,7 @@ class Project(StudioOwned, Dated, Base):
     archived_at: Mapped[datetime | None]
     nda_needed: Mapped[bool] = mapped_column(default=False)  # designers see brief, list and spec once they accepted it
     designers_hear: Mapped[DesignersHear] = mapped_column(default=DesignersHear.APPROVED)  # of other designers' sounds
+    is_sample: Mapped[bool] = mapped_column(default=False)  # made to look around in, and deleted by one request
     studio: Mapped[Studio] = relationship(lazy="raise")
 
     @property

@@ -21,6 +21,11 @@ def project_by_id(session: Session, project_id: UUID) -> Project | None:
     return session.get(Project, project_id)
 
 
+def sample_of_studio(session: Session, studio_id: UUID) -> Project | None:
+    """Return the sample project of a studio, archived or not."""
+    return session.scalar(select(Project).where(Project.studio_id == studio_id, Project.is_sample).limit(1))
+
+
 projects_count = Usage(Project.studio_id)  # archived ones included
 
 

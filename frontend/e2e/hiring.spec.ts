@@ -54,7 +54,7 @@ async function hire(browser: Browser, url: string): Promise<void> {
     await producer.keyboard.press('Enter')
     await producer.getByLabel('Game title').fill('Deep Field')
     await producer.keyboard.press('Enter')
-    await expect(producer.getByText('The sound list is empty')).toBeVisible()
+    await expect(producer.getByRole('heading', { name: 'Which sounds do you need?' })).toBeVisible()
     await producer.getByRole('navigation', { name: 'Areas' }).getByRole('link', { name: 'Sounds' }).click()
     await producer.getByRole('navigation', { name: 'Pages of Sounds' }).getByRole('link', { name: 'Brief' }).click()
     await producer.getByRole('region', { name: 'What kind of game is it?' }).getByRole('textbox').fill('A platformer')

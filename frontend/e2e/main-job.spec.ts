@@ -116,7 +116,7 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     await producer.getByLabel('Description (optional)').fill('Salvage in deep space, on headphones.')
     await producer.getByRole('radio', { name: 'CD rate: 44.1 kHz / 16 bit' }).check()
     await producer.getByRole('button', { name: 'Create project' }).click()
-    await expect(producer.getByText('The sound list is empty')).toBeVisible()
+    await expect(producer.getByRole('heading', { name: 'Which sounds do you need?' })).toBeVisible()
     project = projectOf(producer)
   })
 

@@ -75,7 +75,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     await producer.press('Enter')
     await producer.type(page.getByLabel('Game title'), 'Deep Field')
     await producer.press('Enter')
-    await expect(page.getByText('The sound list is empty')).toBeVisible()
+    await expect(page.getByRole('heading', { name: 'Which sounds do you need?' })).toBeVisible()
     await producer.click(badge(page, 'Today'))
     await producer.click(next(page, 'Add the sounds that the game needs').getByRole('link').first())
     await producer.type(page.getByLabel('Pasted rows'), SHEET)

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_03b66f56"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_201b08b6"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -539,6 +539,7 @@ def upgrade() -> None:
         sa.Column("archived_at", sa.DateTime(timezone=True)),
         sa.Column("nda_needed", sa.Boolean(), nullable=False),
         sa.Column("designers_hear", sa.Enum("own", "approved", "waiting", name="designershear", native_enum=False, length=32), nullable=False),
+        sa.Column("is_sample", sa.Boolean(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(["created_by"], ["accounts_people.id"], name=op.f("fk_projects_projects_created_by")),

@@ -3,6 +3,8 @@ import type { ReactNode } from 'react'
 export interface ShellProject {
   id: string
   name: string
+  /** Made to look around in, and deleted by one press. */
+  isSample?: boolean
 }
 
 /** What the top bar shows of the current person. */

@@ -63,7 +63,12 @@ export class Player implements Clock {
     }
     const wasPlaying = this.isPlaying()
     this.#source = source
-    this.#notify({ sourceId: source.id, takeId: source.takeId ?? null, error: null })
+    this.#notify({
+      sourceId: source.id,
+      takeId: source.takeId ?? null,
+      fromStart: !wasPlaying && this.#positionS === 0,
+      error: null,
+    })
     const asked = ++this.#asked
     const buffer = await this.#read(source, asked, wasPlaying ? 'first' : 'select')
     if (buffer === null) return
@@ -81,6 +86,8 @@ export class Player implements Clock {
     // Within the press itself, or the browser keeps it silent.
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
+    const isAsked = fromS !== undefined || this.#positionS === 0 // else it goes on from where it was paused
+    if (isAsked) this.#notify({ fromStart: !fromS })
     if (!this.previews.has(source.url)) this.#notify({ status: 'loading', error: null })
     const wanted = wantedOf(source, this.#store.state, fromS ?? this.#positionS)
     const buffer = await this.#read(source, asked, 'first', wanted)
@@ -107,6 +114,7 @@ export class Player implements Clock {
   seek(s: number): void {
     this.#leaveSet()
     const positionS = Math.max(0, this.#store.state.durationS > 0 ? Math.min(s, this.#store.state.durationS) : s)
+    this.#notify({ fromStart: positionS === 0 })
     this.#soundOrMove(this.#voice?.buffer, positionS)
   }
 
@@ -249,9 +257,11 @@ export class Player implements Clock {
 
   /** Wait where it is for more of the sound. */
   #starve(positionS: number): void {
+    const { fromStart } = this.#store.state
     this.#silence()
     this.#moved(positionS)
     void this.play(positionS)
+    this.#notify({ fromStart })
   }
 
   /** Put more of the sound, or the exact sound, in the place of what is heard: at the same sample, without a gap. */

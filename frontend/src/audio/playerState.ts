@@ -50,6 +50,8 @@ export interface PlayerState {
   range: TimeRange | null
   reversed: boolean
   matched: boolean
+  /** What is heard began at its start, and nothing of it was left out since. */
+  fromStart: boolean
   /** A set is being played as the game does. */
   asGame: boolean
   error: string | null
@@ -66,6 +68,7 @@ export const SILENT: PlayerState = {
   range: null,
   reversed: false,
   matched: true,
+  fromStart: true,
   asGame: false,
   error: null,
   isLight: false,

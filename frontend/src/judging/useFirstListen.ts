@@ -70,7 +70,8 @@ export function useFirstListen({ player, playing, takes, play }: Listened): Firs
         approve()
         return
       }
-      const isUnderWay = isSounding && !playing.asGame && left.some(({ id }) => id === playing.takeId)
+      const isWhole = playing.fromStart && playing.range === null && !playing.asGame
+      const isUnderWay = isSounding && isWhole && left.some(({ id }) => id === playing.takeId)
       setWantedIds(left.map(({ id }) => id))
       if (!isUnderWay && left[0]) play(left[0])
     },

@@ -228,6 +228,7 @@ export function aMe(project: Partial<Me['projects'][number]> = {}): Me {
         approves_all: true,
         engagement_kind: null,
         nda_open: false,
+        is_sample: false,
         ...project,
       },
     ],

@@ -7,6 +7,7 @@ import { useFirstSign } from '../firstSign'
 import { useHotkeys } from '../keys'
 import { LazyDialog } from '../LazyDialog'
 import { useCommands } from '../palette'
+import { SampleBanner } from '../SampleProject'
 import type { Session } from '../session'
 import { loadAhead } from '../startEarly'
 import { ProjectName } from '../title'
@@ -87,6 +88,9 @@ export function Shell({ session }: { session: Session }) {
         onKeys={() => setShowingKeys(true)}
       />
       <AwayNote />
+      {data.project?.isSample && pathname.startsWith(`/projects/${data.project.id}`) && (
+        <SampleBanner projectId={data.project.id} isProducer={data.isProducer} />
+      )}
       <Main>
         {data.project && data.ndaOpen && isClosed(pathname, data.project.id) ? (
           <NdaFirst projectId={data.project.id} go={go} />

@@ -93,7 +93,7 @@ function useShell(): ShellData {
   return {
     person: { name: me.person.name, role: partWord(me, project), picture: me.person.picture },
     side: project ? (isTeam ? 'studio' : 'designer') : me.studios.length > 0 ? 'studio' : 'designer',
-    project: project ? { id: project.id, name: project.name } : null,
+    project: project ? { id: project.id, name: project.name, isSample: project.is_sample } : null,
     ndaOpen: project?.nda_open ?? false,
     isParty: isParty(project),
     isProducer: project ? project.is_producer : roles.includes('producer'),

@@ -5,10 +5,12 @@ import { useState } from 'react'
 
 import { meQuery } from '@/api/me'
 import { formDraft, keepDraft } from '@/app/drafts'
+import { useOpenSample } from '@/app/SampleProject'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
 import { Field, Form, Submit, useField } from '@/ui/Form'
+import { Refusal } from '@/ui/Refusal'
 import { Sheet } from '@/ui/Sheet'
 import { PageSkeleton } from '@/ui/Skeleton'
 
@@ -77,92 +79,126 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
   const [preset, setPreset] = useState<Preset>('48k')
   const [studioId, setStudioId] = useState(studios[0]?.id ?? '')
   const [showsOptions, setShowsOptions] = useState(false)
+  const [isSample, setSample] = useState(false)
+  const sample = useOpenSample(studioId)
   const prefix = typedPrefix ?? proposedPrefix(name)
   const isShown = showsOptions || against(open.error, 'cue_prefix') !== undefined
   return (
     <Sheet wide>
       <h1>{isFirst ? 'What is the game called?' : 'New project'}</h1>
-      <Form
-        {...draft}
-        mutation={open}
-        onSubmit={(values) =>
-          open.mutate(
-            { ...values, studio_id: studioId, cue_prefix: prefix, preset },
-            {
-              onSuccess: ({ id: projectId }) => {
-                keepDraft('new-project', null)
-                void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
+      {isFirst && <FirstChoice isSample={isSample} onChange={setSample} />}
+      {isSample ? (
+        <>
+          <Button variant="primary" aria-busy={sample.isPending} onClick={() => sample.mutate()}>
+            Open sample project
+          </Button>
+          <Refusal error={sample.error} />
+        </>
+      ) : (
+        <Form
+          {...draft}
+          mutation={open}
+          onSubmit={(values) =>
+            open.mutate(
+              { ...values, studio_id: studioId, cue_prefix: prefix, preset },
+              {
+                onSuccess: ({ id: projectId }) => {
+                  keepDraft('new-project', null)
+                  void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
+                },
               },
-            },
-          )
-        }
-      >
-        <Field name="name" label="Game title" autoComplete="off" onValue={setName} />
-        <p className="small mid">
-          {prefix === '' ? 'Cues are numbered by the initials of the title.' : `Cue numbers start with ${prefix}.`}{' '}
-          {PRESETS[preset].accepts} You can change everything later.
-        </p>
-        {isShown && (
-          <>
-            {studios.length > 1 && (
-              <Select
-                label="Studio"
-                data={studios.map(({ id, name: label }) => ({ value: id, label }))}
-                value={studioId}
-                onChange={(value) => setStudioId(value ?? studioId)}
-                allowDeselect={false}
-              />
-            )}
-            <TextInput
-              label="Cue ID prefix"
-              description="1–8 letters or digits"
-              value={prefix}
-              onChange={({ currentTarget }) => setTypedPrefix(currentTarget.value.toUpperCase())}
-              error={against(open.error, 'cue_prefix')}
-            />
-            <DescriptionField />
-            <fieldset className={classes.presets}>
-              <legend>Delivery spec</legend>
-              {(Object.keys(PRESETS) as Preset[]).map((key) => {
-                const { head, accepts, makes, when } = PRESETS[key]
-                return (
-                  <label key={key} className={classes.preset} data-chosen={preset === key || undefined}>
-                    <input
-                      type="radio"
-                      name="preset"
-                      value={key}
-                      checked={preset === key}
-                      onChange={() => setPreset(key)}
-                      aria-describedby={`preset-${key}`}
-                      aria-label={head}
-                    />
-                    <span>
-                      <span className="strong">{head}</span>
-                      <span id={`preset-${key}`} className={`mid ${classes.facts}`}>
-                        <span>{accepts}</span>
-                        <span>{makes}</span>
-                        <span className="dim">{when}</span>
-                      </span>
-                    </span>
-                  </label>
-                )
-              })}
-            </fieldset>
-          </>
-        )}
-        <Submit
-          keys="Enter"
-          beside={
-            <Button variant="quiet" aria-expanded={isShown} onClick={() => setShowsOptions(!showsOptions)}>
-              More options
-            </Button>
+            )
           }
         >
-          Create project
-        </Submit>
-        {isFirst && <p className="small mid">Invited to a project? Open the link in the email that invited you.</p>}
-      </Form>
+          <Field name="name" label="Game title" autoComplete="off" onValue={setName} />
+          <p className="small mid">
+            {prefix === '' ? 'Cues are numbered by the initials of the title.' : `Cue numbers start with ${prefix}.`}{' '}
+            {PRESETS[preset].accepts} You can change everything later.
+          </p>
+          {isShown && (
+            <>
+              {studios.length > 1 && (
+                <Select
+                  label="Studio"
+                  data={studios.map(({ id, name: label }) => ({ value: id, label }))}
+                  value={studioId}
+                  onChange={(value) => setStudioId(value ?? studioId)}
+                  allowDeselect={false}
+                />
+              )}
+              <TextInput
+                label="Cue ID prefix"
+                description="1–8 letters or digits"
+                value={prefix}
+                onChange={({ currentTarget }) => setTypedPrefix(currentTarget.value.toUpperCase())}
+                error={against(open.error, 'cue_prefix')}
+              />
+              <DescriptionField />
+              <fieldset className={classes.presets}>
+                <legend>Delivery spec</legend>
+                {(Object.keys(PRESETS) as Preset[]).map((key) => {
+                  const { head, accepts, makes, when } = PRESETS[key]
+                  return (
+                    <label key={key} className={classes.preset} data-chosen={preset === key || undefined}>
+                      <input
+                        type="radio"
+                        name="preset"
+                        value={key}
+                        checked={preset === key}
+                        onChange={() => setPreset(key)}
+                        aria-describedby={`preset-${key}`}
+                        aria-label={head}
+                      />
+                      <span>
+                        <span className="strong">{head}</span>
+                        <span id={`preset-${key}`} className={`mid ${classes.facts}`}>
+                          <span>{accepts}</span>
+                          <span>{makes}</span>
+                          <span className="dim">{when}</span>
+                        </span>
+                      </span>
+                    </label>
+                  )
+                })}
+              </fieldset>
+            </>
+          )}
+          <Submit
+            keys="Enter"
+            beside={
+              <Button variant="quiet" aria-expanded={isShown} onClick={() => setShowsOptions(!showsOptions)}>
+                More options
+              </Button>
+            }
+          >
+            Create project
+          </Submit>
+          {isFirst && <p className="small mid">Invited to a project? Open the link in the email that invited you.</p>}
+        </Form>
+      )}
     </Sheet>
+  )
+}
+
+/** Their own sounds, or a look around first. */
+function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isSample: boolean) => void }) {
+  const choices = [
+    { value: false, head: 'My own sounds', about: 'Paste a sheet or type a few names.' },
+    { value: true, head: 'A sample project', about: '24 sounds to hear and review. Delete it when done.' },
+  ]
+  return (
+    <fieldset className={classes.presets}>
+      <legend>Begin with</legend>
+      {choices.map(({ value, head, about }) => (
+        <label key={head} className={classes.preset} data-chosen={isSample === value || undefined}>
+          <input type="radio" name="begin" checked={isSample === value} onChange={() => onChange(value)} />
+          <span>
+            <span className="strong">{head}</span>
+            <span className={`mid ${classes.facts}`}>{about}</span>
+          </span>
+        </label>
+      ))}
+    </fieldset>
   )
 }
 

@@ -46,6 +46,19 @@ describe('the overview of a project', () => {
     expect(main.queryAllByRole('link').length + main.queryAllByRole('button').length).toBeLessThanOrEqual(20)
   })
 
+  test.each([
+    ['1', '/projects/p1/sound-list'],
+    ['2', '/projects/p1/people'],
+    ['3', '/projects/p1/money'],
+    ['4', '/projects/p1/packs'],
+  ])('the key %s opens its card', async (key, path) => {
+    serve(inProject('producer', next))
+    const { at } = openApp('/projects/p1')
+    await screen.findByRole('region', { name: /^Next pack/ })
+    await userEvent.keyboard(key)
+    await waitFor(() => expect(at()).toBe(path))
+  })
+
   test('a card that could not be read says so, and the others stand', async () => {
     serve(inProject('producer', { ...next, 'GET /v1/projects/p1/money': refusal(500, 'broken', 'the sums broke') }))
     openApp('/projects/p1')

@@ -15,6 +15,7 @@ import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
 import { age, figure, plural, shortDay } from '@/ui/format'
+import { Key } from '@/ui/Key'
 import { Meter } from '@/ui/Meter'
 import { Refusal } from '@/ui/Refusal'
 import { PageSkeleton, Skeleton } from '@/ui/Skeleton'
@@ -26,7 +27,7 @@ import { PlaylistsCard } from './PlaylistsCard'
 import { type Status, STATUSES } from './steps'
 import { KIND_WORDS, otherMembers } from './words'
 
-/** A project at one glance: the next step, and four cards that lead on. */
+/** A project at one glance: the next step, and four cards that lead on, each by its number. */
 export function ProjectPage() {
   useTitle('Overview')
   const { projectId } = useParams({ from: '/shell/projects/$projectId' })
@@ -90,8 +91,8 @@ function NextStep({ projectId }: { projectId: string }) {
 interface OverviewCardProps {
   title: string
   note?: string
-  /** Where the card's subject is shown in full. */
-  link: { label: string; to: string }
+  /** Where the card's subject is shown in full, and the key that opens it. */
+  link: { label: string; to: string; keys: string }
   error: unknown
   children: ReactNode
 }
@@ -99,6 +100,8 @@ interface OverviewCardProps {
 /** One card; while its figures are asked for, and where they could not be read, its head stands. */
 function OverviewCard({ title, note, link, error, children }: OverviewCardProps) {
   const id = `overview-${title.toLowerCase().replace(' ', '-')}`
+  const navigate = useNavigate()
+  useHotkeys([{ keys: link.keys, label: link.label, group: 'Overview', run: () => void navigate({ href: link.to }) }])
   return (
     <Card aria-labelledby={id}>
       <CardHead
@@ -106,8 +109,8 @@ function OverviewCard({ title, note, link, error, children }: OverviewCardProps)
         title={title}
         note={note}
         end={
-          <Link className="link small" to={link.to as LinkProps['to']}>
-            {link.label}
+          <Link className="link small" to={link.to as LinkProps['to']} aria-keyshortcuts={link.keys}>
+            {link.label} <Key keys={link.keys} />
           </Link>
         }
       />
@@ -125,7 +128,11 @@ function SoundsCard({ projectId }: { projectId: string }) {
   const milestones = (earned?.contracts ?? []).flatMap((contract) => contract.milestones).filter((m) => !m.is_deposit)
   const words = statuses.map((status) => `${counts[status]} ${STATUSES[status].word.toLowerCase()}`).join(', ')
   return (
-    <OverviewCard title="Sounds" link={{ label: 'Open list', to: `/projects/${projectId}/sound-list` }} error={error}>
+    <OverviewCard
+      title="Sounds"
+      link={{ label: 'Open list', to: `/projects/${projectId}/sound-list`, keys: '1' }}
+      error={error}
+    >
       {overview && (
         <>
           <p>
@@ -179,8 +186,8 @@ function PeopleCard({ project }: { project: Project }) {
   ]
   const others = (members?.length ?? 0) - (people.length - designers.length)
   const link = mine.is_team
-    ? { label: 'Open team', to: `/projects/${projectId}/people` }
-    : { label: 'Credits', to: `/projects/${projectId}/credits` }
+    ? { label: 'Open team', to: `/projects/${projectId}/people`, keys: '2' }
+    : { label: 'Credits', to: `/projects/${projectId}/credits`, keys: '2' }
   return (
     <OverviewCard title="People" link={link} error={error}>
       <ul className={classes.rows} aria-label="People">
@@ -207,7 +214,11 @@ function PeopleCard({ project }: { project: Project }) {
 function MoneyCard({ projectId }: { projectId: string }) {
   const { data, error } = useQuery(moneyQuery(projectId))
   return (
-    <OverviewCard title="Money" link={{ label: 'Open invoices', to: `/projects/${projectId}/money` }} error={error}>
+    <OverviewCard
+      title="Money"
+      link={{ label: 'Open invoices', to: `/projects/${projectId}/money`, keys: '3' }}
+      error={error}
+    >
       {data?.totals.length === 0 && <p className="mid">No signed contract yet.</p>}
       {data?.totals.map(({ currency, figures: { paid_minor, agreed_minor, due_minor, open_minor } }) => (
         <div key={currency} className="stack">
@@ -239,7 +250,7 @@ function NextPackCard({ projectId }: { projectId: string }) {
   return (
     <OverviewCard
       title="Next pack"
-      link={{ label: 'Open packs', to: `/projects/${projectId}/packs` }}
+      link={{ label: 'Open packs', to: `/projects/${projectId}/packs`, keys: '4' }}
       error={isWithoutTarget ? null : error}
     >
       {isWithoutTarget && <p className="mid">The spec has no targets, so no game files are rendered.</p>}

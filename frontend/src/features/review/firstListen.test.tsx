@@ -78,6 +78,21 @@ describe('an approval of what was not heard', () => {
     },
   )
 
+  test('plays a sound from its start that plays from its middle', async () => {
+    await openOne()
+    await userEvent.keyboard(' ')
+    await sounds(1)
+    screen.getByRole('slider', { name: /position/i }).focus()
+    await userEvent.keyboard('{ArrowRight}')
+    await waitFor(() => expect(context.started.at(-1)?.fromS).toBeGreaterThan(0))
+    const jumped = context.started.length
+    await userEvent.keyboard('a')
+    await sounds(jumped + 1)
+    await userEvent.keyboard('a')
+    expect(context.started).toHaveLength(jumped + 1) // now it is whole, and goes on
+    expect(decisions()).toEqual([])
+  })
+
   test('is not given by a reason either', async () => {
     await openOne()
     await userEvent.keyboard('p1')

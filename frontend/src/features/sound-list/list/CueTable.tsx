@@ -54,11 +54,13 @@ interface CueTableProps {
   onSelect: (id: string) => void
   onPick: (id: string, extend: boolean) => void
   onPlay: (row: CueRow) => void
+  /** Answer what is unclear about a cue; missing for those who only read. */
+  onClarify?: (id: string) => void
 }
 
 /** The list: dense rows under headings; two lines a row on a narrow screen. */
 export function CueTable(props: CueTableProps) {
-  const { groups, projectId, selectedId, picked, mayPick, playingId, open, onSelect, onPick, onPlay } = props
+  const { groups, projectId, selectedId, picked, mayPick, playingId, open, onSelect, onPick, onPlay, onClarify } = props
   const table = useRef<HTMLTableElement>(null)
   const openId = open?.id
   const items = useMemo(() => itemsOf(groups, openId), [groups, openId])
@@ -202,6 +204,7 @@ export function CueTable(props: CueTableProps) {
               onSelect={onSelect}
               onPick={onPick}
               onPlay={onPlay}
+              onClarify={onClarify}
               measure={drawn.measure}
             />
           )
@@ -235,6 +238,7 @@ interface LineProps {
   onSelect: (id: string) => void
   onPick: (id: string, extend: boolean) => void
   onPlay: (row: CueRow) => void
+  onClarify: ((id: string) => void) | undefined
   measure: ((row: Element | null) => void) | undefined
 }
 
@@ -253,6 +257,7 @@ const Line = memo(function Line(props: LineProps) {
     onSelect,
     onPick,
     onPlay,
+    onClarify,
     measure,
   } = props
   const { cue } = row
@@ -312,7 +317,14 @@ const Line = memo(function Line(props: LineProps) {
         <SetOrLoop row={row} />
       </td>
       {columns === null ? (
-        <StateCells row={row} selected={selected} playing={playing} onSelect={onSelect} onPlay={onPlay} />
+        <StateCells
+          row={row}
+          selected={selected}
+          playing={playing}
+          onSelect={onSelect}
+          onPlay={onPlay}
+          onClarify={onClarify}
+        />
       ) : (
         <>
           {people !== null &&
@@ -335,10 +347,17 @@ const Line = memo(function Line(props: LineProps) {
   )
 })
 
-type StateCellsProps = Pick<LineProps, 'row' | 'selected' | 'playing' | 'onSelect' | 'onPlay'>
+type StateCellsProps = Pick<LineProps, 'row' | 'selected' | 'playing' | 'onSelect' | 'onPlay' | 'onClarify'>
 
-function StateCells({ row, selected, playing, onSelect, onPlay }: StateCellsProps) {
+function StateCells({ row, selected, playing, onSelect, onPlay, onClarify }: StateCellsProps) {
   const { cue, stands } = row
+  const remark = (
+    <>
+      {stands.before}
+      {stands.marked && <span className={`tone-${stands.tone} toned`}>{stands.marked}</span>}
+      {stands.after}
+    </>
+  )
   return (
     <>
       <td data-place="wave">
@@ -363,9 +382,22 @@ function StateCells({ row, selected, playing, onSelect, onPlay }: StateCellsProp
         <State kind={row.kind}>{row.stateWords}</State>
       </td>
       <td className="mid" data-place="stands" title={`${stands.before}${stands.marked}${stands.after}`}>
-        {stands.before}
-        {stands.marked && <span className={`tone-${stands.tone} toned`}>{stands.marked}</span>}
-        {stands.after}
+        {onClarify && row.unclear.length > 0 ? (
+          <button
+            type="button"
+            className={classes.remark}
+            aria-label={`Answer what is unclear about ${cue.name}`}
+            onClick={(event) => {
+              event.stopPropagation()
+              onSelect(row.id)
+              onClarify(row.id)
+            }}
+          >
+            {remark}
+          </button>
+        ) : (
+          remark
+        )}
       </td>
     </>
   )

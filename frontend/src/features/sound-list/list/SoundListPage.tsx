@@ -129,6 +129,10 @@ export function SoundListPage(): ReactNode {
     setAdding(null)
     setPanel({ id: selected.id, kind })
   }
+  const clarify = useCallback((id: string) => {
+    setAdding(null)
+    setPanel({ id, kind: 'clarify' })
+  }, [])
   const changeNeed = ({ cue }: CueRow) => {
     if (change.isPending) return
     const wanted = nextNeed(cue.need)
@@ -260,7 +264,7 @@ export function SoundListPage(): ReactNode {
           onClose={() => setAdding(null)}
         />
       )}
-      {isEmpty && !adding && <EmptyList mayEdit={rights.edits} onAdd={() => add()} onImport={toImport} />}
+      {isEmpty && !adding && <EmptyList mayEdit={rights.edits} onImport={toImport} />}
       {cues.length > 0 && shown.length === 0 && (
         <EmptyState
           head={sought ? `No cue matches “${sought}”.` : 'No cue is in this state.'}
@@ -307,6 +311,7 @@ export function SoundListPage(): ReactNode {
           onSelect={select}
           onPick={pick}
           onPlay={play}
+          onClarify={rights.edits ? clarify : undefined}
         />
       )}
       {cues.length > 0 && (

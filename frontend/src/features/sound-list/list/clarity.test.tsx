@@ -52,6 +52,12 @@ test('a key answers the first question, d dismisses the next, and the panel clos
   expect(screen.queryByText(/Unclear/)).not.toBeInTheDocument()
 })
 
+test('a press on the remark opens the same questions', async () => {
+  await opened()
+  await userEvent.click(await screen.findByRole('button', { name: 'Answer what is unclear about coolant_splash' }))
+  expect(await screen.findByRole('region', { name: 'What is unclear about coolant_splash' })).toBeVisible()
+})
+
 test('what is typed stays when the server refuses it', async () => {
   const { server, id } = await opened()
   server.answers[`POST /v1/cues/${id}/clarity/size/answer`] = refusal(409, 'cue-is-cut', 'SW-001 is cut')
@@ -65,5 +71,6 @@ test('what is typed stays when the server refuses it', async () => {
 test('a designer reads what is open and has no key for it', async () => {
   await opened('designer')
   await userEvent.keyboard('jc')
+  expect(screen.queryByRole('button', { name: /^Answer what is unclear/ })).not.toBeInTheDocument()
   expect(screen.queryByRole('region', { name: /What is unclear/ })).not.toBeInTheDocument()
 })
