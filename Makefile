@@ -157,7 +157,7 @@ migration: setup  ## Write the migration that makes every table of the models
 openapi: .make/kernel .make/node  ## Write the OpenAPI document and the frontend's types
 	$(BIN)/soundlist openapi frontend/openapi.json
 	$(BIN)/python -m tests.support.described_checks frontend/src/test/checks.json
-	$(BIN)/python -m tests.support.browser_vectors frontend/src/features/desk/precheck/vectors.json
+	$(BIN)/python -m tests.support.browser_vectors frontend/src/precheck/vectors.json
 	cd frontend && npm run --silent gen
 
 completions: .make/kernel  # Write the completion scripts of audio-checks

@@ -53,6 +53,7 @@ from app.notifications.preferences.endpoints import router as mail_preferences
 from app.operations.endpoints import router as operations
 from app.operations.erasure.endpoints import router as erasures
 from app.operations.retention.endpoints import router as master_retention
+from app.operations.samples.endpoints import router as samples
 from app.projects.approval.endpoints import router as approval
 from app.projects.budgets.endpoints import router as budgets
 from app.projects.endpoints import router as projects
@@ -166,4 +167,5 @@ ROUTERS: tuple[APIRouter, ...] = (
     operations,
     erasures,
     master_retention,
+    samples,
 )

@@ -8,6 +8,7 @@ const lower = {
   losses: 'app|judging|mending|money|uploads|parts',
   money: 'app|audio|judging|losses|mending|uploads|parts',
   mending: 'losses|uploads|parts',
+  precheck: 'app|audio|losses|mending|money|ui|uploads|parts',
 }
 
 module.exports = {

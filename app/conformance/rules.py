@@ -15,7 +15,7 @@ from app.deliveries.rules import TakeState
 
 TRIES = 3
 # Checks of which the desk knows the result before a file is sent. The page computes these from the bytes, held to
-# frontend/src/features/desk/precheck/vectors.json; what is wrong with a name the server answers.
+# frontend/src/precheck/vectors.json; what is wrong with a name the server answers.
 JUDGED_IN_BROWSER = (
     "container", "encoding", "sample-rate", "bit-depth", "channels", "duration", "sample-peak", "silence",
 )  # fmt: skip

@@ -12,7 +12,7 @@ from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
 
 ROOT = Path(__file__).resolve().parents[3]
-VECTORS = ROOT / "frontend/src/features/desk/precheck/vectors.json"
+VECTORS = ROOT / "frontend/src/precheck/vectors.json"
 
 
 def preview(world: World, *files: dict[str, Any], **further: Any) -> dict[str, Any]:

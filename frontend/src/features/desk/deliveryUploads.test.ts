@@ -7,7 +7,7 @@ import { serve } from '@/test/server'
 import { ANY_FILE } from '@/uploads'
 
 import { DeliveryUploads } from './deliveryUploads'
-import vectors from './precheck/vectors.json'
+import vectors from '@/precheck/vectors.json'
 
 test('a renamed file is sent with the name that it had', async () => {
   const bytes = Uint8Array.from(atob(vectors[0]!.bytes), (one) => one.charCodeAt(0))

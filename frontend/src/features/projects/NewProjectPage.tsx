@@ -191,7 +191,13 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
       <legend>Begin with</legend>
       {choices.map(({ value, head, about }) => (
         <label key={head} className={classes.preset} data-chosen={isSample === value || undefined}>
-          <input type="radio" name="begin" checked={isSample === value} onChange={() => onChange(value)} />
+          <input
+            type="radio"
+            name="begin"
+            aria-label={`${head}. ${about}`}
+            checked={isSample === value}
+            onChange={() => onChange(value)}
+          />
           <span>
             <span className="strong">{head}</span>
             <span className={`mid ${classes.facts}`}>{about}</span>

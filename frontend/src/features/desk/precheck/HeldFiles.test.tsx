@@ -10,9 +10,9 @@ import { serve } from '@/test/server'
 import type { Picked } from '@/uploads'
 
 import { HeldFiles } from './HeldFiles'
-import { judgeFile } from './judge'
+import { judgeFile } from '@/precheck/judge'
 import { Precheck } from './precheck'
-import vectors from './vectors.json'
+import vectors from '@/precheck/vectors.json'
 
 const vector = (name: string) => vectors.find((one) => one.name === name)!
 const bytesOf = (base64: string) => Uint8Array.from(atob(base64), (one) => one.charCodeAt(0))

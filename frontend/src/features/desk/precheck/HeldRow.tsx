@@ -1,12 +1,11 @@
 import { TextInput } from '@mantine/core'
 import type { FormEvent } from 'react'
 
-import { wordsOf } from '@/judging/findings'
 import { Button } from '@/ui/Button'
 import { State } from '@/ui/State'
 
-import { fixInWords, isAllFixed } from './autoFix'
-import type { Finding } from './findings'
+import { fixInWords, isAllFixed } from '@/precheck/autoFix'
+import { FindingLine } from '@/precheck/FindingLine'
 import classes from './HeldFiles.module.css'
 import type { HeldFile } from './held'
 import { isRenamable, heldStateOf } from './renames'
@@ -41,10 +40,14 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
           </span>
         )}
         {findings.map((finding) => (
-          <FindingLine key={finding.code} finding={finding} isFixable={standing === 'fixable'} />
+          <FindingLine
+            key={finding.code}
+            finding={finding}
+            fix={standing === 'fixable' && isAllFixed(finding) ? '' : finding.fix}
+          />
         ))}
         {standing === 'fixable' && (
-          <p className={classes.finding}>
+          <p>
             <State kind="fixable" />{' '}
             <span className="mid">
               {cue === '' ? 'Once its cue is chosen, a' : 'A'} fix {fixInWords(findings)}. It is offered on this desk
@@ -53,7 +56,7 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
           </p>
         )}
         {standing === 'unnamed' && (
-          <p className={`${classes.finding} tone-warn`}>
+          <p className="tone-warn">
             <span className="strong toned">The name does not say which cue it is for.</span>{' '}
             <span className="mid">Rename it, or upload it and choose its cue among the unmatched files.</span>
           </p>
@@ -90,22 +93,5 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
         </Button>
       </span>
     </li>
-  )
-}
-
-function FindingLine({ finding, isFixable }: { finding: Finding; isFixable: boolean }) {
-  const fix = isFixable && isAllFixed(finding) ? '' : finding.fix
-  const { head, rest, where } = wordsOf({ ...finding, check: '', waived: false, fix })
-  return (
-    <p className={`${classes.finding} tone-${finding.severity === 'error' ? 'bad' : 'warn'}`}>
-      <span className="strong toned">
-        <span className="visually-hidden">{finding.severity === 'error' ? 'Error: ' : 'Warning: '}</span>
-        {head}.
-      </span>{' '}
-      <span className="mid">
-        {rest}
-        {where !== '' && ` At ${where}.`}
-      </span>
-    </p>
   )
 }

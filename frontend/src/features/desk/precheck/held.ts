@@ -1,6 +1,6 @@
 import type { Picked } from '@/uploads'
 
-import type { Finding } from './findings'
+import type { Finding } from '@/precheck/findings'
 
 /** What is known of a file by its name and its bytes. */
 export interface Look {

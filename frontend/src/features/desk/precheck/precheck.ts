@@ -3,7 +3,7 @@ import type { components } from '@/api/schema.gen'
 import type { Picked, UploadQueue } from '@/uploads'
 
 import type { Candidate, HeldFile, Look, PrecheckState } from './held'
-import { type Judge, judgeInWorker } from './judgeInWorker'
+import { type Judge, judgeInWorker } from '@/precheck/judgeInWorker'
 import { baseName, isChanged, isPossibleName, nameProblems, renamesHere, wantedName } from './renames'
 
 type Schemas = components['schemas']

@@ -9,9 +9,9 @@ import { refusal, serve } from '@/test/server'
 import type { Picked } from '@/uploads'
 
 import { HeldFiles } from './HeldFiles'
-import { judgeFile } from './judge'
+import { judgeFile } from '@/precheck/judge'
 import { Precheck } from './precheck'
-import vectors from './vectors.json'
+import vectors from '@/precheck/vectors.json'
 
 /** What the list calls files, by the names that they were dropped with. */
 const LIST_NAMES: Record<string, string> = {

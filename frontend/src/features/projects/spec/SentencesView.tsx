@@ -19,6 +19,7 @@ import { AcceptFields, CheckFields, LimitFields } from './GroupFields'
 import { fits } from './naming'
 import {
   categorySentence,
+  changeSentence,
   DRY_CHECKS,
   EDGE_CHECKS,
   expertSettings,
@@ -33,6 +34,7 @@ import classes from './Sentences.module.css'
 import { EngineFields, NamingFields } from './SpecForm'
 import { at, put, tableIn } from './tables'
 import { Targets } from './Targets'
+import { TryFile } from './TryFile'
 
 const SHOWN_CATEGORIES = 6
 
@@ -140,6 +142,7 @@ export function SentencesView({ projectId, cues, read, basedOn, isChanged, child
         </Card>
       </div>
       <aside className="stack" aria-label="Brief and saving">
+        <TryFile projectId={projectId} />
         {children}
         <FromBrief projectId={projectId} read={read} basedOn={basedOn} isChanged={isChanged} />
         <p className="small dim">
@@ -260,12 +263,15 @@ function FromBrief({ projectId, read, basedOn, isChanged }: FromBriefProps) {
   const apply = useApplyProposal(projectId)
   if (!proposal) return null
   const { changes, errors, brief_revision: revision } = proposal
-  // What is proposed reads as the sentences that it would make; what has none is named as it stands.
+  // What is proposed reads as the sentences that it would make.
   const proposed = changes.reduce((now, { place, after }) => put(now, place.split('.'), after ?? undefined), tables)
   const now = new Map(sentencesOf(tables, read, checks).map(({ key, text }) => [key, text]))
-  const sentences = sentencesOf(proposed, read, checks).filter(({ key, text }) => now.get(key) !== text)
+  const changed = sentencesOf(proposed, read, checks).filter(({ key, text }) => now.get(key) !== text)
   const numbers = [...new Set(changes.map(({ number }) => String(number)))]
-  const others = changes.filter(({ place }) => /^(targets|categories)\./.test(place) || sentences.length === 0)
+  const others = changes
+    .filter(({ place }) => /^(targets|categories)\./.test(place) || changed.length === 0)
+    .map(({ place, after }) => changeSentence(place, after, proposed, checks))
+  const sentences = [...new Map([...changed, ...others].map((sentence) => [sentence.key, sentence])).values()]
   const use = () =>
     apply.mutate(
       { based_on_version: basedOn, brief_revision: revision },
@@ -285,12 +291,6 @@ function FromBrief({ projectId, read, basedOn, isChanged }: FromBriefProps) {
           <p key={key}>
             <span className="small mid">{label}</span>
             {text.replaceAll('**', '')}
-          </p>
-        ))}
-        {others.map(({ place, after }) => (
-          <p key={place}>
-            <span className="small mid">{place.replaceAll('_', ' ').replaceAll('.', ' · ')}</span>
-            {shown(after)}
           </p>
         ))}
         {changes.length > 0 && (
@@ -320,12 +320,3 @@ function FromBrief({ projectId, read, basedOn, isChanged }: FromBriefProps) {
     </Card>
   )
 }
-
-const shown = (value: unknown): string =>
-  value === null
-    ? 'removed'
-    : typeof value === 'string'
-      ? value
-      : JSON.stringify(value)
-          .replaceAll(/[[\]"{}]/g, '')
-          .replaceAll(',', ', ')

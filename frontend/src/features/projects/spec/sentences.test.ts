@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest'
 import checks from '@/test/checks.json'
 
 import type { Check, Spec } from '../api'
-import { categorySentence, expertSettings, sentencesOf } from './sentences'
+import { categorySentence, changeSentence, expertSettings, sentencesOf } from './sentences'
 import type { Tables } from './tables'
 
 const CHECKS = checks as unknown as Check[]
@@ -182,4 +182,23 @@ test('a setting without a sentence is named as one', () => {
     'metadata.required is ICMT, IART.',
     'checks.not-here is error.',
   ])
+})
+
+test.each([
+  [
+    'targets.handheld',
+    { sample_rate_hz: 22_050, bit_depth: 16, channels: 1 },
+    'A game file handheld is made, at 22.05 kHz, 16 bit, mono.',
+  ],
+  ['targets.handheld', null, 'The game file handheld is no longer made.'],
+  ['targets.switch.budget_bytes', 48_000_000, 'The game files of switch may have up to 48.0 MB together.'],
+  ['naming.separator', '-', 'The separator becomes -.'],
+  ['naming.ucs_ids', null, 'The ucs ids is left out.'],
+])('the change of %s to %j is a sentence', (place, after, text) => {
+  expect(changeSentence(place, after, {}, CHECKS).text).toBe(text)
+})
+
+test('the change of a category reads as its sentence', () => {
+  const tables = { categories: { music: { kind: 'music' } } }
+  expect(changeSentence('categories.music', { kind: 'music' }, tables, CHECKS).text).toBe('Sounds are music.')
 })

@@ -1,10 +1,10 @@
 /** A delivery spec as sentences: each is derived from the fields that the checks read, and from nothing else. */
-import { channels, rate } from '@/ui/format'
+import { bytes, channels, rate } from '@/ui/format'
 
 import type { Check, Spec } from '../api'
 import { listed } from '../words'
 import { type HeldLimit, type Severity, severityOf, statedLimits, tuningLimits } from './checks'
-import { differences, exact, kindOf, lengthOf, targetInWords } from './say'
+import { differences, exact, kindOf, lengthOf, type TargetFacts, targetInWords } from './say'
 import { type Tables, tableIn } from './tables'
 
 export interface Sentence {
@@ -259,6 +259,27 @@ export const categorySentence = (tables: Tables, category: string, checks: reado
   const others = differences(tables, category, checks)
   const told = [kind && `sounds are ${kind}`, ...others].filter(Boolean).join('; ')
   return { key: `category ${category}`, label: category, text: told === '' ? 'As every sound.' : `${capital(told)}.` }
+}
+
+/** Return what one change of the spec asks for, as a sentence; `tables` hold the change already. */
+export function changeSentence(place: string, after: unknown, tables: Tables, checks: readonly Check[]): Sentence {
+  const [group, name = '', setting] = place.split('.')
+  if (group === 'categories') return categorySentence(tables, name, checks)
+  if (group === 'targets') return { key: place, label: 'Game files', text: targetSentence(name, setting, after) }
+  const words = place.split('.').at(-1)?.replaceAll('_', ' ') ?? place
+  const value = Array.isArray(after) ? after.map(String).join(', ') : String(after)
+  return { key: place, label: 'Names', text: `The ${words} ${after === null ? 'is left out' : `becomes ${value}`}.` }
+}
+
+function targetSentence(name: string, setting: string | undefined, after: unknown): string {
+  if (setting === 'budget_bytes') {
+    return typeof after === 'number'
+      ? `The game files of ${name} may have up to ${bytes(after)} together.`
+      : `The memory of ${name} is not limited.`
+  }
+  if (after === null) return `The game file ${name} is no longer made.`
+  const facts = { bit_depth: 16, encoding: 'pcm', channels: 'source', ...tableIn(after) } as unknown as TargetFacts
+  return `A game file ${name} is made, at ${targetInWords(facts)}.`
 }
 
 const leaves = (value: unknown, place: string[] = []): { place: string; value: unknown }[] =>
