@@ -68,7 +68,8 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
           </button>
         </p>
       )}
-      <p className={`small ${classes.plain}`}>
+      <details className={`small ${classes.plain}`}>
+        <summary>Files for your session</summary>
         {count > 0 && (
           <>
             <a className="link" href={`/v1/projects/${projectId}/desk/sounds.rpp`} download>
@@ -81,7 +82,7 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
         <a className="link" href={`/v1/projects/${projectId}/spec.pdf`} target="_blank" rel="noreferrer">
           Delivery spec as a PDF
         </a>
-      </p>
+      </details>
     </Card>
   )
 }

@@ -49,8 +49,9 @@ export function UnmatchedFile(props: FileProps) {
   const sounding = playing.sourceId === take.id && playing.status === 'playing'
   const name = baseOf(take)
   return (
-    <div
+    <article
       id={`tray-${take.id}`}
+      aria-label={take.file_name}
       className={classes.file}
       aria-busy={busy}
       aria-current={current || undefined}
@@ -86,7 +87,7 @@ export function UnmatchedFile(props: FileProps) {
         </div>
       </div>
       <Choices {...props} facts={factsOf(sounds)} />
-    </div>
+    </article>
   )
 }
 

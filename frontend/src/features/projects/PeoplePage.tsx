@@ -25,11 +25,7 @@ export function PeoplePage() {
       <div>
         <h1>People</h1>
         <p className="mid">
-          The people on{' '}
-          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-            {project?.name ?? 'the project'}
-          </Link>
-          {' and their roles. '}
+          {`The people on ${project?.name ?? 'the project'} and their roles. `}
           <Link className="link" to="/projects/$projectId/credits" params={{ projectId }}>
             Credits
           </Link>

@@ -1,7 +1,7 @@
 import { TextInput } from '@mantine/core'
 import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
-import type { FormEvent, ReactNode } from 'react'
+import { type FormEvent, type ReactNode, useState } from 'react'
 
 import { useMyProject } from '@/api/me'
 import { DraftNote, useDraft } from '@/app/drafts'
@@ -25,20 +25,35 @@ export function SharingPage(): ReactNode {
   const { cue, playlist } = useSearch({ from: '/shell/projects/$projectId/sharing' })
   const project = useMyProject(projectId)
   const mayShare = (project?.is_producer || project?.is_liaison || project?.is_approver) ?? false
+  const isAsked = cue !== undefined || playlist !== undefined // another page asked for a link
+  const [form, setForm] = useState<'link' | 'playlist' | null>(isAsked ? 'link' : null)
+  const toggle = (kind: 'link' | 'playlist') => setForm(form === kind ? null : kind)
   useTitle('Sharing')
   return (
     <div className={`page ${classes.page}`}>
       <header className={classes.top}>
         <h1>Sharing</h1>
+        {mayShare && (
+          <div className="row wrap">
+            <Button icon="plus" aria-expanded={form === 'link'} onClick={() => toggle('link')}>
+              New guest link
+            </Button>
+            <Button icon="plus" aria-expanded={form === 'playlist'} onClick={() => toggle('playlist')}>
+              New playlist
+            </Button>
+          </div>
+        )}
       </header>
       <div className={classes.two}>
         <div className={classes.stack}>
-          {mayShare && <LinkForm key={`${cue} ${playlist}`} projectId={projectId} cueId={cue} playlistId={playlist} />}
+          {mayShare && form === 'link' && (
+            <LinkForm key={`${cue} ${playlist}`} projectId={projectId} cueId={cue} playlistId={playlist} />
+          )}
           {mayShare && <Links projectId={projectId} />}
         </div>
         <div className={classes.stack}>
+          {mayShare && form === 'playlist' && <NewPlaylist projectId={projectId} />}
           <Playlists projectId={projectId} />
-          {mayShare && <NewPlaylist projectId={projectId} />}
         </div>
       </div>
     </div>

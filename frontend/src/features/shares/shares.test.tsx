@@ -74,6 +74,7 @@ test('a link is made of what a filter gives now, and its address is shown', { ta
   const asked = open('/projects/p1/sharing', {
     'POST /v1/projects/p1/guest-links': answer({ link: link('g2'), url: 'https://x.test/listen/secret' }, 201),
   })
+  await userEvent.click(await screen.findByRole('button', { name: 'New guest link' }))
   const card = await screen.findByRole('region', { name: 'New guest link' })
   expect(await within(card).findByText(/^3 cues: shield_hit, shield_down, door\./)).toBeVisible()
   await userEvent.type(within(card).getByLabelText('Name contains'), 'shield')
@@ -119,8 +120,8 @@ test('who heard what stands under a link, and a link is revoked', async () => {
 test('a reviewer sees playlists and makes no links', async () => {
   open('/projects/p1/sharing', {}, 'reviewer')
   expect(await screen.findByRole('link', { name: 'Combat' })).toBeVisible()
-  expect(screen.queryByRole('region', { name: 'New guest link' })).toBeNull()
-  expect(screen.queryByRole('region', { name: 'New playlist' })).toBeNull()
+  expect(screen.queryByRole('button', { name: 'New guest link' })).toBeNull()
+  expect(screen.queryByRole('button', { name: 'New playlist' })).toBeNull()
 })
 
 test(
