@@ -339,7 +339,7 @@ function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
   const changes = changesOf(item)
   const [first] = findingsOf(item)
   return (
-    <div className={classes.mini}>
+    <article className={classes.mini} aria-label={item.cue?.name ?? item.file_name}>
       <div>
         <p className="strong">
           <Name item={item} />
@@ -369,6 +369,6 @@ function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
       <Button onClick={onOpen}>
         Open <span className="visually-hidden">{item.cue?.name ?? item.file_name}</span>
       </Button>
-    </div>
+    </article>
   )
 }
