@@ -38,7 +38,7 @@ def judged(report: Report, style: Style) -> str:
         "tool": {
             "driver": {
                 "name": "audio-checks",
-                "semanticVersion": report.tool_version,
+                "version": report.tool_version,  # of a commit between two releases it is no semantic version
                 "rules": [_rule(code) for code in rules],
             }
         },

@@ -15,6 +15,7 @@ from audio_checks.checks import all_checks
 from audio_checks.cli import reporters
 from audio_checks.cli.reporters import Style, judged_as
 from audio_checks.report.findings import FileReport, Finding, Report, SpecRef
+from audio_checks.version import TOOL_VERSION
 from tests.support.rooms import hits, in_a_room
 from tests.support.waves import silence, sine, write_wav
 
@@ -88,6 +89,7 @@ class TestSarif:
         document = json.loads(out)
         official.validate(document)
         results = document["runs"][0]["results"]
+        assert document["runs"][0]["tool"]["driver"]["version"] == TOOL_VERSION
         assert code == 1
         assert {one["ruleId"] for one in results} >= {"naming:pattern", "sample-peak:over", "structure:truncated"}
         uris = {one["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] for one in results}
