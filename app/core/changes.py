@@ -83,7 +83,11 @@ def forget_old_changes(database: Database) -> None:
 
 @event.listens_for(Session, "after_flush")
 def _note_objects(session: Session, _context: UOWTransaction) -> None:
-    for written in (*session.new, *session.deleted, *(one for one in session.dirty if session.is_modified(one))):
+    for written in (
+        *session.new,
+        *session.deleted,
+        *(changed for changed in session.dirty if session.is_modified(changed)),
+    ):
         _note(session, type(written), written.__dict__.get("studio_id"), getattr(written, "project_id", None))
 
 

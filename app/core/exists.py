@@ -10,5 +10,5 @@ def row_exists(wanted: sa.Select[*tuple[Any, ...]], outer: Any) -> sa.ColumnElem
 
     For `EXISTS` as a column PostgreSQL may hash every row of the inner table; a subquery with a limit looks rows up.
     """
-    one = wanted.with_only_columns(sa.true()).correlate(outer).limit(1).scalar_subquery()
-    return sa.func.coalesce(one, sa.false())
+    first_row = wanted.with_only_columns(sa.true()).correlate(outer).limit(1).scalar_subquery()
+    return sa.func.coalesce(first_row, sa.false())

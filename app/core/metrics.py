@@ -182,9 +182,9 @@ def listen_beside_others(settings: "Settings", collectors: Iterable[Collector]) 
 
     def listen() -> None:
         while True:
-            for place in range(settings.web_processes):
+            for process_index in range(settings.web_processes):
                 with suppress(CannotListen):
-                    _server(settings, collectors, place=place).start()
+                    _server(settings, collectors, place=process_index).start()
                     return
             time.sleep(PORT_LOOK_EVERY_S)
 

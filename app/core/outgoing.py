@@ -17,7 +17,7 @@ MAX_URL_CHARS = 2_000
 LOCALHOST = frozenset({"localhost", "127.0.0.1", "::1"})
 # Networks of IPv6 that lead to addresses of IPv4: NAT64, 6to4, Teredo, and IPv4-compatible ones.
 CARRIERS = tuple(
-    ipaddress.ip_network(one) for one in ("64:ff9b::/96", "64:ff9b:1::/48", "2002::/16", "2001::/32", "::/96")
+    ipaddress.ip_network(network) for network in ("64:ff9b::/96", "64:ff9b:1::/48", "2002::/16", "2001::/32", "::/96")
 )
 
 Resolver = Callable[[str, int], Sequence[str]]
@@ -79,8 +79,8 @@ def is_public(address: str) -> bool:
 
 def resolve(host: str, port: int) -> list[str]:
     """Return the IP addresses of a host, in the order to try them; raise OSError where it has none."""
-    found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
-    return list(dict.fromkeys(str(address[0]) for *_, address in found))
+    addresses = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
+    return list(dict.fromkeys(str(address[0]) for *_, address in addresses))
 
 
 def post(

@@ -17,11 +17,11 @@ P256_ORDER = 0xFFFFFFFF00000000FFFFFFFFFFFFFFFFBCE6FAADA7179E84F3B9CAC2FC632551
 def derived(secret: str, purpose: str, length: int) -> bytes:
     """Return bytes for one purpose that follow from a secret (HKDF with SHA-256, RFC 5869)."""
     key = hmac.digest(b"soundlist", secret.encode(), hashlib.sha256)
-    found, block = b"", b""
+    key_bytes, block = b"", b""
     for number in range(1, -(-length // 32) + 1):
         block = hmac.digest(key, block + purpose.encode() + bytes([number]), hashlib.sha256)
-        found += block
-    return found[:length]
+        key_bytes += block
+    return key_bytes[:length]
 
 
 def signing_key(secret: str, purpose: str) -> "Ed25519PrivateKey":

@@ -65,7 +65,9 @@ def compare_revisions(session: Session, access: ProjectAccess, first: int, last:
 def _change(fact: str, before: Any, after: Any, people: KnownPeople) -> FieldChange | None:
     """Return a change as the caller may see it, None for one of people whom they may not know."""
     if fact in PEOPLE.values():
-        before, after = (people.text_of(UUID(one)) or None if one else None for one in (before, after))
+        before, after = (
+            people.text_of(UUID(person_id)) or None if person_id else None for person_id in (before, after)
+        )
         if before == after:
             return None
     return FieldChange(field=fact, before=before, after=after)

@@ -99,10 +99,10 @@ def read_label(cue_prefix: str, text: str) -> int | None:
     """Return the number that `SW-014`, `sw14` or `14` names, None where it names none of this project's."""
     if len(text) > MAX_LABEL_CHARS:  # the expression takes longer than the text is long
         return None
-    found = re.fullmatch(r"(?:(.*?)[\s_-]*)?0*([1-9][0-9]{0,5})(?:\.0+)?", text.strip())
-    if found is None or (found[1] and found[1].casefold() != cue_prefix.casefold()):
+    match = re.fullmatch(r"(?:(.*?)[\s_-]*)?0*([1-9][0-9]{0,5})(?:\.0+)?", text.strip())
+    if match is None or (match[1] and match[1].casefold() != cue_prefix.casefold()):
         return None
-    return int(found[2])
+    return int(match[2])
 
 
 def folded(stem: str) -> str:
@@ -164,8 +164,8 @@ def validation_errors(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 
 
 def _fault_of_file_name(file_name: str) -> str | None:
-    if found := _NOT_IN_FILE_NAMES.search(file_name):
-        return f'"{found[0]}" cannot stand in a file name; give the name alone, without folders'
+    if match := _NOT_IN_FILE_NAMES.search(file_name):
+        return f'"{match[0]}" cannot stand in a file name; give the name alone, without folders'
     if file_name.startswith((*FORMULA_STARTS, "'", ".", "~")) or file_name.endswith("."):
         return f'"{file_name}": a file name starts with a letter, a digit or "_", and does not end in a dot'
     if _DEVICE_NAME.fullmatch(file_name):

@@ -175,10 +175,10 @@ def save(session: Session, project: Project, person_id: UUID, edits: Sequence[Ed
     session.flush()
     ids = {edit.row: cue.id for edit, cue in zip(edits, cues, strict=True)}
     owned = [
-        {"studio_id": project.studio_id, "project_id": project.id, "cue_id": ids[edit.row], "variation": place}
+        {"studio_id": project.studio_id, "project_id": project.id, "cue_id": ids[edit.row], "variation": variation}
         | {"stem": stem}
         for edit in renaming
-        for place, stem in enumerate(edit.stems, start=1)
+        for variation, stem in enumerate(edit.stems, start=1)
     ]
     if owned:
         session.execute(insert(Stem), owned)

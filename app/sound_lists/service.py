@@ -53,8 +53,8 @@ def page_of(
         return page, None
     last = page[-1]
     priority = NO_PLAYBACK_PRIORITY if last.playback_priority is None else last.playback_priority
-    place = (last.position, last.number)
-    return page, cursor_of(*(place if order == "list" else (priority, *place)))
+    sort_key = (last.position, last.number)
+    return page, cursor_of(*(sort_key if order == "list" else (priority, *sort_key)))
 
 
 def cues_read(session: Session, access: ProjectAccess, cues: Sequence[Cue]) -> list[CueRead]:
@@ -175,6 +175,6 @@ def _save_or_raise(session: Session, access: ProjectAccess, edits: Sequence[Edit
         ]
         raise RowsInvalid(
             f"nothing was saved; {places[0]}: {faults[0].message}",
-            errors=[{"where": place, "message": fault.message} for place, fault in zip(places, faults, strict=True)],
+            errors=[{"where": where, "message": fault.message} for where, fault in zip(places, faults, strict=True)],
         )
     return save_edits.save(session, access.project, access.actor.person, edits)

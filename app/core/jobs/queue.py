@@ -196,7 +196,7 @@ class JobQueue:
     def _next_priority(self, session: Session, lane: str, cost: int) -> int:
         """Return the place in the line of the next job of a lane."""
         ahead = session.connection().execute(self._ahead, {"lane": lane}).one()
-        return min(max(place or 0 for place in ahead) + cost, LAST_PLACE)
+        return min(max(priority or 0 for priority in ahead) + cost, LAST_PLACE)
 
     @cached_property
     def _ahead(self) -> sa.Select[int | None, int | None]:
@@ -245,7 +245,9 @@ class JobQueue:
         `after` is the cursor of the last one read: its instant in milliseconds, and its id.
         """
         shown = FAILED_STATES if only_failed else OPEN_STATES + FAILED_STATES
-        jobs = self._not_done([one for one in shown if state in (None, STATE_WORDS[one])], studio_id)
+        jobs = self._not_done(
+            [shown_state for shown_state in shown if state in (None, STATE_WORDS[shown_state])], studio_id
+        )
         # A sum: SQLite would rather walk through all jobs in the order of their index than sort a few.
         order = (jobs.c.created_at + 0, jobs.c.workflow_uuid)
         query = sa.select(jobs).order_by(*order).limit(limit)
@@ -281,16 +283,16 @@ class JobQueue:
         jobs = self._not_done(OPEN_STATES, studio_id)
         lane, state = jobs.c.queue_partition_key, jobs.c.status
         counted = sa.select(lane, state, sa.func.count(), sa.func.min(jobs.c.created_at)).group_by(lane, state)
-        found: dict[str, FairnessPartition] = {}
+        partitions: dict[str, FairnessPartition] = {}
         with self._database.reading() as session:
             for key, status, count, oldest_ms in session.execute(counted.where(lane.is_not(None))):
-                known = found.get(key) or _empty_lane(key)
+                known = partitions.get(key) or _empty_lane(key)
                 changed: dict[str, Any] = {STATE_WORDS[status]: count}
                 if status == "ENQUEUED":
                     changed["oldest_at"] = _instant(oldest_ms)
-                found[key] = replace(known, **changed)
+                partitions[key] = replace(known, **changed)
         return sorted(
-            found.values(), key=lambda lane: (-lane.waiting - lane.running, -lane.delayed, str(lane.studio_id))
+            partitions.values(), key=lambda lane: (-lane.waiting - lane.running, -lane.delayed, str(lane.studio_id))
         )
 
     def job_ids_claimed_by(self, worker_id: str) -> set[str]:

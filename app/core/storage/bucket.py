@@ -94,8 +94,8 @@ class BucketStore(Store):
         """Return the length of each of many blobs, many asked at once; those that are missing are left out."""
         asked = list(sha256s)
         with ThreadPoolExecutor(HEADS_AT_ONCE) as pool:
-            found = pool.map(lambda sha256: self._objects.size_bytes(self.key(studio_id, sha256)), asked)
-            return {sha256: size for sha256, size in zip(asked, found, strict=True) if size is not None}
+            sizes = pool.map(lambda sha256: self._objects.size_bytes(self.key(studio_id, sha256)), asked)
+            return {sha256: size for sha256, size in zip(asked, sizes, strict=True) if size is not None}
 
     def _pieces(self, studio_id: UUID, sha256: str, start: int, end: int | None) -> Pieces:
         try:

@@ -67,8 +67,8 @@ class DirectUploads:
 
     def parts(self, incoming: Incoming) -> list[Part]:
         """Return the parts that are in the bucket and as long as they must be; raise MultipartGone."""
-        found = self._multipart.parts(self.key(incoming.upload_id), incoming.multipart_id)
-        return [part for part in found if part.size_bytes == part_length(incoming.length, part.number)]
+        parts = self._multipart.parts(self.key(incoming.upload_id), incoming.multipart_id)
+        return [part for part in parts if part.size_bytes == part_length(incoming.length, part.number)]
 
     def complete(self, incoming: Incoming, parts: list[Part]) -> None:
         """Make one object of the parts; after that no link works any more. Raise MultipartGone."""
@@ -87,8 +87,8 @@ class DirectUploads:
         target = self._place(studio_id, stored.sha256)
         if not self._objects.is_renewed(target, stored.sha256, since=clock.now() - RENEWED_AFTER):
             self._objects.copy(self.key(upload_id), target)
-        if (found := self._objects.size_bytes(target)) != stored.size_bytes:
-            raise altered(stored.sha256, f"{found} bytes long, not {stored.size_bytes},")
+        if (stored_bytes := self._objects.size_bytes(target)) != stored.size_bytes:
+            raise altered(stored.sha256, f"{stored_bytes} bytes long, not {stored.size_bytes},")
 
     def forget(self, upload_id: UUID, multipart_id: str | None = None) -> None:
         """Delete an upload's object, or its parts where the bucket's name for it is given."""

@@ -86,12 +86,12 @@ class Multipart:
 
     def parts(self, key: str, multipart_id: str) -> list[Part]:
         """Return the parts that are in the bucket, by number; raise MultipartGone."""
-        found: list[Part] = []
+        parts: list[Part] = []
         after = "0"
         while after:
             answer = self._ask("GET", key, {"uploadId": multipart_id, "part-number-marker": after})
             tree = _tree(answer)
-            found += [
+            parts += [
                 Part(
                     int(_text(part, "PartNumber")),
                     int(_text(part, "Size")),
@@ -101,7 +101,7 @@ class Multipart:
                 for part in tree.iter("Part")
             ]
             after = _text(tree, "NextPartNumberMarker") if _text(tree, "IsTruncated") == "true" else ""
-        return found
+        return parts
 
     def complete(self, key: str, multipart_id: str, parts: Sequence[Part], *, if_absent: bool = False) -> None:
         """Make one object of the parts; raise MultipartGone, or AlreadyStored where it must be absent and is not."""
@@ -230,10 +230,10 @@ def _tree(answer: httpx.Response) -> ET.Element:
 
 
 def _text(tree: ET.Element, name: str) -> str:
-    found = tree.findtext(name)
-    if found is None:
+    text = tree.findtext(name)
+    if text is None:
         raise StoreUnavailable(f"the store's answer lacks {name}; is its endpoint an S3 server?")
-    return found
+    return text
 
 
 def _error_code(answer: httpx.Response) -> str:

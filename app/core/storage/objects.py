@@ -135,9 +135,9 @@ class Objects:
         while True:
             try:
                 for page in obstore.list(self._bucket, prefix=prefix, offset=after):
-                    for found in page:
-                        after, failures = found["path"], 0
-                        yield found["path"], found["size"], found["last_modified"]
+                    for entry in page:
+                        after, failures = entry["path"], 0
+                        yield entry["path"], entry["size"], entry["last_modified"]
                 return
             except BaseError as error:
                 failures += 1

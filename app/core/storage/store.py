@@ -228,9 +228,9 @@ def key_refused() -> StoreUnavailable:
     return StoreUnavailable("the store refuses our key", fix="ask the operator to check AWS_ACCESS_KEY_ID")
 
 
-def altered(sha256: str, found: str) -> BlobAltered:
+def altered(sha256: str, description: str) -> BlobAltered:
     """Return the error for a blob whose content does not match its name."""
-    return BlobAltered(f"blob {sha256} is {found} in the store, and is not given out", fix=READ_AGAIN_FIX)
+    return BlobAltered(f"blob {sha256} is {description} in the store, and is not given out", fix=READ_AGAIN_FIX)
 
 
 def missing(studio_id: UUID, sha256: str) -> BlobMissing:

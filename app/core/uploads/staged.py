@@ -263,8 +263,8 @@ class Uploads:
         self._store.keep(upload.studio_id, staging, sha256)
         kill_points.point("uploads.after_store")
         finished_at = clock.now()
-        found = {"upload_id": upload.id, "found_sha256": sha256, "then": finished_at}
-        if not self._database.write_autocommit(FINISH, found):
+        facts = {"upload_id": upload.id, "found_sha256": sha256, "then": finished_at}
+        if not self._database.write_autocommit(FINISH, facts):
             raise UploadNotFound(f"no upload {upload.id}: it was given up or has expired")
         upload.sha256, upload.finished_at = sha256, finished_at
         metrics.UPLOADED.inc(upload.length)

@@ -71,10 +71,10 @@ def _attachment(file_name: str) -> str:
 
 def _span(asked: str | None, size_bytes: int) -> tuple[int, int] | None:
     """Return the first byte asked for and the one after the last; None for all, as for ranges that we do not read."""
-    found = RANGE.fullmatch(asked or "")
-    if found is None or found[0] == "bytes=-":
+    match = RANGE.fullmatch(asked or "")
+    if match is None or match[0] == "bytes=-":
         return None
-    first, last = found.groups()
+    first, last = match.groups()
     if not first:
         return max(0, size_bytes - int(last)), size_bytes
     if last and int(last) < int(first):

@@ -182,8 +182,10 @@ def size_in_words(size: int) -> str:
     return f"{size} bytes"
 
 
-def _too_large(limit: int, found: str) -> BodyTooLarge:
-    return BodyTooLarge(f"this request may have {size_in_words(limit)}; this one has {found}", fix="send less at once")
+def _too_large(limit: int, received: str) -> BodyTooLarge:
+    return BodyTooLarge(
+        f"this request may have {size_in_words(limit)}; this one has {received}", fix="send less at once"
+    )
 
 
 def read_json(body: bytes) -> Any:
@@ -205,10 +207,10 @@ def _ensure_few_names(value: Any) -> None:
     names = 0
     left: list[Any] = [[value]]
     while left:
-        one = left.pop()
-        if isinstance(one, dict) and len(one) > MANY_NAMES:
-            names += len(one)
-        values = one.values() if isinstance(one, dict) else one
+        node = left.pop()
+        if isinstance(node, dict) and len(node) > MANY_NAMES:
+            names += len(node)
+        values = node.values() if isinstance(node, dict) else node
         left += [each for each in values if isinstance(each, dict | list)]
     if names > MAX_NAMES:
         raise TooManyNames(
@@ -218,12 +220,12 @@ def _ensure_few_names(value: Any) -> None:
 
 def _ensure_storable(value: Any, where: str) -> None:
     if isinstance(value, dict):
-        for key, one in value.items():
+        for key, member in value.items():
             _ensure_storable(key, f"a name in {where}" if where else "a name")
-            _ensure_storable(one, f"{where}.{key}" if where else key)
+            _ensure_storable(member, f"{where}.{key}" if where else key)
     elif isinstance(value, list):
-        for place, one in enumerate(value):
-            _ensure_storable(one, f"{where}.{place}" if where else str(place))
+        for index, element in enumerate(value):
+            _ensure_storable(element, f"{where}.{index}" if where else str(index))
     elif isinstance(value, str) and "\0" in value:
         raise _unstorable(where, "the character U+0000 cannot be stored; take it out")
     elif isinstance(value, int) and abs(value) > LARGEST_INTEGER:

@@ -34,19 +34,19 @@ class PrecompressedFiles(StaticFiles):
             if encoding not in accepted or "range" in headers:
                 continue
             try:
-                full_path, found = self.lookup_path(path + ending)
+                full_path, status = self.lookup_path(path + ending)
             except OSError:  # a name that is too long for the file system; the uncompressed file gives the right answer
                 break
-            if found is not None:
-                return self._compressed(Path(full_path), found, headers, encoding)
+            if status is not None:
+                return self._compressed(Path(full_path), status, headers, encoding)
         response = await super().get_response(path, scope)
         response.headers["Vary"] = "Accept-Encoding"
         return response
 
-    def _compressed(self, file: Path, found: os.stat_result, headers: Headers, encoding: str) -> Response:
+    def _compressed(self, file: Path, status: os.stat_result, headers: Headers, encoding: str) -> Response:
         media_type = mimetypes.guess_type(file.stem)[0]
         more = {"Content-Encoding": encoding, "Vary": "Accept-Encoding"}
-        response = FileResponse(file, headers=more, media_type=media_type, stat_result=found)
+        response = FileResponse(file, headers=more, media_type=media_type, stat_result=status)
         if self.is_not_modified(response.headers, headers):
             return Response(status_code=304, headers={**more, "ETag": response.headers["etag"]})
         return response

@@ -39,7 +39,9 @@ def security_headers(store_origin: str | None, *, is_https: bool) -> dict[str, s
         "Referrer-Policy": "same-origin",
         "Cross-Origin-Opener-Policy": "same-origin",
         "Cross-Origin-Resource-Policy": "same-origin",
-        "Permissions-Policy": ", ".join([f"{one}=()" for one in UNUSED] + [f"{one}=(self)" for one in OWN]),
+        "Permissions-Policy": ", ".join(
+            [f"{feature}=()" for feature in UNUSED] + [f"{feature}=(self)" for feature in OWN]
+        ),
     }
     if is_https:
         headers["Strict-Transport-Security"] = "max-age=31536000"

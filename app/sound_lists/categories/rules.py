@@ -21,8 +21,8 @@ def category_of_name(name: str, listed: Iterable[tuple[str, str]]) -> str:
         categories.add(category)
         common = len(own & words_in(other)) if category else 0
         shared[category] += common * common  # two words in one name say more than one word in two names
-    if (category := max(shared, key=lambda one: shared[one], default="")) and shared[category]:
+    if (category := max(shared, key=lambda candidate: shared[candidate], default="")) and shared[category]:
         return category
     spoken_of = categories_spoken_of(name)
-    known = sorted(spoken_of & categories) or [one for one in USUAL if one in spoken_of] or sorted(spoken_of)
+    known = sorted(spoken_of & categories) or [usual for usual in USUAL if usual in spoken_of] or sorted(spoken_of)
     return known[0] if known else ""

@@ -23,7 +23,7 @@ def check_clarity(project_id: UUID, session: DbSession, actor: Actor = allows(Au
     """Return the cues whose words leave something open, with a question for each fact; it blocks nothing."""
     access = project_access(session, actor, project_id)
     unclear = [
-        UnclearCue(cue_id=cue_id, questions=[_shown(one) for one in left])
+        UnclearCue(cue_id=cue_id, questions=[_shown(question) for question in left])
         for cue_id, left in clarity.unclear_cues(session, access)
     ]
     return ClarityRead(unclear=unclear)

@@ -118,17 +118,17 @@ def lexicon() -> Lexicon:
 
 
 def _near(words: Iterable[str]) -> dict[str, frozenset[str]]:
-    found: dict[str, set[str]] = defaultdict(set)
+    words_by_key: dict[str, set[str]] = defaultdict(set)
     for word in words:
         if len(word) >= SHORTEST_MISSPELT:
             for key in deletion_variants(word):
-                found[key].add(word)
-    return {key: frozenset(near) for key, near in found.items()}
+                words_by_key[key].add(word)
+    return {key: frozenset(near) for key, near in words_by_key.items()}
 
 
 def deletion_variants(word: str) -> set[str]:
     """Return a word and what is left of it without any letter but the first: words that share one differ by a slip."""
-    return {word, *(word[:place] + word[place + 1 :] for place in range(1, len(word)))}
+    return {word, *(word[:index] + word[index + 1 :] for index in range(1, len(word)))}
 
 
 def _text_of(file_name: str) -> str:
@@ -184,56 +184,64 @@ ENDINGS = (
 @lru_cache(CACHED)
 def questions(name: str, category: str, description: str, loop: bool, has_length: bool) -> tuple[Question, ...]:
     """Return the open questions of a request, the most needed first: none where a designer can begin."""
-    named, said = _words(name), _words(description)
+    named, described = _words(name), _words(description)
     if category.lower() in VOICE_CATEGORIES and not any(
-        word.kinds and not word.forms & VOICE_WORDS for word in (*named, *said)
+        word.kinds and not word.forms & VOICE_WORDS for word in (*named, *described)
     ):
-        return _open_in_voice_line(description, said)
+        return _open_in_voice_line(description, described)
     own = ANSWER.sub(" ", description)  # without what was answered
     length = len(own.split())
-    is_unsaid = any("unsaid" in word.lists for word in said)
+    is_unsaid = any("unsaid" in word.lists for word in described)
     if length >= LONG_WORDS and not is_unsaid:
         return ()
     is_terse = 0 < length <= TERSE_WORDS
-    place = _place_of_kind(named, _words(own), category, may_class=length <= TERSE_WORDS)
-    kind = None if place is None else lexicon().kinds[place]
-    things = [] if is_unsaid else list(_things(named, said, place, is_terse))
-    if len({word.forms for word in (*named, *said) if _is_informative(word, place)}) >= ENOUGH_WORDS:
+    kind_index = _place_of_kind(named, _words(own), category, may_class=length <= TERSE_WORDS)
+    kind = None if kind_index is None else lexicon().kinds[kind_index]
+    things = [] if is_unsaid else list(_things(named, described, kind_index, is_terse))
+    if len({word.forms for word in (*named, *described) if _is_informative(word, kind_index)}) >= ENOUGH_WORDS:
         return ()
     loops = kind is not None and kind.loops
-    if things and has_length and not said and not loops:  # a name alone that its writer takes for known
+    if things and has_length and not described and not loops:  # a name alone that its writer takes for known
         return ()
-    found = _said_facts((*named, *said), place) | {Fact(match[1].lower()) for match in STATED.finditer(description)}
+    facts = _said_facts((*named, *described), kind_index) | {
+        Fact(match[1].lower()) for match in STATED.finditer(description)
+    }
     if loop or has_length:
-        found.add(Fact.LENGTH)
+        facts.add(Fact.LENGTH)
     if loop or (has_length and kind and not loops):
-        found.add(Fact.LOOP)
+        facts.add(Fact.LOOP)
     if loops and things:  # a thing says which place it is, and several what it is like there
-        found |= {Fact.PLACE, Fact.MOOD} if len({word.forms for word in things if word in said}) > 1 else {Fact.PLACE}
+        facts |= (
+            {Fact.PLACE, Fact.MOOD} if len({word.forms for word in things if word in described}) > 1 else {Fact.PLACE}
+        )
     implied = _implied_facts(things, in_sentence=length > TERSE_WORDS and not loops)
-    needs = kind.needs if kind else NAMELESS if is_terse or not (implied or found) else ()
+    needs = kind.needs if kind else NAMELESS if is_terse or not (implied or facts) else ()
     needless = {"if vague" if things else "if named", "if open" if has_length else None}
     return tuple(
         need
         for need in needs
-        if need.fact not in found
+        if need.fact not in facts
         and (need.fact not in implied or need.condition == EVEN_IF_NAMED)
         and need.condition not in needless
     )[:MAX_QUESTIONS]
 
 
-def _things(named: Collection[Word], said: Collection[Word], place: int | None, is_terse: bool) -> Iterator[Word]:
+def _things(
+    named: Collection[Word], described: Collection[Word], kind_index: int | None, is_terse: bool
+) -> Iterator[Word]:
     """Yield the words that name something; in a few words only those that the lexicon knows."""
-    yield from (word for word in said if _is_thing(word, place) and not (is_terse and _is_unknown(word)))
-    yield from (word for word in named if ("things" in word.lists or not said) and _is_thing(word, place))
+    yield from (word for word in described if _is_thing(word, kind_index) and not (is_terse and _is_unknown(word)))
+    yield from (word for word in named if ("things" in word.lists or not described) and _is_thing(word, kind_index))
 
 
-def _said_facts(words: Collection[Word], place: int | None) -> set[Fact]:
+def _said_facts(words: Collection[Word], kind_index: int | None) -> set[Fact]:
     """Return the facts that words say by themselves."""
-    found = set[Fact]().union(*(word.facts - BY_KIND if _is_of_kind(word, place) else word.facts for word in words))
-    if place is not None and any(word.forms & lexicon().kinds[place].says_intensity for word in words):
-        found.add(Fact.INTENSITY)
-    return found
+    facts = set[Fact]().union(
+        *(word.facts - BY_KIND if _is_of_kind(word, kind_index) else word.facts for word in words)
+    )
+    if kind_index is not None and any(word.forms & lexicon().kinds[kind_index].says_intensity for word in words):
+        facts.add(Fact.INTENSITY)
+    return facts
 
 
 def _implied_facts(things: Collection[Word], in_sentence: bool) -> set[Fact]:
@@ -248,8 +256,8 @@ def _implied_facts(things: Collection[Word], in_sentence: bool) -> set[Fact]:
 
 def categories_spoken_of(text: str) -> frozenset[str]:
     """Return the categories of the kind of sound that a text speaks of; none where it speaks of no kind."""
-    place = _place_of_kind(_words(text), (), "")
-    return frozenset() if place is None else lexicon().kinds[place].filed_under
+    kind_index = _place_of_kind(_words(text), (), "")
+    return frozenset() if kind_index is None else lexicon().kinds[kind_index].filed_under
 
 
 @lru_cache(CACHED)
@@ -258,35 +266,35 @@ def words_in(text: str) -> frozenset[str]:
     return frozenset(_found_words(text))
 
 
-def _open_in_voice_line(description: str, said: Collection[Word]) -> tuple[Question, ...]:
+def _open_in_voice_line(description: str, described: Collection[Word]) -> tuple[Question, ...]:
     """Return the open questions of a spoken line's request; the script says all of a line that stands in it."""
     if SCRIPTED.search(description):
         return ()
-    found = {Fact(match[1].lower()) for match in STATED.finditer(description)}
+    facts = {Fact(match[1].lower()) for match in STATED.finditer(description)}
     if SPOKEN.search(description):
-        found.add(Fact.WORDS)
-    if any("people" in word.lists or Fact.SOURCE in word.facts for word in said):
-        found.add(Fact.CHARACTER)
-    if any(word.facts & {Fact.MOOD, Fact.INTENSITY} for word in said):
-        found.add(Fact.DIRECTION)
-    return tuple(one for one in VOICE_LINE if one.fact not in found)
+        facts.add(Fact.WORDS)
+    if any("people" in word.lists or Fact.SOURCE in word.facts for word in described):
+        facts.add(Fact.CHARACTER)
+    if any(word.facts & {Fact.MOOD, Fact.INTENSITY} for word in described):
+        facts.add(Fact.DIRECTION)
+    return tuple(question for question in VOICE_LINE if question.fact not in facts)
 
 
 def _place_of_kind(
-    named: Collection[Word], said: Collection[Word], category: str, *, may_class: bool = False
+    named: Collection[Word], described: Collection[Word], category: str, *, may_class: bool = False
 ) -> int | None:
     """Return the place of the first kind that the name speaks of, else the description, else the category."""
     kinds = lexicon().kinds
-    every = (*named, *said)
+    every = (*named, *described)
     there = frozenset[str]().union(*(word.partners for word in every))
-    if places := {place for word in every for place in word.kinds if kinds[place].of & there}:
+    if places := {index for word in every for index in word.kinds if kinds[index].of & there}:
         return min(places)
-    for words in (named, said):
-        if places := {place for word in words for place in word.kinds if not kinds[place].of}:
+    for words in (named, described):
+        if places := {index for word in words for index in word.kinds if not kinds[index].of}:
             return min(places)
     category = category.lower()
-    by_category = (place for place, kind in enumerate(kinds) if category in kind.categories)
-    by_class = (place for place, kind in enumerate(kinds) if may_class and kind.classes & _lists_of(every))
+    by_category = (index for index, kind in enumerate(kinds) if category in kind.categories)
+    by_class = (index for index, kind in enumerate(kinds) if may_class and kind.classes & _lists_of(every))
     return next(by_category, next(by_class, None))
 
 
@@ -294,15 +302,15 @@ def _lists_of(words: Collection[Word]) -> frozenset[str]:
     return frozenset[str]().union(*(word.lists for word in words))
 
 
-def _is_thing(word: Word, place: int | None) -> bool:
+def _is_thing(word: Word, kind_index: int | None) -> bool:
     """Whether a word names something of its own: no word of a fact, of the kind, or of nothing in particular."""
     if "people" in word.lists:
-        return place is not None and lexicon().kinds[place].by_people
-    if "named" in word.lists and not _is_partner(word, place):
+        return kind_index is not None and lexicon().kinds[kind_index].by_people
+    if "named" in word.lists and not _is_partner(word, kind_index):
         return True
-    if not word.kinds and not _is_partner(word, place) and ("things" in word.lists or word.lists & THINGS):
+    if not word.kinds and not _is_partner(word, kind_index) and ("things" in word.lists or word.lists & THINGS):
         return True
-    if _is_of_kind(word, place) or word.lists & {"vague", "verbs"} or max(map(len, word.forms)) < SHORTEST_THING:
+    if _is_of_kind(word, kind_index) or word.lists & {"vague", "verbs"} or max(map(len, word.forms)) < SHORTEST_THING:
         return False
     if "any_size" in word.lists:
         return True
@@ -315,13 +323,13 @@ def _has_known_size(word: Word) -> bool:
     return "any_size" not in word.lists and ("things" in word.lists or not word.lists & ANY_SIZE)
 
 
-def _is_of_kind(word: Word, place: int | None) -> bool:
+def _is_of_kind(word: Word, kind_index: int | None) -> bool:
     """Whether a word speaks of a kind, by itself or as the partner that the kind asks for."""
-    return place in word.kinds or _is_partner(word, place)
+    return kind_index in word.kinds or _is_partner(word, kind_index)
 
 
-def _is_partner(word: Word, place: int | None) -> bool:
-    return place is not None and bool(word.partners & lexicon().kinds[place].of)
+def _is_partner(word: Word, kind_index: int | None) -> bool:
+    return kind_index is not None and bool(word.partners & lexicon().kinds[kind_index].of)
 
 
 def _is_unknown(word: Word) -> bool:
@@ -329,15 +337,15 @@ def _is_unknown(word: Word) -> bool:
     return not (word.lists or word.facts or word.kinds)
 
 
-def _is_informative(word: Word, place: int | None) -> bool:
+def _is_informative(word: Word, kind_index: int | None) -> bool:
     """Whether a word says anything of the sound beyond its kind."""
-    return _is_thing(word, place) or bool(word.facts and place not in word.kinds)
+    return _is_thing(word, kind_index) or bool(word.facts and kind_index not in word.kinds)
 
 
 def _words(text: str) -> list[Word]:
-    found = list(_found_words(text))
-    pairs = (f"{one}-{other}" for one, other in pairwise(found))
-    return [*map(_word, found), *(_word(pair) for pair in pairs if pair in lexicon().pairs)]
+    words = list(_found_words(text))
+    pairs = (f"{word}-{other}" for word, other in pairwise(words))
+    return [*map(_word, words), *(_word(pair) for pair in pairs if pair in lexicon().pairs)]
 
 
 def _found_words(text: str) -> Iterator[str]:
@@ -360,7 +368,7 @@ def _word(text: str) -> Word:
     return Word(
         forms,
         frozenset(fact for fact, words in known.facts.items() if forms & words),
-        frozenset(place for place, kind in enumerate(known.kinds) if forms & kind.words),
+        frozenset(index for index, kind in enumerate(known.kinds) if forms & kind.words),
         lists,
         partners=forms | {f"@{name}" for name in lists},
     )

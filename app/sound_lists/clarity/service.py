@@ -19,7 +19,7 @@ def unclear_cues(session: Session, access: ProjectAccess) -> Iterator[tuple[UUID
         session, access.project.id
     ):
         left = questions(name, category, f"{use}\n{description}".strip(), loop, length_s is not None)
-        if left := tuple(one for one in left if one.fact not in dismissed):
+        if left := tuple(question for question in left if question.fact not in dismissed):
             yield cue_id, left
 
 

@@ -69,7 +69,7 @@ def coverage(answers: Mapping[str, Any], cues: Iterable[ListedCue]) -> Coverage:
             scene["scene"] for scene in scenes if scene["ambience"] and not _is_named(scene["scene"], ambiences)
         ],
         silent_scenes=[scene["scene"] for scene in scenes if not scene["ambience"] and not scene["music"]],
-        categories_without_cue=[one for one in answers.get("categories") or [] if one not in present],
+        categories_without_cue=[category for category in answers.get("categories") or [] if category not in present],
         priority_without_cue=[line for line in priority if not _is_named(line, everywhere)],
         priority_as_wish=[line for line in priority if _is_named(line, everywhere) and not _is_named(line, needed)],
     )

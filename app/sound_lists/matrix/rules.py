@@ -57,8 +57,8 @@ def read_matrix(line: str) -> Matrix:
             raise ValueError(f'"{twice}" is there twice; write it once')
     count = math.prod(map(len, named))
     if count > MAX_CUES:
-        said = " × ".join(str(len(parts)) for parts in named)
-        raise ValueError(f"{said} makes {count:,} cues; a line makes {MAX_CUES} at most, write it as several lines")
+        shape = " × ".join(str(len(parts)) for parts in named)
+        raise ValueError(f"{shape} makes {count:,} cues; a line makes {MAX_CUES} at most, write it as several lines")
     return Matrix(named, variations)
 
 

@@ -61,10 +61,10 @@ class ListNames:
         return (kept or self._answers.keep(key, (find(*given),)))[0]
 
     def _sure(self, file_name: str, people: Sequence[str], prefixes: Collection[str]) -> MatchedCue | None:
-        found = self.index.sure(file_name, people, prefixes)
-        if found is None:
+        match = self.index.sure(file_name, people, prefixes)
+        if match is None:
             return None
-        return self._matched(UUID(str(found.cue)), found.variation, "the name fits no other", found.alternate)
+        return self._matched(UUID(str(match.cue)), match.variation, "the name fits no other", match.alternate)
 
     def _guesses(self, file_name: str, people: Sequence[str], prefixes: Collection[str]) -> list[MatchedCue]:
         return [

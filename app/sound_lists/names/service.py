@@ -194,14 +194,14 @@ def _place(spec: audio_checks.DeliverySpec, category: str) -> str | None:
 def _offers(
     spec: audio_checks.DeliverySpec, cues: Sequence[_Named], refused: Mapping[str | None, Sequence[str]]
 ) -> Iterator[PatternOffer]:
-    for place, stems in refused.items():
-        pattern = spec.for_category(place).naming.pattern
+    for category, stems in refused.items():
+        pattern = spec.for_category(category).naming.pattern
         listed = [
             stem
             for named in cues
-            if _place(spec, named.category) == place
+            if _place(spec, named.category) == category
             for stem in audio_checks.stems_of(named.name, named.file_name, named.variations)
         ]
         proposed = audio_checks.pattern_admitting(pattern, listed) if pattern else None
         if pattern and proposed:
-            yield PatternOffer(category=place, pattern=pattern, proposed=proposed, names=len(stems))
+            yield PatternOffer(category=category, pattern=pattern, proposed=proposed, names=len(stems))

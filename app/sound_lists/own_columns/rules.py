@@ -53,18 +53,18 @@ def by_key(columns: Sequence[Column]) -> dict[str, Column]:
 def column_faults(columns: Sequence[Column]) -> Iterator[tuple[int, str, str]]:
     """Yield the faults of a set of columns: the place from 1, the field, and the fault in words."""
     seen: dict[str, int] = {}
-    for place, column in enumerate(columns, start=1):
+    for position, column in enumerate(columns, start=1):
         key = key_of(column.name)
         if not column.name:
-            yield place, "name", "enter a name for the column"
+            yield position, "name", "enter a name for the column"
         elif len(column.name) > MAX_NAME_CHARS:
-            yield place, "name", f"{len(column.name)} characters; at most {MAX_NAME_CHARS} are kept"
+            yield position, "name", f"{len(column.name)} characters; at most {MAX_NAME_CHARS} are kept"
         elif column.name.lower() in FIELDS:
-            yield place, "name", f'every list has a column "{column.name}"; choose another name'
-        elif seen.setdefault(key, place) != place:
-            yield place, "name", f'"{column.name}" is the name of column {seen[key]} too; choose another name'
+            yield position, "name", f'every list has a column "{column.name}"; choose another name'
+        elif seen.setdefault(key, position) != position:
+            yield position, "name", f'"{column.name}" is the name of column {seen[key]} too; choose another name'
         if column.kind is ColumnKind.CHOICE:
-            yield from ((place, "choices", message) for message in _faults_of_choices(column.choices))
+            yield from ((position, "choices", message) for message in _faults_of_choices(column.choices))
     if len(columns) > MAX_COLUMNS:
         yield MAX_COLUMNS + 1, "name", f"{len(columns)} columns; a list may have {MAX_COLUMNS} of its own"
 
@@ -101,12 +101,12 @@ def read_value(column: Column, text: str, day_first: bool | None = None) -> str:
 
 def _choice(choices: Sequence[str], text: str) -> str:
     key = key_of(text)
-    found = next((choice for choice in choices if key_of(choice) == key), None)
-    if found is None:
+    matched_choice = next((choice for choice in choices if key_of(choice) == key), None)
+    if matched_choice is None:
         if text.lower() in EMPTY:
             return ""
         raise ValueError(f'wanted {", ".join(choices)}; found "{text[:40]}"')
-    return found
+    return matched_choice
 
 
 def fitted(columns: Mapping[str, Column], extra: Mapping[str, str]) -> tuple[dict[str, str], list[tuple[str, str]]]:

@@ -26,8 +26,8 @@ Fault = tuple[int, str, str]  # the place of a column from 1, the field, and the
 
 def edition_of(columns: Sequence[Column]) -> str:
     """Return a mark that differs once a column does."""
-    said = [[str(column.id), column.name, column.kind.value, [*column.choices]] for column in columns]
-    return hashlib.sha256(json.dumps(said).encode()).hexdigest()[:16]
+    facts = [[str(column.id), column.name, column.kind.value, [*column.choices]] for column in columns]
+    return hashlib.sha256(json.dumps(facts).encode()).hexdigest()[:16]
 
 
 def set_columns(
@@ -64,7 +64,9 @@ def _raise_faults(faults: Sequence[Fault]) -> None:
     if faults:
         raise ColumnsInvalid(
             f"nothing was changed; column {faults[0][0]}: {faults[0][2]}",
-            errors=[{"where": f"column {place}: {field}", "message": message} for place, field, message in faults],
+            errors=[
+                {"where": f"column {position}: {field}", "message": message} for position, field, message in faults
+            ],
         )
 
 
@@ -107,10 +109,16 @@ def _with_names(extra: Mapping[str, str], renamed: Mapping[str, str]) -> Iterato
 
 
 def _in_words(columns: Sequence[Column], misfits: Mapping[str, Sequence[_Misfit]]) -> Iterator[Fault]:
-    for place, column in enumerate(columns, start=1):
-        if found := misfits.get(column.name):
-            others = f"; so do {len(found) - 1} more" if len(found) > 2 else "; so does one more" if found[1:] else ""
-            yield place, "kind", f"{found[0].cue} does not fit: {found[0].message}{others}"
+    for position, column in enumerate(columns, start=1):
+        if column_misfits := misfits.get(column.name):
+            others = (
+                f"; so do {len(column_misfits) - 1} more"
+                if len(column_misfits) > 2
+                else "; so does one more"
+                if column_misfits[1:]
+                else ""
+            )
+            yield position, "kind", f"{column_misfits[0].cue} does not fit: {column_misfits[0].message}{others}"
 
 
 def _write(session: Session, project: Project, columns: Sequence[Column]) -> None:
@@ -124,9 +132,9 @@ def _write(session: Session, project: Project, columns: Sequence[Column]) -> Non
             "folded": key_of(column.name),
             "kind": column.kind,
             "choices": [*column.choices],
-            "position": place,
+            "position": position,
         }
-        for place, column in enumerate(columns, start=1)
+        for position, column in enumerate(columns, start=1)
     ]
     if rows:
         session.execute(insert(OwnColumn), rows)

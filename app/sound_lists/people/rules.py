@@ -40,12 +40,12 @@ class KnownPeople:
         if key in EMPTY:
             return None
         by_address = [person for person in self._by_id.values() if key in (person.email.casefold(), str(person.id))]
-        found = by_address or [person for person in self._by_id.values() if _key(person.name) == key]
-        if len(found) > 1:
-            raise ValueError(f'{len(found)} people are called "{text[:40]}"; write the email address')
-        if not found:
+        people = by_address or [person for person in self._by_id.values() if _key(person.name) == key]
+        if len(people) > 1:
+            raise ValueError(f'{len(people)} people are called "{text[:40]}"; write the email address')
+        if not people:
             raise ValueError(f'wanted the name or email address of a person in this project, found "{text[:40]}"')
-        return found[0].id
+        return people[0].id
 
 
 def _key(text: str) -> str:

@@ -199,8 +199,8 @@ def filled_down(sheet: Sheet) -> list[CellGuess]:
     """Return the cells that took their value from a merged one above."""
     texts = dict(sheet.rows)
     return [
-        _filled(row, sheet.columns[place], texts[row][place], "the cell above is merged over this row")
-        for row, place in sheet.notes["filled_down"]
+        _filled(row, sheet.columns[column], texts[row][column], "the cell above is merged over this row")
+        for row, column in sheet.notes["filled_down"]
         if row in texts
     ]
 
@@ -210,13 +210,13 @@ def _fill_down(sheet: Sheet, names: Sequence[str]) -> list[CellGuess]:
     if unknown := [name for name in names if name not in sheet.columns]:
         raise ColumnUnknown(f'the sheet has no column "{unknown[0]}"; it has {", ".join(sheet.columns)}')
     guesses = filled_down(sheet)
-    for place in (sheet.columns.index(name) for name in dict.fromkeys(names)):
+    for column in (sheet.columns.index(name) for name in dict.fromkeys(names)):
         above = ""
         for row, cells in sheet.rows:
-            if not cells[place] and above and sum(map(bool, cells)) > 1:
-                cells[place] = above
-                guesses.append(_filled(row, sheet.columns[place], above, "filled from the cell above, as asked"))
-            above = cells[place] or above
+            if not cells[column] and above and sum(map(bool, cells)) > 1:
+                cells[column] = above
+                guesses.append(_filled(row, sheet.columns[column], above, "filled from the cell above, as asked"))
+            above = cells[column] or above
     return guesses
 
 
@@ -240,8 +240,8 @@ def _faultless(session: Session, project: Project, plan: Plan) -> list[Edit]:
 
 
 def _names(sheet: Sheet, columns: Sequence[Column]) -> dict[int, str]:
-    place = next((column.place for column in columns if column.field == "name"), None)
-    return {} if place is None else {row: cells[place] for row, cells in sheet.rows}
+    name_column = next((column.place for column in columns if column.field == "name"), None)
+    return {} if name_column is None else {row: cells[name_column] for row, cells in sheet.rows}
 
 
 @dataclass(frozen=True)
@@ -267,9 +267,9 @@ def _columns(sheet: Sheet, known: _Known, ask: ImportAsk) -> list[Column]:
     rates = CellContext(frame_rate_fps=ask.frame_rate_fps, sample_rate_hz=ask.sample_rate_hz, day_first=ask.day_first)
     taken: dict[str, str] = {}
     columns = []
-    for place, name in enumerate(sheet.columns):
-        cells = [cells[place] for _, cells in sheet.rows]
-        guess = _guessed(sheet, place, name, cells, known, rates)
+    for index, name in enumerate(sheet.columns):
+        cells = [cells[index] for _, cells in sheet.rows]
+        guess = _guessed(sheet, index, name, cells, known, rates)
         found, note = guess.field, guess.note
         if found and found in taken:
             note, found = f'{found} is read from the column "{taken[found]}" already', None
@@ -282,7 +282,7 @@ def _columns(sheet: Sheet, known: _Known, ask: ImportAsk) -> list[Column]:
             free, note = "ignore", "the spreadsheet hides this column"
         columns.append(
             Column(
-                place=place,
+                place=index,
                 name=name,
                 samples=tuple(dict.fromkeys(cell[:200] for cell in cells if cell))[:SAMPLES],
                 guess=found,
@@ -296,7 +296,7 @@ def _columns(sheet: Sheet, known: _Known, ask: ImportAsk) -> list[Column]:
 
 
 def _guessed(
-    sheet: Sheet, place: int, name: str, cells: Sequence[str], known: _Known, rates: CellContext
+    sheet: Sheet, index: int, name: str, cells: Sequence[str], known: _Known, rates: CellContext
 ) -> ColumnGuess:
     key = key_of(typed_text(name))
     typed = [typed_text(cell) for cell in cells]
@@ -304,7 +304,7 @@ def _guessed(
     guess = guess_column(name, typed, rates, has_rate_column=has_rate_column)
     if sheet.header_row is None:
         guess = guess_column("", typed, rates)
-        return replace(guess, field=("name", "description")[place] if place < 2 else None)
+        return replace(guess, field=("name", "description")[index] if index < 2 else None)
     if guess.is_ours:
         return guess
     if key in known.own:

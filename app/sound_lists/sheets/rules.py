@@ -147,9 +147,9 @@ def parse_text(text: str, pasted: bool, heads_in: HeadsIn = known_heads_in) -> P
     if len(text) > MAX_BYTES:
         raise SheetUnreadable(f"a text may have {MAX_BYTES:,} characters; this one has {len(text):,}")
     text = text.removeprefix("\ufeff")
-    if (place := text.find("\0")) >= 0:
+    if (offset := text.find("\0")) >= 0:
         raise SheetUnreadable(
-            f"row {_row_at(text, place)}: this is not text: it holds zero bytes; save it as CSV or XLSX"
+            f"row {_row_at(text, offset)}: this is not text: it holds zero bytes; save it as CSV or XLSX"
         )
     csv.field_size_limit(MAX_BYTES)  # of this process; what is too long for us is refused with its row and column
     try:
@@ -160,8 +160,8 @@ def parse_text(text: str, pasted: bool, heads_in: HeadsIn = known_heads_in) -> P
     return header_row, columns, below, no_notes()
 
 
-def _row_at(text: str, place: int) -> int:
-    return text.count("\n", 0, place) + 1
+def _row_at(text: str, offset: int) -> int:
+    return text.count("\n", 0, offset) + 1
 
 
 def decoded(data: bytes, encoding: str | None = None) -> tuple[str, SheetNotes]:
@@ -229,7 +229,7 @@ def _parse_workbook(data: bytes, heads_in: HeadsIn, options: SheetOptions) -> Pa
         {first_row + 1 for (first_row, first), (_, last) in merged if last > first} & {row for row, _ in below}
     )
     notes["hidden_rows"] = [(row, ", ".join(filter(None, cells))[:300]) for row, cells in below if row in hidden.rows]
-    notes["hidden_columns"] = [name for name, place in zip(columns, places, strict=True) if place + 1 in hidden.columns]
+    notes["hidden_columns"] = [name for name, index in zip(columns, places, strict=True) if index + 1 in hidden.columns]
     return header_row, columns, [(row, cells) for row, cells in below if row not in hidden.rows], notes
 
 
@@ -280,10 +280,10 @@ def _fill_down(rows: Rows, places: Sequence[int], merged: Sequence[Any]) -> list
 
 
 def _filled_rows(sheet: python_calamine.CalamineSheet) -> Iterator[tuple[int, list[str]]]:
-    for place, cells in enumerate(sheet.to_python(skip_empty_area=False), start=1):
+    for row, cells in enumerate(sheet.to_python(skip_empty_area=False), start=1):
         texts = [cell if isinstance(cell, str) else _text_of(cell) for cell in cells]
         if any(texts):
-            yield place, texts
+            yield row, texts
 
 
 def _most_heads(rows: Rows, heads_in: HeadsIn) -> int:
@@ -342,9 +342,9 @@ def _parts_of_tabs(archive: zipfile.ZipFile) -> dict[str, str]:
 def _note_hidden(block: bytes, hidden: _Hidden) -> None:
     """Note the rows and columns that a piece of a sheet hides, and broken formulas; an outline hides nothing."""
     for cell in BROKEN_CELL.finditer(block):
-        place = CELL_PLACE.search(cell[1])
-        if place and len(hidden.broken) < MAX_FILLED_CELLS and len(place[1]) < 4 and len(place[2]) < 6:
-            row, column = int(place[2]), _column_number(place[1])
+        match = CELL_PLACE.search(cell[1])
+        if match and len(hidden.broken) < MAX_FILLED_CELLS and len(match[1]) < 4 and len(match[2]) < 6:
+            row, column = int(match[2]), _column_number(match[1])
             if row <= LAST_ROW and column <= LAST_COLUMN:
                 hidden.broken[row, column] = cell[2].decode("ascii", "replace")
     for tag in HIDDEN_TAG.finditer(block):
@@ -375,14 +375,14 @@ def _ensure_small_area(part: IO[bytes], *, is_xml: bool, is_sheet: bool) -> _Hid
             continue
         _note_hidden(tail + block, hidden)
         for cell in CELL.finditer(tail + block):
-            place = CELL_PLACE.search(cell[1])
-            if place is None or cell[1].endswith(b"/"):
+            match = CELL_PLACE.search(cell[1])
+            if match is None or cell[1].endswith(b"/"):
                 continue
-            row, column = int(place[2]), _column_number(place[1])
+            row, column = int(match[2]), _column_number(match[1])
             last_row, last_column = max(last_row, row), max(last_column, column)
             for count, most, what in ((row, LAST_ROW, "rows"), (column, LAST_COLUMN, "columns")):
                 if count > most:
-                    last = f"{place[1].decode()}{row}"
+                    last = f"{match[1].decode()}{row}"
                     raise SheetUnreadable(
                         f"a sheet may have {most:,} {what}; this one has {count:,}, up to cell {last}", fix=FAR_OUT
                     )
@@ -435,7 +435,7 @@ def _bounded(rows: Iterator[tuple[int, list[str]]]) -> Iterator[tuple[int, list[
     """Yield the rows that have something in them; raise SheetUnreadable where they are too many, or too large."""
     filled_rows = filled_cells = characters = 0
     for row, cells in rows:
-        filled = [(place, text) for place, cell in enumerate(cells) if (text := cell.strip())]
+        filled = [(index, text) for index, cell in enumerate(cells) if (text := cell.strip())]
         if not filled:
             continue
         filled_rows += 1
@@ -443,10 +443,10 @@ def _bounded(rows: Iterator[tuple[int, list[str]]]) -> Iterator[tuple[int, list[
             raise _too_many_rows(filled_rows + sum(any(map(str.strip, cells)) for _, cells in rows))
         filled_cells += len(filled)
         characters += sum(len(text) for _, text in filled)
-        for place, text in filled:
+        for column, text in filled:
             if len(text) > MAX_CELL_CHARACTERS:
                 raise SheetUnreadable(
-                    f"row {row}, column {place + 1}: a cell may have {MAX_CELL_CHARACTERS:,} characters; "
+                    f"row {row}, column {column + 1}: a cell may have {MAX_CELL_CHARACTERS:,} characters; "
                     f"this one has {len(text):,}"
                 )
         if len(filled) > MAX_COLUMNS:
@@ -460,8 +460,8 @@ def _bounded(rows: Iterator[tuple[int, list[str]]]) -> Iterator[tuple[int, list[
             if count > most:
                 raise SheetUnreadable(f"row {row}: a sheet may have {most:,} {what}; this one has more", fix=IN_PARTS)
         texts = [""] * (filled[-1][0] + 1)
-        for place, text in filled:
-            texts[place] = text
+        for column, text in filled:
+            texts[column] = text
         yield row, texts
 
 

@@ -40,15 +40,15 @@ def sound_list_workbook(cues: Sequence[Cue], columns: Sequence[Column], people: 
     extras = value_columns(cues, columns)
     kinds = {key_of(column.name): column.kind for column in columns}
     heads = [*HEADS, *extras.values()]
-    for place, head in enumerate(heads):
-        sheet.write_string(0, place, _quoted(head), bold)
-        sheet.set_column(place, place, WIDE.get(head, 14))
+    for column, head in enumerate(heads):
+        sheet.write_string(0, column, _quoted(head), bold)
+        sheet.set_column(column, column, WIDE.get(head, 14))
     for row, cue in enumerate(cues, start=1):
         values = values_by_key(cue)
         cells = [label(cue_prefix, cue.number), *(_value(cue, field, people) for field in HEADS if field != "number")]
         cells += [_typed(kinds.get(key, ColumnKind.TEXT), values.get(key, "")) for key in extras]
-        for place, cell in enumerate(cells):
-            _write(sheet, row, place, cell, day)
+        for column, cell in enumerate(cells):
+            _write(sheet, row, column, cell, day)
     _offer_choices(sheet, len(cues), heads, columns)
     sheet.freeze_panes(1, 2)
     sheet.autofilter(0, 0, len(cues), len(heads) - 1)
@@ -71,20 +71,20 @@ def _quoted(text: str) -> str:
     return f"'{text}" if typed_text(text) != text or is_broken_formula(text) else text
 
 
-def _write(sheet: Worksheet, row: int, place: int, cell: Any, day: Format) -> None:
+def _write(sheet: Worksheet, row: int, column: int, cell: Any, day: Format) -> None:
     """Write one cell; what a workbook cannot keep exactly as a number or a day is text."""
     if cell is None or cell == "":
         return
     if isinstance(cell, bool):
-        sheet.write_string(row, place, "yes" if cell else "no")
+        sheet.write_string(row, column, "yes" if cell else "no")
     elif isinstance(cell, (int, float)) and float(f"{cell:.16G}") == cell:
-        sheet.write_number(row, place, cell)
+        sheet.write_number(row, column, cell)
     elif isinstance(cell, date) and cell >= FIRST_DAY:
-        sheet.write_datetime(row, place, cell, day)
+        sheet.write_datetime(row, column, cell, day)
     elif isinstance(cell, str):
-        sheet.write_string(row, place, _quoted(cell.value if isinstance(cell, StrEnum) else cell))
+        sheet.write_string(row, column, _quoted(cell.value if isinstance(cell, StrEnum) else cell))
     else:
-        sheet.write_string(row, place, repr(cell) if isinstance(cell, float) else str(cell))
+        sheet.write_string(row, column, repr(cell) if isinstance(cell, float) else str(cell))
 
 
 def _offer_choices(sheet: Worksheet, rows: int, heads: Sequence[str], columns: Sequence[Column]) -> None:
@@ -93,7 +93,7 @@ def _offer_choices(sheet: Worksheet, rows: int, heads: Sequence[str], columns: S
         choices = YES_NO if column.kind is ColumnKind.YES_NO else column.choices
         if choices and len(",".join(choices)) <= LONGEST_LIST and not any("," in choice for choice in choices):
             offered[column.name] = choices
-    for place, head in enumerate(heads):
+    for head_index, head in enumerate(heads):
         if head in offered:
             rule = {"validate": "list", "source": [*offered[head]], "error_type": "warning"}
-            sheet.data_validation(1, place, rows + ROOM_ROWS, place, rule)
+            sheet.data_validation(1, head_index, rows + ROOM_ROWS, head_index, rule)

@@ -92,11 +92,11 @@ def get_spoken_placeholder_file(
     )
 
 
-def _read(said: SpokenPlaceholder) -> SpokenPlaceholderRead:
+def _read(recording: SpokenPlaceholder) -> SpokenPlaceholderRead:
     return SpokenPlaceholderRead(
-        cue_id=said.cue_id,
-        sha256=said.sha256,
-        duration_s=said.duration_s,
-        recorded_by=said.speaker,
-        recorded_at=said.recorded_at,
+        cue_id=recording.cue_id,
+        sha256=recording.sha256,
+        duration_s=recording.duration_s,
+        recorded_by=recording.speaker,
+        recorded_at=recording.recorded_at,
     )

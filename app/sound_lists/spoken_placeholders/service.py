@@ -31,14 +31,14 @@ def save_spoken_placeholder(
     cue = ensure_may_say(session, actor, cue_id)
     queries.lock_list(session, cue.project_id)
     stored = store.put(cue.studio_id, [content])
-    said = queries.spoken_placeholder(session, cue_id)
-    if said is None:
-        said = SpokenPlaceholder(studio_id=cue.studio_id, project_id=cue.project_id, cue_id=cue_id)
-        session.add(said)
-    said.sha256, said.file_bytes, said.duration_s = stored.sha256, stored.size_bytes, duration_s
-    said.recorded_by, said.recorded_at = actor.person, clock.now()
+    recording = queries.spoken_placeholder(session, cue_id)
+    if recording is None:
+        recording = SpokenPlaceholder(studio_id=cue.studio_id, project_id=cue.project_id, cue_id=cue_id)
+        session.add(recording)
+    recording.sha256, recording.file_bytes, recording.duration_s = stored.sha256, stored.size_bytes, duration_s
+    recording.recorded_by, recording.recorded_at = actor.person, clock.now()
     session.flush()
-    session.expire(said)
+    session.expire(recording)
     _publish(session, cue)
     return get_spoken_placeholder(session, actor, cue_id)
 
@@ -46,10 +46,10 @@ def save_spoken_placeholder(
 def get_spoken_placeholder(session: Session, actor: Actor, cue_id: UUID) -> SpokenPlaceholder:
     """Return a cue's spoken placeholder within the caller's sight; raise NothingSaid where there is none."""
     visible_cue(session, actor, cue_id)
-    said = queries.spoken_placeholder(session, cue_id)
-    if said is None:
+    recording = queries.spoken_placeholder(session, cue_id)
+    if recording is None:
         raise SpokenPlaceholderMissing("no person said a placeholder for this cue")
-    return said
+    return recording
 
 
 def remove_said(session: Session, actor: Actor, cue_id: UUID) -> None:
