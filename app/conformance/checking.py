@@ -27,12 +27,12 @@ TAKES_CHECKED = Counter("soundlist_takes_checked", "Takes that were judged, by v
 def check_take(runtime: Runtime, take_id: UUID, workspace: TakeWorkspace) -> None:
     """Check a received or adopted take against the newest spec and record its verdict, once; other takes are left."""
     with runtime.database.reading() as session:
-        found = queries.take_to_check(session, take_id)
-        if found is None or not awaits_check(
-            found.take.state, is_checked=queries.current_run(session, take_id) is not None
+        to_check = queries.take_to_check(session, take_id)
+        if to_check is None or not awaits_check(
+            to_check.take.state, is_checked=queries.current_run(session, take_id) is not None
         ):
             return
-        order = service.order_check(session, found)
+        order = service.order_check(session, to_check)
         report = service.known_report(session, order)
     kill_points.point("conformance.before_check")
     report = with_reverb_before(

@@ -143,10 +143,12 @@ def fix_for(session: Session, actor: Actor, take_id: UUID) -> FixRead:
 def fixes_offered(session: Session, actor: Actor, project_id: UUID) -> list[FixOffer]:
     """Return the takes of a project of which a fix would be enough, longest waiting first; a designer's own."""
     access = project_access(session, actor, project_id)
-    found = queries.takes_with_findings(session, project_id, designer_id=access.only_designer_id, limit=MAX_OFFERED)
-    fixes = queries.fixes_of(session, [take.id for take, _ in found])
+    checked_takes = queries.takes_with_findings(
+        session, project_id, designer_id=access.only_designer_id, limit=MAX_OFFERED
+    )
+    fixes = queries.fixes_of(session, [take.id for take, _ in checked_takes])
     offered = []
-    for take, run in found:
+    for take, run in checked_takes:
         chance, fix = _fix_outlook(session, take, run), fixes.get((take.id, run.key))
         state = _state(chance, fix)
         if take.cue is None or state not in ("offered", "making", "made"):
@@ -212,7 +214,7 @@ def record_fix(session: Session, fix_id: UUID, made: dict[str, Any], blob: tuple
         publish(session, "fix.made", studio_id=fix.studio_id, fix_id=fix.id)
     else:
         fix.state = FixState.REFUSED
-        whys = " ".join(dict.fromkeys(one["why"] for one in made["left"] if one["severity"] == "error"))
+        whys = " ".join(dict.fromkeys(unfixed["why"] for unfixed in made["left"] if unfixed["severity"] == "error"))
         fix.refusal = f"Even fixed it would be returned. {whys}".strip()
     session.flush()
     return True
@@ -239,8 +241,8 @@ def read_fix(session: Session, take: Take) -> FixRead:
         take_id=take.id,
         state=_state(chance, fix),
         says=_says(chance, fix),
-        repairs=[RepairRead.model_validate(one) for one in made.get("repairs", [])],
-        left=[LeftRead.model_validate(one) for one in made.get("left", [])],
+        repairs=[RepairRead.model_validate(repair) for repair in made.get("repairs", [])],
+        left=[LeftRead.model_validate(unfixed) for unfixed in made.get("left", [])],
         is_our_fault=fix is not None and fix.refusal == OUR_FAULT,
         before=made.get("before", {}),
         after=made.get("after", {}),
@@ -248,7 +250,7 @@ def read_fix(session: Session, take: Take) -> FixRead:
         cut_tail_s=cut_tail_s,
         duration_s=made.get("duration_s"),
         file_name=_file_name(take, fix) if fix and fix.sha256 else None,
-        spots=[SpotRead.model_validate(one) for one in made.get("spots", [])],
+        spots=[SpotRead.model_validate(spot) for spot in made.get("spots", [])],
         becomes=_becomes(session, take, fix) if is_wanted or (fix and fix.new_take_id) else None,
         new_take_id=fix.new_take_id if fix else None,
         used_by=PersonBrief.model_validate(used_by) if used_by else None,
@@ -272,7 +274,7 @@ def _says(chance: _FixOutlook | None, fix: Fix | None) -> str:
         return "It has not been checked yet."
     if fix is not None and fix.refusal is not None:
         return fix.refusal
-    words = [one["words"] for one in fix.made.get("repairs", [])] if fix else []
+    words = [repair["words"] for repair in fix.made.get("repairs", [])] if fix else []
     return f"{', '.join(words)[:1].upper()}{', '.join(words)[1:]}." if words else chance.says
 
 
@@ -291,7 +293,7 @@ def _fixed_from(session: Session, take: Take) -> FixedFrom | None:
     return FixedFrom(
         take_id=master.id,
         number=master.number,
-        repairs=[RepairRead.model_validate(one) for one in fix.made.get("repairs", [])],
+        repairs=[RepairRead.model_validate(repair) for repair in fix.made.get("repairs", [])],
         used_by=PersonBrief.model_validate(session.get_one(Person, fix.used_by)),
         used_at=fix.used_at,
     )
@@ -299,5 +301,5 @@ def _fixed_from(session: Session, take: Take) -> FixedFrom | None:
 
 def _file_name(take: Take, fix: Fix) -> str:
     """Return the name of the new take: as the designer named it, unless the name itself was put right."""
-    is_renamed = any(one["kind"] == "name" for one in fix.made.get("repairs", []))
+    is_renamed = any(repair["kind"] == "name" for repair in fix.made.get("repairs", []))
     return str(fix.made["name"]) if is_renamed else take.file_name

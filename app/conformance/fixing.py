@@ -32,7 +32,7 @@ def as_record(made: MadeFix) -> dict[str, Any]:
         "name": result["name"],
         "conforms": result["conforms"],
         "repairs": result["repairs"],
-        "left": [{key: one[key] for key in ("code", "severity", "message", "why")} for one in result["left"]],
+        "left": [{key: unfixed[key] for key in ("code", "severity", "message", "why")} for unfixed in result["left"]],
         "before": result["before"]["measurements"],
         "after": result["after"]["measurements"] if result["after"] else {},
         "cut_s": [frames / rate for frames in result["cut_frames"]],

@@ -92,13 +92,13 @@ def _likely_stems(
         _likeliest(names, path, people, prefixes) if wanted else None
         for path, wanted in zip(paths, unsure, strict=True)
     ]
-    taken = filled_variations(session, {one.cue_id for one in likely if one and one.variation is None})
+    taken = filled_variations(session, {slot.cue_id for slot in likely if slot and slot.variation is None})
     others = [names.sure(stored_name(name), people) for name in body.proposed]
     places = [(slot.cue.id, slot.variation) for slot in slots if slot]
-    for cue_id, variation in (*places, *((one.cue_id, one.variation) for one in (*likely, *others) if one)):
+    for cue_id, variation in (*places, *((slot.cue_id, slot.variation) for slot in (*likely, *others) if slot)):
         if cue_id in taken and variation is not None:
             taken[cue_id].add(variation)
-    return [None if one is None else _likely_stem(names, one, taken) for one in likely]
+    return [None if slot is None else _likely_stem(names, slot, taken) for slot in likely]
 
 
 def _likeliest(names: ListNames, path: str, people: list[str], prefixes: Collection[str]) -> MatchedCue | None:

@@ -264,11 +264,11 @@ def takes_in(takes: str) -> list[UUID]:
 
 @cache
 def _sets_of_takes(is_own: bool) -> Select[UUID | None, str]:
-    said: ColumnElement[str] = cast(Take.id, String)
+    facts_text: ColumnElement[str] = cast(Take.id, String)
     for fact in (Take.variation, Take.alternate, Take.number, Take.state, CheckRun.id):
-        said = said + " " + func.coalesce(cast(fact, String), "")
+        facts_text = facts_text + " " + func.coalesce(cast(fact, String), "")
     access = (
-        select(Take.cue_id, said.label("said"))
+        select(Take.cue_id, facts_text.label("said"))
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .where(in_array(Take.cue_id, "cue_ids"), Take.state.in_(STANDING))
         .order_by(Take.cue_id, Take.id)
@@ -281,14 +281,20 @@ def _sets_of_takes(is_own: bool) -> Select[UUID | None, str]:
 
 def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[AnalysedTake]:
     """Return a take after those of its delivery that came before with the same samples, and are for another place."""
-    found = _analysed_takes(
+    analysed = _analysed_takes(
         session,
         Take.delivery_id == take.delivery_id,
         CheckRun.pcm_sha256 == pcm_sha256,
         tuple_(Take.received_at, Take.id) <= tuple_(take.received_at, take.id),
     )
     here = (take.cue_id, take.variation)
-    return [one for one in found if one.id == take.id or one.cue_id is None or (one.cue_id, one.variation) != here]
+    return [
+        analysed_take
+        for analysed_take in analysed
+        if analysed_take.id == take.id
+        or analysed_take.cue_id is None
+        or (analysed_take.cue_id, analysed_take.variation) != here
+    ]
 
 
 def waivers_in(session: Session, project_id: UUID) -> Sequence[tuple[Waiver, CheckRun, Take]]:
@@ -329,8 +335,8 @@ def takes_with_findings(
 
 def fixes_of(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str], Fix]:
     """Return the fixes of takes, by take and by the check that they answer."""
-    found = session.scalars(select(Fix).where(in_array(Fix.take_id, take_ids)))
-    return {(fix.take_id, fix.key): fix for fix in found}
+    fixes = session.scalars(select(Fix).where(in_array(Fix.take_id, take_ids)))
+    return {(fix.take_id, fix.key): fix for fix in fixes}
 
 
 def fix_with_key(session: Session, take_id: UUID, key: str) -> Fix | None:
@@ -358,10 +364,10 @@ def made_fix_of(session: Session, take_id: UUID) -> Fix | None:
 
 def takes_with_finding(session: Session, take_ids: Collection[UUID], code: str) -> set[UUID]:
     """Return those of some takes that had a finding of this code in their newest check."""
-    found: set[UUID] = set()
+    matching_ids: set[UUID] = set()
     wanted = list(take_ids)
     has_code = CheckRun.report["findings"].as_string().contains(f'"{code}"')
     for start in range(0, len(wanted), TAKES_AT_ONCE):
         of = CheckRun.take_id.in_(wanted[start : start + TAKES_AT_ONCE])
-        found |= set(session.scalars(select(CheckRun.take_id).where(of, CheckRun.is_current, has_code)))
-    return found
+        matching_ids |= set(session.scalars(select(CheckRun.take_id).where(of, CheckRun.is_current, has_code)))
+    return matching_ids

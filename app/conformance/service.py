@@ -86,9 +86,9 @@ class CheckOrder:
     key: str
 
 
-def order_check(session: Session, found: ToCheck) -> CheckOrder:
+def order_check(session: Session, to_check: ToCheck) -> CheckOrder:
     """Return the order for a take's check."""
-    take, spec, stem_named, has_dry_stems = found
+    take, spec, stem_named, has_dry_stems = to_check
     cue = cue_facts(take.cue) if take.cue else None
     resolved = resolved_spec(spec, take)
     name = name_checked(take, stem_named)
@@ -211,9 +211,9 @@ def recheck_if_changed(session: Session, take_id: UUID, *, by: UUID | None, prio
     take = deliveries.take_by_id(session, take_id, locked=True)
     if take is None or take.state not in CHECKABLE:
         return
-    if (found := queries.take_to_check(session, take_id)) is None:
+    if (to_check := queries.take_to_check(session, take_id)) is None:
         return
-    order = order_check(session, found)
+    order = order_check(session, to_check)
     run = queries.current_run(session, take.id)
     if take.state is not TakeState.RECEIVED and run is not None and run.key == order.key:
         run.spec_id = order.spec_id  # the new version asks the same of this take

@@ -73,10 +73,10 @@ def _of_one_set(
     )
     members = [take for take in takes if take.id in chosen]
     judged = [_judged(take, spec, facts) for take in members]
-    found, away = audio_checks.set_findings(judged), audio_checks.offset_from_set_lu(judged)
+    finding_sets, away = audio_checks.set_findings(judged), audio_checks.offset_from_set_lu(judged)
     return {
         take.id: SetFinding(cue_id, _plain(findings), off)
-        for take, findings, off in zip(members, found, away, strict=True)
+        for take, findings, off in zip(members, finding_sets, away, strict=True)
     }
 
 
@@ -97,11 +97,11 @@ def same_sounds(session: Session, take: Take, pcm_sha256: str | None, spec: Spec
         return ()
     whole = parsed_spec(spec.toml)
     judged = [_judged(same_sound, whole, None) for same_sound in queries.same_sounds(session, take, pcm_sha256)]
-    found = audio_checks.set_findings(judged)
-    return _plain(found[-1]) if found else ()
+    finding_sets = audio_checks.set_findings(judged)
+    return _plain(finding_sets[-1]) if finding_sets else ()
 
 
 def with_set_finding(report: Report, *more: Findings) -> Report:
     """Return a report with what is found over files together, behind its own findings of the same weight."""
     findings = [*report["findings"], *(finding for findings in more for finding in findings)]
-    return report | {"findings": sorted(findings, key=lambda one: one["severity"] != "error")}
+    return report | {"findings": sorted(findings, key=lambda finding: finding["severity"] != "error")}

@@ -105,14 +105,14 @@ def list_deliveries(
 ) -> Page[DeliveryRead]:
     """List deliveries, the newest first; a designer's own."""
     access = project_access(session, actor, project_id)
-    found = queries.deliveries_of(
+    deliveries = queries.deliveries_of(
         session, project_id, designer_id=access.only_designer_id, before=uuid_cursor(cursor), limit=limit + 1
     )
-    shown = found[:limit]
+    shown = deliveries[:limit]
     counts = queries.takes_counts(session, [delivery.id for delivery in shown])
     return Page(
         items=[_delivery_read(delivery, counts.get(delivery.id, 0)) for delivery in shown],
-        next=cursor_of(shown[-1].id) if len(found) > limit else None,
+        next=cursor_of(shown[-1].id) if len(deliveries) > limit else None,
     )
 
 
@@ -124,14 +124,14 @@ def see_delivery(
 ) -> DeliveryDetail:
     """Show a delivery with its takes, dry stems and ZIPs."""
     delivery, access = service.delivery_for(session, actor, delivery_id)
-    found = queries.takes_in(session, delivery_id)
-    takes = service.read_takes(session, access.project, found)
+    stored_takes = queries.takes_in(session, delivery_id)
+    takes = service.read_takes(session, access.project, stored_takes)
     archives = [_archive_read(archive) for archive in queries.archives_in(session, delivery_id)]
     return DeliveryDetail(
         **_delivery_read(delivery, len(takes)).model_dump(exclude={"designer"}),
         designer=PersonBrief.model_validate(delivery.designer),
         takes=takes,
-        dry_stems=dry_stems.read_dry_stems(session, delivery_id, found),
+        dry_stems=dry_stems.read_dry_stems(session, delivery_id, stored_takes),
         archives=archives,
     )
 
@@ -216,7 +216,7 @@ def list_takes(
 ) -> Page[TakeRead]:
     """List takes, the newest first; a designer's own. `unmatched=true` is the tray."""
     access = project_access(session, actor, project_id)
-    found = queries.takes_of(
+    takes = queries.takes_of(
         session,
         project_id,
         designer_id=access.only_designer_id,
@@ -227,10 +227,10 @@ def list_takes(
         before=uuid_cursor(cursor),
         limit=limit + 1,
     )
-    shown = found[:limit]
+    shown = takes[:limit]
     return Page(
         items=service.read_takes(session, access.project, shown),
-        next=cursor_of(shown[-1].id) if len(found) > limit else None,
+        next=cursor_of(shown[-1].id) if len(takes) > limit else None,
     )
 
 

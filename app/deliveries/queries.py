@@ -48,8 +48,8 @@ def delivery_with_facts(session: Session, delivery_id: UUID, person_id: UUID) ->
 
 @cache
 def _with_facts() -> Select[*tuple[Any, ...]]:
-    found = access_facts_query().join(Delivery, Delivery.project_id == Project.id).add_columns(Delivery)
-    return found.where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
+    query = access_facts_query().join(Delivery, Delivery.project_id == Project.id).add_columns(Delivery)
+    return query.where(Delivery.id == bindparam("delivery_id")).options(joinedload(Delivery.designer))
 
 
 def deliveries_of(
@@ -167,9 +167,9 @@ def take_of_upload(session: Session, upload_id: UUID) -> Take | None:
     return session.scalar(_OF_UPLOAD, {"upload_id": upload_id})
 
 
-def take_of_entry(session: Session, archive_id: UUID, place: int) -> Take | None:
+def take_of_entry(session: Session, archive_id: UUID, entry_index: int) -> Take | None:
     """Return the take that a file of a ZIP became."""
-    return session.scalar(_newest(Take.archive_id == archive_id, Take.archive_entry == place))
+    return session.scalar(_newest(Take.archive_id == archive_id, Take.archive_entry == entry_index))
 
 
 def dry_stem_of(session: Session, take: Take) -> DryStem | None:
@@ -199,9 +199,9 @@ def dry_stem_of_upload(session: Session, upload_id: UUID, stem: str) -> DryStem 
     return session.scalar(select(DryStem).where(DryStem.upload_id == upload_id, DryStem.stem == stem))
 
 
-def dry_stem_of_entry(session: Session, archive_id: UUID, place: int) -> DryStem | None:
+def dry_stem_of_entry(session: Session, archive_id: UUID, entry_index: int) -> DryStem | None:
     """Return the dry stem that a file of a ZIP became."""
-    return session.scalar(select(DryStem).where(DryStem.archive_id == archive_id, DryStem.archive_entry == place))
+    return session.scalar(select(DryStem).where(DryStem.archive_id == archive_id, DryStem.archive_entry == entry_index))
 
 
 def dry_stems_in(session: Session, delivery_id: UUID) -> Sequence[DryStem]:

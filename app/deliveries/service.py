@@ -51,12 +51,12 @@ class Origin:
 def delivery_for(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, ProjectAccess]:
     """Return a delivery within the caller's sight, and what the caller is in its project."""
     try:
-        found = _found_by(session, actor, delivery_id)
+        delivery_and_access = _found_by(session, actor, delivery_id)
     except ProjectNotFound:
-        found = None
-    if found is None:
+        delivery_and_access = None
+    if delivery_and_access is None:
         raise DeliveryNotFound(f"no delivery {delivery_id}")
-    delivery, access = found
+    delivery, access = delivery_and_access
     if access.only_designer_id not in (None, delivery.designer_id):
         raise DeliveryNotFound(f"no delivery {delivery_id}")
     return delivery, access
@@ -66,8 +66,8 @@ def _found_by(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delive
     if actor.is_build:
         delivery = queries.delivery_by_id(session, delivery_id)
         return (delivery, project_access(session, actor, delivery.project_id)) if delivery else None
-    found = queries.delivery_with_facts(session, delivery_id, actor.person_id) if actor.person_id else None
-    return (found[0], access_from_facts(actor, found[1])) if found else None
+    row = queries.delivery_with_facts(session, delivery_id, actor.person_id) if actor.person_id else None
+    return (row[0], access_from_facts(actor, row[1])) if row else None
 
 
 def own_delivery(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, ProjectAccess]:

@@ -38,17 +38,17 @@ def slot_given(session: Session, access: ProjectAccess, cue_id: UUID, variation:
 def slot_of_stem(session: Session, project_id: UUID, file_name: str) -> Slot | None:
     """Return the place whose name a file has letter for letter, but for its alternate and typed version."""
     for stem, alternate in stems_to_try(file_name):
-        if (found := sound_lists.slot_by_stem(session, project_id, stem)) is not None:
-            return Slot(*found, alternate)
+        if (matched := sound_lists.slot_by_stem(session, project_id, stem)) is not None:
+            return Slot(*matched, alternate)
     return None
 
 
 def slot_named(session: Session, project_id: UUID, file_name: str, designer: str) -> Slot | None:
     """Return the place given by a file's name; None if it is in any doubt."""
     if base_name(file_name) == file_name:  # a folder in the path may name another cue
-        found = slot_of_stem(session, project_id, file_name)
-        if found is not None:
-            return found
+        slot = slot_of_stem(session, project_id, file_name)
+        if slot is not None:
+            return slot
     sure = list_names(session, project_id).sure(file_name, [designer])
     if sure is None or sure.variation is None:
         return None
@@ -68,8 +68,8 @@ class Matching:
 
     def guesses(self, take: Take) -> list[CueGuess]:
         """Return up to three cues that a take may be for, the likeliest first."""
-        found = self.names.guesses(take.file_name, [take.designer.name], self.prefixes)
-        return [guess_slot(take, slot) for slot in found]
+        likely_slots = self.names.guesses(take.file_name, [take.designer.name], self.prefixes)
+        return [guess_slot(take, slot) for slot in likely_slots]
 
 
 def matching_for(session: Session, project_id: UUID, designer_id: UUID | None) -> Matching:

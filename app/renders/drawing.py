@@ -93,24 +93,24 @@ def prepare(
 
     Results are by the name of the target, and MASTER; or the reason why it cannot be made, or drawn.
     """
-    found: dict[str, Outcome] = {}
+    outcomes: dict[str, Outcome] = {}
     known = _Known()
     Path(folder).mkdir(exist_ok=True)
     places_of = places(folder, recipes)
     for target, recipe in recipes.items():
-        place = places_of[target]
-        place.mkdir()
+        target_folder = places_of[target]
+        target_folder.mkdir()
         try:
-            found[target] = _rendered(path, place, recipe, known)
+            outcomes[target] = _rendered(path, target_folder, recipe, known)
         except (RenderRefused, Unreadable) as error:
-            found[target] = error.with_traceback(None)
+            outcomes[target] = error.with_traceback(None)
     if draws_master:
         try:
-            found[MASTER] = drawing = _drawn(path, Path(folder), loop=loop, known=known)
+            outcomes[MASTER] = drawing = _drawn(path, Path(folder), loop=loop, known=known)
             drawing["has_light"] = light_preview(_played(path, places_of, drawing), Path(folder) / LIGHT)
         except (RenderRefused, Unreadable) as error:
-            found[MASTER] = error.with_traceback(None)
-    return found
+            outcomes[MASTER] = error.with_traceback(None)
+    return outcomes
 
 
 def game_file(encoding: str) -> str:

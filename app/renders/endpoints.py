@@ -72,10 +72,10 @@ def list_other_sounds(
     project_id: UUID, session: DbSession, palette: bool = False, cursor: str | None = None, actor: Actor = DESIGNER
 ) -> Page[OtherSound]:
     """Return the sounds of other designers that the project lets its designers hear, the newest first."""
-    found = other_sounds.sounds_of_others(
+    sounds = other_sounds.sounds_of_others(
         session, actor, project_id, palette=palette, before=uuid_cursor(cursor), limit=PAGE + 1
     )
-    return Page(items=found[:PAGE], next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None)
+    return Page(items=sounds[:PAGE], next=cursor_of(sounds[PAGE - 1].id) if len(sounds) > PAGE else None)
 
 
 @router.get(
@@ -182,10 +182,10 @@ def list_batches(
     project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = TEAM
 ) -> Page[BatchSummary]:
     """Return the project's batches of game files, the newest first."""
-    found = batches.batches_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    batch_rows = batches.batches_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
     return Page(
-        items=batches.summaries(session, found[:PAGE]),
-        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+        items=batches.summaries(session, batch_rows[:PAGE]),
+        next=cursor_of(batch_rows[PAGE - 1].id) if len(batch_rows) > PAGE else None,
     )
 
 

@@ -40,12 +40,12 @@ def make_missing(
     child = workspace.child(order.delivery_id)
     master = workspace.master(studio_id, sha256)
     new_place = partial(workspace.new_place, order.delivery_id)
-    found = _outcomes(child, str(master), new_place, recipes, loop=order.loop, draws=draws)
+    outcomes = _outcomes(child, str(master), new_place, recipes, loop=order.loop, draws=draws)
     renders: service.Made = []
     files: dict[str, StoredBlob] = {}
     spectra: dict[str, StoredBlob] = {}
     for target, recipe in recipes.items():
-        outcome, place = found[target]
+        outcome, target_folder = outcomes[target]
         render = Render(
             studio_id=studio_id,
             project_id=order.project_id,
@@ -60,20 +60,22 @@ def make_missing(
             continue
         made = cast(drawing.Made, outcome)
         name = drawing.game_file(made["rendered"].encoding)
-        files[target] = blob = runtime.store.put_file(studio_id, place / name)
+        files[target] = blob = runtime.store.put_file(studio_id, target_folder / name)
         _describe(render, blob, made["rendered"].to_dict())
-        spectra[target] = spectrum = runtime.store.put_file(studio_id, place / drawing.SPECTRUM)
-        drawn = stored_picture(runtime, studio_id, blob.sha256, place, made["drawing"], spectrum=spectrum)
+        spectra[target] = spectrum = runtime.store.put_file(studio_id, target_folder / drawing.SPECTRUM)
+        drawn = stored_picture(runtime, studio_id, blob.sha256, target_folder, made["drawing"], spectrum=spectrum)
         renders.append((render, drawn))
     if not draws:
         return renders, None
-    outcome, place = found[drawing.MASTER]
+    outcome, master_folder = outcomes[drawing.MASTER]
     if isinstance(outcome, AudioChecksError):
         log.info("a sound could not be drawn", sha256=sha256, error=str(outcome))
         return renders, Picture(studio_id=studio_id, sound_sha256=sha256)
     master_drawn = cast(drawing.Drawn, outcome)
     like = master_drawn["preview_of"]
-    return renders, stored_picture(runtime, studio_id, sha256, place, master_drawn, files.get(like), spectra.get(like))
+    return renders, stored_picture(
+        runtime, studio_id, sha256, master_folder, master_drawn, files.get(like), spectra.get(like)
+    )
 
 
 def _outcomes(
@@ -89,13 +91,13 @@ def _outcomes(
     child.timeout_s = TIMEOUT_S
 
     def made(some: dict[str, Recipe], draws: bool) -> dict[str, tuple[drawing.Outcome, Path]]:
-        place = str(new_place())
+        folder = str(new_place())
         asked = {target: recipe._asdict() for target, recipe in some.items()}
-        done = child.call(drawing.prepare, master, place, asked, loop=loop, draws_master=draws)
+        done = child.call(drawing.prepare, master, folder, asked, loop=loop, draws_master=draws)
         for part, outcome in done.items():
             if not isinstance(outcome, AudioChecksError) and ("rendered" in outcome) is (part == drawing.MASTER):
                 raise SandboxCrashed(f"the answer is not what {part or 'the master'} is to be")
-        return {part: (done[part], where) for part, where in drawing.places(place, some).items() if part in done}
+        return {part: (done[part], where) for part, where in drawing.places(folder, some).items() if part in done}
 
     parts = [*(({target: recipe}, False) for target, recipe in recipes.items()), *([({}, True)] if draws else [])]
     if len(parts) > 1:
@@ -103,13 +105,13 @@ def _outcomes(
             return made(recipes, draws)
         except SandboxFailed as error:
             log.warning("what a take needs could not be made together", error=str(error))
-    found: dict[str, tuple[drawing.Outcome, Path]] = {}
+    outcomes: dict[str, tuple[drawing.Outcome, Path]] = {}
     for some, draws_it in parts:
         try:
-            found |= retried(partial(made, some, draws_it))
+            outcomes |= retried(partial(made, some, draws_it))
         except SandboxFailed as error:
-            found[next(iter(some), drawing.MASTER)] = error, Path()
-    return found
+            outcomes[next(iter(some), drawing.MASTER)] = error, Path()
+    return outcomes
 
 
 def _refusal(order: service.RenderOrder, target: str, error: AudioChecksError) -> str:

@@ -136,8 +136,8 @@ def take_snapshot(session: Session, take_id: UUID) -> TakeSnapshot | None:
 def _take_snapshot() -> Select[int, UUID, str, bool, bool]:
     newest = select(Spec.id).where(Spec.project_id == Take.project_id).order_by(Spec.version.desc()).limit(1)
     palette = _marks_a_palette(aliased(Cue), Take.project_id)
-    found = select(Take.edition, newest.scalar_subquery(), Cue.category, Cue.loop, palette)
-    return found.select_from(Take).join(Cue, Cue.id == Take.cue_id).where(Take.id == bindparam("take_id"))
+    query = select(Take.edition, newest.scalar_subquery(), Cue.category, Cue.loop, palette)
+    return query.select_from(Take).join(Cue, Cue.id == Take.cue_id).where(Take.id == bindparam("take_id"))
 
 
 def take_ids_without_timbre(session: Session, project_id: UUID) -> Sequence[UUID]:
@@ -232,21 +232,21 @@ def admitted_takes(session: Session, project_id: UUID) -> Sequence[Take]:
 
 def has_admitted_takes(session: Session, project_id: UUID) -> bool:
     """Whether a project has takes that may still ship."""
-    found = exists().where(Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.is_not(None))
-    return bool(session.scalar(select(found)))
+    admitted = exists().where(Take.project_id == project_id, Take.state.in_(RENDERED_STATES), Take.cue_id.is_not(None))
+    return bool(session.scalar(select(admitted)))
 
 
 def renders_so_far(session: Session, project_id: UUID) -> dict[tuple[UUID, str], list[RenderRow]]:
     """Return the keys of all renders of a project, by take and target, the oldest first."""
-    found: dict[tuple[UUID, str], list[RenderRow]] = defaultdict(list)
+    renders_by_take: dict[tuple[UUID, str], list[RenderRow]] = defaultdict(list)
     rows = session.execute(
         select(Render.take_id, Render.target, Render.key, Render.state, Render.file_bytes, Render.refusal)
         .where(Render.project_id == project_id)
         .order_by(Render.id)
     )
     for row in rows:
-        found[row.take_id, row.target].append(row)
-    return found
+        renders_by_take[row.take_id, row.target].append(row)
+    return renders_by_take
 
 
 def batch_by_id(session: Session, batch_id: UUID, *, locked: bool = False) -> Batch | None:

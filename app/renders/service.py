@@ -44,8 +44,8 @@ def take_sounds(session: Session, actor: Actor, take_id: UUID) -> TakeSoundsRead
         master=master_sound(take, pictures.get(take.master_sha256)),
         fix=_fix_sound(fix, pictures),
         renders=[
-            render_sound(target, one, picture_of_render(one, pictures), is_closed=closed is not None)
-            for target, one in renders.items()
+            render_sound(target, render, picture_of_render(render, pictures), is_closed=closed is not None)
+            for target, render in renders.items()
         ],
         closed=closed,
     )
@@ -135,10 +135,10 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
 
     Raises RenderNotFound, NothingRendered where it was refused, DownloadUnpaid where its contract opens it by payment.
     """
-    found = queries.visible_render(session, actor, render_id)
-    if found is None:
+    render_and_take = queries.visible_render(session, actor, render_id)
+    if render_and_take is None:
         raise RenderNotFound(f"no render {render_id}")
-    render, take = found
+    render, take = render_and_take
     if render.sha256 is None:
         raise NothingRendered(f"the render for {render.target} was refused: {render.refusal}")
     ensure_open(session, actor, take.cue_id, take.designer_id)
@@ -148,15 +148,15 @@ def render_file(session: Session, actor: Actor, render_id: UUID) -> tuple[Render
 
 def render_loss(session: Session, actor: Actor, render_id: UUID) -> LossRead:
     """Return the loss of a game file; raise LossUnknown if it was not measured."""
-    found = queries.visible_render(session, actor, render_id)
-    if found is None:
+    render_and_take = queries.visible_render(session, actor, render_id)
+    if render_and_take is None:
         raise RenderNotFound(f"no render {render_id}")
-    if found[0].loss is None:
+    if render_and_take[0].loss is None:
         raise LossUnknown(
             "the quality loss of this file was not measured: it was refused, or rendered by an earlier version",
             fix="re-render the game files",
         )
-    return LossRead.model_validate(found[0].loss)
+    return LossRead.model_validate(render_and_take[0].loss)
 
 
 @dataclass(frozen=True)
@@ -215,7 +215,7 @@ def order_renders_and_drawing(session: Session, take_id: UUID) -> RenderOrder | 
 
 def save_renders(session: Session, renders: Made, picture: Picture | None = None) -> None:
     """Put game files with their pictures, and the picture of another sound, on record, each once."""
-    pictures = [row_of(one) for one in (*(drawn for _, drawn in renders), picture) if one is not None]
+    pictures = [row_of(drawing) for drawing in (*(drawn for _, drawn in renders), picture) if drawing is not None]
     insert_all_if_absent(session, Picture, pictures, unique=("studio_id", "sound_sha256"))
     made = [row_of(render) for render, _ in renders]
     insert_all_if_absent(session, Render, made, unique=("take_id", "target", "key"))

@@ -56,33 +56,33 @@ def plain_project(path: str, project: Project) -> dict[str, Any]:
     """Return a project as it is stored with an adoption, within bounds."""
     counts: dict[str, int] = {}
     sounds: list[dict[str, Any]] = []
-    for one in project.played:
-        counts[one.file] = counts.get(one.file, 0) + 1
-        if len(one.file) <= MAX_TEXT and counts[one.file] <= MAX_PLAYS_OF_FILE and len(sounds) < MAX_PLAYS:
-            sounds.append(_plain_sound(one))
+    for sound in project.played:
+        counts[sound.file] = counts.get(sound.file, 0) + 1
+        if len(sound.file) <= MAX_TEXT and counts[sound.file] <= MAX_PLAYS_OF_FILE and len(sounds) < MAX_PLAYS:
+            sounds.append(_plain_sound(sound))
     return {
         "name": _storable(path or "Unity project"),
         "engine": project.engine,
         "version": _storable(project.version),
         "sounds": sounds,
-        "unread": [_storable(f"{one.file}: {one.message}") for one in project.unread[:UNREAD_SHOWN]],
+        "unread": [_storable(f"{unread.file}: {unread.message}") for unread in project.unread[:UNREAD_SHOWN]],
         "unread_count": len(project.unread),
     }
 
 
-def _plain_sound(one: PlayedSound) -> dict[str, Any]:
+def _plain_sound(sound: PlayedSound) -> dict[str, Any]:
     return {
-        "file": _storable(one.file),
-        "object": _storable(one.object_path),
-        "set": _storable(one.random_set),
+        "file": _storable(sound.file),
+        "object": _storable(sound.object_path),
+        "set": _storable(sound.random_set),
         "parts": [
             {"object": _storable(part.object_path), "property": _storable(part.property), "gain_db": part.gain_db}
-            for part in one.parts[:MAX_PARTS]
+            for part in sound.parts[:MAX_PARTS]
         ],
-        "events": [_storable(event) for event in one.events[:MAX_EVENTS]],
-        "used": one.is_used,
-        "is_known": one.is_known,
-        "looped": one.is_looped,
+        "events": [_storable(event) for event in sound.events[:MAX_EVENTS]],
+        "used": sound.is_used,
+        "is_known": sound.is_known,
+        "looped": sound.is_looped,
     }
 
 
@@ -95,16 +95,16 @@ def project_of(game: Mapping[str, Any]) -> Project:
     """Return the project that was stored with an adoption."""
     sounds = (
         PlayedSound(
-            one["file"],
-            one["object"],
-            parts=tuple(Part(part["object"], part["property"], part["gain_db"], "") for part in one["parts"]),
-            events=tuple(one["events"]),
-            is_used=one["used"],
-            is_known=one["is_known"],
-            is_looped=one["looped"],
-            random_set=one["set"],
+            sound["file"],
+            sound["object"],
+            parts=tuple(Part(part["object"], part["property"], part["gain_db"], "") for part in sound["parts"]),
+            events=tuple(sound["events"]),
+            is_used=sound["used"],
+            is_known=sound["is_known"],
+            is_looped=sound["looped"],
+            random_set=sound["set"],
         )
-        for one in game["sounds"]
+        for sound in game["sounds"]
     )
     return Project(game["engine"], "", game["version"], tuple(sounds))
 

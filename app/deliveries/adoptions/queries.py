@@ -41,7 +41,7 @@ def finished_uploads(session: Session, studio_id: UUID, scope: str) -> dict[str,
         Upload.sha256.is_not(None),
         Upload.finished_at >= clock.now() - FINISHED_KEPT_FOR,
     )
-    found: dict[str, tuple[UUID, int]] = {}
+    uploads: dict[str, tuple[UUID, int]] = {}
     for sha256, upload_id, length in session.execute(query.order_by(Upload.id)):
-        found.setdefault(str(sha256), (upload_id, length))
-    return found
+        uploads.setdefault(str(sha256), (upload_id, length))
+    return uploads

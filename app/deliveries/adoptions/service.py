@@ -180,7 +180,7 @@ def plan_read(plan: audio_checks.AdoptionPlan, game: Game | None) -> AdoptionPla
         categories=dict(sorted(Counter(cue.category for cue in plan.cues).items())),
         duplicates=[list(paths) for paths in plan.duplicates],
         oddities=[oddity._asdict() for oddity in plan.oddities],
-        skipped=[one._asdict() for one in plan.skipped],
+        skipped=[skipped_file._asdict() for skipped_file in plan.skipped],
         project=ReadProject(**{key: game[key] for key in game if key != "sounds"}, played=len(played))
         if game
         else None,

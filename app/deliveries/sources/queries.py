@@ -23,11 +23,11 @@ def source_statements(session: Session, take_ids: Collection[UUID]) -> dict[UUID
         .where(in_array(Take.id, take_ids))
         .options(joinedload(SourceStatement.designer))
     )
-    found: dict[UUID, SourceStatement] = {}
+    statements: dict[UUID, SourceStatement] = {}
     for take_id, statement in rows:
-        if statement.take_id is not None or take_id not in found:
-            found[take_id] = statement
-    return found
+        if statement.take_id is not None or take_id not in statements:
+            statements[take_id] = statement
+    return statements
 
 
 def source_statement_of(session: Session, delivery_id: UUID, take_id: UUID | None) -> SourceStatement | None:

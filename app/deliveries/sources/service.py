@@ -104,13 +104,13 @@ def sources_in(statement: SourceStatement) -> Sources:
 
 def sources_of(session: Session, takes: Sequence[Take]) -> dict[UUID, Sources]:
     """Return the stated sources of takes; those without a statement are left out."""
-    found = source_queries.source_statements(session, [take.id for take in takes])
-    return {take_id: sources_in(statement) for take_id, statement in found.items()}
+    statements = source_queries.source_statements(session, [take.id for take in takes])
+    return {take_id: sources_in(statement) for take_id, statement in statements.items()}
 
 
 def _takes_read(session: Session, takes: Sequence[Take]) -> list[TakeSources]:
-    found = source_queries.source_statements(session, [take.id for take in takes])
-    return [_take_read(take, found.get(take.id)) for take in takes]
+    statements = source_queries.source_statements(session, [take.id for take in takes])
+    return [_take_read(take, statements.get(take.id)) for take in takes]
 
 
 def _take_read(take: Take, statement: SourceStatement | None) -> TakeSources:

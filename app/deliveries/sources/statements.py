@@ -47,7 +47,7 @@ def words_of(sources: Sources) -> str:
         f"library {library.name} ({library.licence or 'no licence named'}{f', {library.file}' if library.file else ''})"
         for library in sources.libraries
     ]
-    parts += [f"generated with {one.tool}: {one.part}" for one in sources.generated]
+    parts += [f"generated with {generated_part.tool}: {generated_part.part}" for generated_part in sources.generated]
     parts += [
         f"performed by {performer.name} (release: {performer.release or 'none named'})"
         for performer in sources.performers

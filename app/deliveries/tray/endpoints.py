@@ -145,5 +145,5 @@ def _tray_action_read(action: TrayAction) -> TrayActionRead:
         kind=action.kind,
         done_at=action.done_at,
         undone_at=action.undone_at,
-        take_ids=[UUID(place["take_id"]) for place in action.takes],
+        take_ids=[UUID(previous["take_id"]) for previous in action.takes],
     )

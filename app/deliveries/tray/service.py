@@ -164,29 +164,29 @@ def undo(session: Session, actor: Actor, action_id: UUID) -> tuple[TrayAction, i
         raise TrayActionNotFound(f"no action {action_id}")
     if action.undone_at is not None:
         raise AlreadyUndone("this was undone before")
-    places = {UUID(place["take_id"]): place for place in action.takes}
+    places = {UUID(take_before["take_id"]): take_before for take_before in action.takes}
     takes = queries.takes_by_id(session, action.project_id, list(places), access.only_designer_id)
     back = 0
     for take in takes:
-        place = places[take.id]
-        if take.edition == place["edition_after"]:
-            back += _put_back(session, take, place, by=actor.person)
+        previous = places[take.id]
+        if take.edition == previous["edition_after"]:
+            back += _put_back(session, take, previous, by=actor.person)
     action.undone_at = clock.now()
     session.flush()
     return action, back, len(places) - back
 
 
-def _put_back(session: Session, take: Take, place: dict[str, Any], *, by: UUID) -> bool:
+def _put_back(session: Session, take: Take, previous: dict[str, Any], *, by: UUID) -> bool:
     if take.state not in CHECKABLE:
         return False
-    cue = session.get(Cue, UUID(place["cue_id"])) if place["cue_id"] else None
+    cue = session.get(Cue, UUID(previous["cue_id"])) if previous["cue_id"] else None
     take.discarded_at = None
     if cue is not None:
-        take_states.place_take(session, take, Slot(cue, place["variation"], place["alternate"]), by=by)
+        take_states.place_take(session, take, Slot(cue, previous["variation"], previous["alternate"]), by=by)
         return True
     _leave_cue(session, take, by=by)
-    take.alternate = place["alternate"]
-    if place["is_discarded"]:
+    take.alternate = previous["alternate"]
+    if previous["is_discarded"]:
         take.discarded_at = clock.now()
     else:
         take_states.start_recheck(session, take, by=by)
@@ -205,11 +205,13 @@ def _takes_named(
 ) -> tuple[ProjectAccess, list[Take]]:
     """Return takes within the caller's reach, locked, in the order named; raise TakeNotFound unless all are."""
     access = _who_sorts(session, actor, project_id)
-    found = {take.id: take for take in queries.takes_by_id(session, project_id, set(take_ids), access.only_designer_id)}
+    takes_by_id = {
+        take.id: take for take in queries.takes_by_id(session, project_id, set(take_ids), access.only_designer_id)
+    }
     for take_id in take_ids:
-        if take_id not in found:
+        if take_id not in takes_by_id:
             raise TakeNotFound(f"no take {take_id}")
-    return access, [found[take_id] for take_id in take_ids]
+    return access, [takes_by_id[take_id] for take_id in take_ids]
 
 
 def _leave_cue(session: Session, take: Take, *, by: UUID) -> None:
@@ -248,7 +250,7 @@ def _record(
         project_id=access.project.id,
         kind=kind,
         done_by=access.actor.person,
-        takes=[{**place, "edition_after": editions[place["take_id"]]} for place in before],
+        takes=[{**previous, "edition_after": editions[previous["take_id"]]} for previous in before],
     )
     session.add(action)
     session.flush()

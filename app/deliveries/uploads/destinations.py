@@ -45,7 +45,7 @@ class Destination:
 
 def destination_in(metadata: Mapping[str, str]) -> Destination:
     """Read the destination of an upload; raise BadUploadHeader where that is two places, or none."""
-    places = [place for place in ("delivery_id", "project_id", "adoption_id", "roster_entry_id") if place in metadata]
+    places = [field for field in ("delivery_id", "project_id", "adoption_id", "roster_entry_id") if field in metadata]
     if len(places) > 1:
         raise BadUploadHeader(f"Upload-Metadata names {places[0]} and {places[1]}; a file goes to one of them")
     if "adoption_id" in metadata:

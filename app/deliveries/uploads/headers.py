@@ -73,11 +73,11 @@ def sha256_in_hex(value: str | None) -> str | None:
 
 def sha256_of_digest(header: str | None) -> str | None:
     """Read Repr-Digest; algorithms other than SHA-256 are the sender's business."""
-    found = re.search(r"(?:^|,)\s*sha-256=:([A-Za-z0-9+/=]+):", header or "")
-    if found is None:
+    match = re.search(r"(?:^|,)\s*sha-256=:([A-Za-z0-9+/=]+):", header or "")
+    if match is None:
         return None
     try:
-        digest = base64.b64decode(found[1], validate=True)
+        digest = base64.b64decode(match[1], validate=True)
     except ValueError:
         digest = b""
     if len(digest) != 32:

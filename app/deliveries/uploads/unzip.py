@@ -52,8 +52,8 @@ class OpenArchive:
         self._archive = archive
         paths = paths_of(archive.infolist())
         self.entries = [
-            Entry(place, path, _why_left_out(info, path))
-            for place, (info, path) in enumerate(zip(archive.infolist(), paths, strict=True))
+            Entry(index, path, _why_left_out(info, path))
+            for index, (info, path) in enumerate(zip(archive.infolist(), paths, strict=True))
             if not info.is_dir()
         ]
 
@@ -111,14 +111,14 @@ def _ensure_harmless(entries: list[zipfile.ZipInfo], archive_bytes: int) -> None
 
 def paths_of(entries: list[zipfile.ZipInfo]) -> list[str]:
     """Return the paths of all entries: as they say themselves, or in the code page that fits them all together."""
-    raw = {place: name for place, info in enumerate(entries) if (name := _undeclared_name(info)) is not None}
+    raw = {index: name for index, info in enumerate(entries) if (name := _undeclared_name(info)) is not None}
     encoding = None
     if raw:  # many packers write UTF-8 and do not say so
         joined = audio_checks.decode_text(b"\n".join(raw.values()), guessed=audio_checks.GUESSED_FOR_ZIP)
         encoding = audio_checks.CODE_PAGES[joined.encoding]
     return [
-        _unicode_path(info) or (raw[place].decode(encoding, "replace") if encoding and place in raw else info.filename)
-        for place, info in enumerate(entries)
+        _unicode_path(info) or (raw[index].decode(encoding, "replace") if encoding and index in raw else info.filename)
+        for index, info in enumerate(entries)
     ]
 
 
@@ -137,11 +137,11 @@ def _unicode_path(info: zipfile.ZipInfo) -> str | None:
 
     APPNOTE 6.3.10, 4.6.9: version 1, the CRC-32 of the plain name, then the path in UTF-8.
     """
-    extra, place = info.extra, 0
-    while place + 4 <= len(extra):
-        kind, length = struct.unpack_from("<HH", extra, place)
-        body = extra[place + 4 : place + 4 + length]
-        place += 4 + length
+    extra, offset = info.extra, 0
+    while offset + 4 <= len(extra):
+        kind, length = struct.unpack_from("<HH", extra, offset)
+        body = extra[offset + 4 : offset + 4 + length]
+        offset += 4 + length
         if kind != UNICODE_PATH or len(body) < 6 or body[0] != 1:
             continue
         try:

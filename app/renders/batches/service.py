@@ -112,8 +112,10 @@ def planned_items(session: Session, batch: Batch, spec: Spec, takes: Sequence[Ta
                 continue
             key = recipe.key(take.master_sha256)
             there = so_far.get((take.id, target), [])
-            known = next((one for one in there if one.key == key), None)
-            before = next((one for one in reversed(there) if one.key != key and one.file_bytes is not None), known)
+            known = next((render for render in there if render.key == key), None)
+            before = next(
+                (render for render in reversed(there) if render.key != key and render.file_bytes is not None), known
+            )
             items.append(
                 {
                     "batch_id": batch.id,

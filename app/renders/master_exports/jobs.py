@@ -28,10 +28,10 @@ def write_provenance(runtime: Runtime, payload: Payload) -> None:
     """Copy a master with what is known of it written into the copy."""
     export_id = UUID(payload["export_id"])
     with runtime.database.reading() as session:
-        found = master_exports.to_make(session, export_id)
-    if found is None:
+        export_facts = master_exports.to_make(session, export_id)
+    if export_facts is None:
         return
-    export, master_sha256, provenance = found
+    export, master_sha256, provenance = export_facts
     refusal, blob, left = "", None, []
     with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
         out = Path(folder, "master.wav")

@@ -78,9 +78,9 @@ def _slates(takes: list[dict[str, Any]], *, of_set: bool, speaks: bool) -> list[
     spoken_slates = []
     for slate in slates:
         words = f"variation {slate.variation}, version {slate.version}" if of_set else f"version {slate.version}"
-        said = synthesize_speech(words, reel_sound.SPEECH_RATE_HZ, None)
-        if said is None:
+        spoken = synthesize_speech(words, reel_sound.SPEECH_RATE_HZ, None)
+        if spoken is None:
             return slates
-        speech = np.round(said * 32_767).astype("<i2").tobytes()
+        speech = np.round(spoken * 32_767).astype("<i2").tobytes()
         spoken_slates.append(slate._replace(speech=speech))
     return spoken_slates

@@ -49,8 +49,8 @@ def make_reel(
     reel: Any = None
     starts: list[float] = []
     room = 0  # frames of the sound before, for a crossfade to take
-    for place, sound in enumerate(map(fitted, sounds)):
-        head = fitted(_silence(0, rate_hz) if slates is None else _slate(slates[place], rate_hz))
+    for index, sound in enumerate(map(fitted, sounds)):
+        head = fitted(_silence(0, rate_hz) if slates is None else _slate(slates[index], rate_hz))
         piece = head.append(sound, crossfade=0)
         if reel is None:
             reel = piece
@@ -98,8 +98,8 @@ def _silence(duration_ms: int, rate_hz: int) -> Any:
 def _slate(slate: Slate, rate_hz: int) -> Any:
     pause = _silence(PAUSE_MS, rate_hz)
     if slate.speech is not None:
-        said = _segment(slate.speech, SPEECH_RATE_HZ, 1).apply_gain(SPEECH_DBFS).set_frame_rate(rate_hz)
-        return said.append(pause, crossfade=0)
+        spoken = _segment(slate.speech, SPEECH_RATE_HZ, 1).apply_gain(SPEECH_DBFS).set_frame_rate(rate_hz)
+        return spoken.append(pause, crossfade=0)
     whole = _silence(0, rate_hz)
     for count, hz in ((slate.variation, VARIATION_HZ), (slate.version, VERSION_HZ)):
         beep = _beep(hz, rate_hz)

@@ -69,8 +69,8 @@ def _timbre(samples: NDArray[np.float32], rate_hz: int) -> NDArray[np.float64]:
     # The cepstrum's transform keeps lengths: over the bands' root its length is the RMS of the bands' decibels.
     in_bands = cepstrum[:, heard] / math.sqrt(MEL_BANDS)
     in_octaves = contrast[:, heard] / math.sqrt(len(contrast))
-    found: NDArray[np.float64] = np.concatenate((in_bands.mean(axis=1), in_bands.std(axis=1), in_octaves.mean(axis=1)))
-    return found
+    timbre: NDArray[np.float64] = np.concatenate((in_bands.mean(axis=1), in_bands.std(axis=1), in_octaves.mean(axis=1)))
+    return timbre
 
 
 def _rounded(values: NDArray[Any]) -> list[float]:
