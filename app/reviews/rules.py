@@ -207,10 +207,10 @@ def what_is_open(comments: int, notes: int, items: Sequence[str]) -> str:
 def ensure_checklist(items: Sequence[str]) -> None:
     """Raise ChecklistInvalid unless each item of a checklist is written once."""
     seen: set[str] = set()
-    for place, item in enumerate(items):
+    for index, item in enumerate(items):
         if item in seen:
             message = f"“{item}” is in the checklist twice"
             raise ChecklistInvalid(
-                message, errors=[{"where": f"items.{place}", "message": message}], fix="keep one of the two"
+                message, errors=[{"where": f"items.{index}", "message": message}], fix="keep one of the two"
             )
         seen.add(item)

@@ -50,8 +50,8 @@ async def _sent(project_id: UUID, body: FolderAsk, request: Request) -> SentFold
         raise GameProjectUnreadable("content_base64 is no base64") from None
     arguments = (read_sent, body.project.path, packed)
     permit = adoptions.ensure_may_send_to
-    said = await parse_request(request, *arguments, refusal=GameProjectUnreadable, permit=permit, whose=project_id)
-    return body, json.loads(said)
+    plan_json = await parse_request(request, *arguments, refusal=GameProjectUnreadable, permit=permit, whose=project_id)
+    return body, json.loads(plan_json)
 
 
 @router.post(

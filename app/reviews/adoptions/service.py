@@ -90,7 +90,7 @@ def adopt(session: Session, actor: Actor, adoption_id: UUID) -> Adopted:
         **adoption_read(adoption).model_dump(),
         cues=len(cues),
         takes=takes,
-        skipped=[SkippedFileRead(**one._asdict()) for one in plan.skipped],
+        skipped=[SkippedFileRead(**skipped_file._asdict()) for skipped_file in plan.skipped],
     )
 
 
@@ -262,4 +262,4 @@ def progress(session: Session, actor: Actor, adoption_id: UUID) -> AdoptionProgr
 
 
 def _messages(report: Report) -> list[str]:
-    return [str(one["message"]) for one in report.get("findings") or []][:MESSAGES_SHOWN]
+    return [str(finding["message"]) for finding in report.get("findings") or []][:MESSAGES_SHOWN]

@@ -57,7 +57,7 @@ def set_checklist(
     for text, item in known.items():
         if text not in items and item.removed_at is None:
             item.removed_at = clock.now()
-    for place, text in enumerate(items):
+    for position, text in enumerate(items):
         item = known.get(text) or ChecklistItem(
             studio_id=access.project.studio_id,
             project_id=project_id,
@@ -65,7 +65,7 @@ def set_checklist(
             text=text,
             written_by=actor.person,
         )
-        item.place, item.removed_at = place, None
+        item.place, item.removed_at = position, None
         session.add(item)
     session.flush()
     return approval_settings(session, actor, project_id)

@@ -36,8 +36,8 @@ def approved_sounds(session: Session, project_id: UUID) -> list[Compared]:
 
 def take_compared(session: Session, take_id: UUID) -> Compared | None:
     """Return a matched take that has been checked."""
-    found = _compared(session, Take.id == take_id)
-    return found[0] if found else None
+    rows = _compared(session, Take.id == take_id)
+    return rows[0] if rows else None
 
 
 def takes_compared(session: Session, delivery_id: UUID) -> list[Compared]:

@@ -72,15 +72,15 @@ class Fit(NamedTuple):
     stands: Stands
 
 
-def distance_db(one: Numbers, other: Numbers) -> float:
+def distance_db(numbers: Numbers, other: Numbers) -> float:
     """Return the RMS difference of two spectra in dB, over the bands that both have."""
-    pairs = list(zip(one, other, strict=False))
+    pairs = list(zip(numbers, other, strict=False))
     return math.sqrt(sum((a - b) ** 2 for a, b in pairs) / len(pairs))
 
 
-def timbre_distance_db(one: Numbers, other: Numbers) -> float:
+def timbre_distance_db(numbers: Numbers, other: Numbers) -> float:
     """Return the distance of two timbres in dB; each number bears its weight already."""
-    return math.dist(one, other)
+    return math.dist(numbers, other)
 
 
 def middle_of(sounds: Sequence[Likeness]) -> Likeness:
@@ -100,8 +100,8 @@ def middle_of(sounds: Sequence[Likeness]) -> Likeness:
 def fit_of(sound: Likeness, others: Sequence[Likeness]) -> dict[Measure, Fit]:
     """Return the position of a sound among others, by every measure that it and three of them have."""
     plain: dict[Measure, Callable[[Likeness], float | None]] = {
-        Measure.LOUDNESS: lambda one: one.loudness_lufs,
-        Measure.DRYNESS: lambda one: one.reverb_score,
+        Measure.LOUDNESS: lambda sound_likeness: sound_likeness.loudness_lufs,
+        Measure.DRYNESS: lambda sound_likeness: sound_likeness.reverb_score,
     }
     places = {measure: _placed(measure, of(sound), [of(other) for other in others]) for measure, of in plain.items()}
     bands = _apart(sound.bands_db, [other.bands_db for other in others], distance_db)
@@ -135,7 +135,9 @@ def _apart(
 def _middles_without_each(lists: Sequence[Numbers]) -> list[list[float]]:
     """Return for each of some lists the middle of the others; each column is sorted once."""
     columns = [sorted(values) for values in zip(*lists, strict=False)]
-    return [[_median_without(column, value) for column, value in zip(columns, one, strict=False)] for one in lists]
+    return [
+        [_median_without(column, value) for column, value in zip(columns, numbers, strict=False)] for numbers in lists
+    ]
 
 
 def _median_without(ordered: Sequence[float], value: float) -> float:

@@ -148,8 +148,8 @@ def queued_cues(
         rows = session.execute(stretch).all()
         by_cue = _waiting_by_cue(session, {cue_id for *_, cue_id, _ in rows if cue_id is not None})
         queued += [
-            (QueuePlace._make((*place, since, cue_id)), WaitingCue(cue_id, since, by_cue[cue_id]))
-            for *place, since, cue_id, take_id in rows
+            (QueuePlace._make((*ranks, since, cue_id)), WaitingCue(cue_id, since, by_cue[cue_id]))
+            for *ranks, since, cue_id, take_id in rows
             if cue_id in by_cue and take_id == by_cue[cue_id][0]
         ]
         if len(rows) < STRETCH * limit:
@@ -242,8 +242,8 @@ def cues_on_review(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, Cu
     """Return these facts of some cues."""
     rows = session.execute(_cues_on_review(), {"cue_ids": cue_ids})
     return {
-        cue_id: CueOnReview(prefix, rounds, requests, said, sorted(map(int, (approved or "").split())), *whether)
-        for cue_id, prefix, rounds, requests, said, approved, *whether in rows
+        cue_id: CueOnReview(prefix, rounds, requests, comments, sorted(map(int, (approved or "").split())), *whether)
+        for cue_id, prefix, rounds, requests, comments, approved, *whether in rows
     }
 
 

@@ -75,7 +75,7 @@ def review_queue(
         session, reach, clock.now().date(), after=_place_of(cursor), limit=PAGE_CUES + 1
     )
     shown = [cue for _, cue in waiting[:PAGE_CUES]]
-    urgent = {place.cue_id for place, _ in waiting if place.is_urgent}
+    urgent = {queue_place.cue_id for queue_place, _ in waiting if queue_place.is_urgent}
     by_cue: dict[UUID, list[TakeOnReview]] = defaultdict(list)
     cues: list[Cue] = []
     take_ids = [take_id for cue in shown for take_id in cue.take_ids]
@@ -84,10 +84,10 @@ def review_queue(
             by_cue[take.take.cue.id].append(take)
             cues.append(take.take.cue)
     facts = queue_queries.cues_on_review(session, by_cue)
-    blocked = blocked_takes(session, {cue: [one.take for one in by_cue[cue.id]] for cue in cues})
+    blocked = blocked_takes(session, {cue: [on_review.take for on_review in by_cue[cue.id]] for cue in cues})
     changed = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_changed]
     changes = queue_queries.last_changes(session, changed) if changed else {}
-    words = findings_of_sets(session, cues, _specs_of(one for takes in by_cue.values() for one in takes))
+    words = findings_of_sets(session, cues, _specs_of(on_review for takes in by_cue.values() for on_review in takes))
     contracted = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_contracted]
     last = last_days(session, contracted) if contracted else {}
     items = [
@@ -107,9 +107,9 @@ def review_queue(
     return Page(items=items, next=_cursor_at(waiting[PAGE_CUES - 1][0]) if len(waiting) > PAGE_CUES else None)
 
 
-def _cursor_at(place: QueuePlace) -> str:
-    ranks = "-".join(map(str, (place.urgency, place.need, place.priority)))
-    return cursor_of(ranks, place.since.isoformat(), place.cue_id)
+def _cursor_at(queue_place: QueuePlace) -> str:
+    ranks = "-".join(map(str, (queue_place.urgency, queue_place.need, queue_place.priority)))
+    return cursor_of(ranks, queue_place.since.isoformat(), queue_place.cue_id)
 
 
 def _place_of(cursor: str | None) -> QueuePlace | None:
@@ -201,15 +201,18 @@ def _undecided(takes: Iterable[TakeOnReview]) -> dict[UUID, list[UUID]]:
 
 
 def review_take(
-    one: TakeOnReview, prefix: str, words: dict[UUID, SetFinding], undecided: Mapping[UUID, list[UUID]] | None = None
+    on_review: TakeOnReview,
+    prefix: str,
+    words: dict[UUID, SetFinding],
+    undecided: Mapping[UUID, list[UUID]] | None = None,
 ) -> ReviewTake:
     """Return a take with what is needed to play and judge it, and the findings of its set."""
-    take, word = one.take, words.get(one.take.id)
-    report = with_set_finding(one.report, word.findings if word else ()) if one.report else {}
+    take, word = on_review.take, words.get(on_review.take.id)
+    report = with_set_finding(on_review.report, word.findings if word else ()) if on_review.report else {}
     measurements = report.get("measurements") or {}
-    findings = _findings(one, report)
+    findings = _findings(on_review, report)
     return ReviewTake(
-        **sound_places(one.picture, one.thumb),
+        **sound_places(on_review.picture, on_review.thumb),
         id=take.id,
         variation=take.variation,
         number=take.number or 0,
@@ -232,7 +235,7 @@ def review_take(
         measurements=measurements,
         findings=findings,
         waived=any(finding.waived for finding in findings),
-        waiver_reason=one.waiver.reason if one.waiver else None,
+        waiver_reason=on_review.waiver.reason if on_review.waiver else None,
         fix_of_id=take.fix_of_id,
         renders=[
             ReviewRender(
@@ -245,20 +248,20 @@ def review_take(
                 loudness_lufs=_first(render.integrated_lufs, render.short_loudness_lufs) if render else None,
                 true_peak_dbtp=render.true_peak_dbtp if render else None,
             )
-            for target, render in one.renders.items()
+            for target, render in on_review.renders.items()
         ],
-        draft_change=change_request_read(one.draft, prefix) if one.draft else None,
-        open_comments=one.open_comments,
-        is_heard=one.heard_at is not None,
-        heard_at=one.heard_at,
+        draft_change=change_request_read(on_review.draft, prefix) if on_review.draft else None,
+        open_comments=on_review.open_comments,
+        is_heard=on_review.heard_at is not None,
+        heard_at=on_review.heard_at,
         undecided_with=(undecided or {}).get(take.id, []),
     )
 
 
-def _findings(one: TakeOnReview, report: dict[str, Any]) -> list[FindingRead]:
-    waiver = one.waiver
-    codes = waiver.codes if waiver and waiver.master_sha256 == one.take.master_sha256 else []
-    return findings_read(report, resolved_spec(one.spec, one.take), codes) if report.get("findings") else []
+def _findings(on_review: TakeOnReview, report: dict[str, Any]) -> list[FindingRead]:
+    waiver = on_review.waiver
+    codes = waiver.codes if waiver and waiver.master_sha256 == on_review.take.master_sha256 else []
+    return findings_read(report, resolved_spec(on_review.spec, on_review.take), codes) if report.get("findings") else []
 
 
 def _first(*figures: float | None) -> float | None:
@@ -277,7 +280,7 @@ def change_request_read(request: ChangeRequest, prefix: str) -> ChangeRequestRea
         number=request.take.number or 0,
         text=request.text,
         reasons=request.reasons,
-        mentions=[MentionRead.model_validate(one) for one in request.mentioned],
+        mentions=[MentionRead.model_validate(mention) for mention in request.mentioned],
         start_s=request.start_s,
         end_s=request.end_s,
         reverses=request.feedback_id is None and request.take.state is TakeState.APPROVED,
@@ -331,7 +334,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
         ],
         carried_notes=carried_notes(session, cue.id),
         checklist=cue_checklist(session, cue, takes),
-        rounds=[RoundRead.model_validate(one) for one in queries.rounds_of(session, cue.id)],
+        rounds=[RoundRead.model_validate(round_) for round_ in queries.rounds_of(session, cue.id)],
     )
 
 

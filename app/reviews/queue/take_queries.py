@@ -84,14 +84,14 @@ def _takes_of_cue() -> Select[*tuple[Any, ...]]:
 
 def takes_on_review(session: Session, person_id: UUID, take_ids: Collection[UUID]) -> list[TakeOnReview]:
     """Return some takes as a person sees them, newest first of each variation."""
-    found = session.execute(_takes_by_id(), {"ids": take_ids, "person_id": person_id})
-    return _with_what_is_shown(session, found.all())
+    rows = session.execute(_takes_by_id(), {"ids": take_ids, "person_id": person_id})
+    return _with_what_is_shown(session, rows.all())
 
 
 def takes_of_cue(session: Session, person_id: UUID, cue_id: UUID) -> list[TakeOnReview]:
     """Return a cue's takes in every state as a person sees them, newest first."""
-    found = session.execute(_takes_of_cue(), {"cue_id": cue_id, "person_id": person_id})
-    return _with_what_is_shown(session, found.all())
+    rows = session.execute(_takes_of_cue(), {"cue_id": cue_id, "person_id": person_id})
+    return _with_what_is_shown(session, rows.all())
 
 
 def _with_what_is_shown(session: Session, rows: Sequence[Row[*tuple[Any, ...]]]) -> list[TakeOnReview]:

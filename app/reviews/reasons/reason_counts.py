@@ -26,8 +26,8 @@ def reason_counts(
     counted = queries.counts(session, wanted)
     designers = queries.designers_with_reasons(session, project_id) if access.is_team else []
     return ReasonsRead(
-        change=[ReasonCount(reason=said, versions=number) for kind, said, number in counted if kind == "change"],
-        pick=[ReasonCount(reason=said, versions=number) for kind, said, number in counted if kind == "pick"],
+        change=[ReasonCount(reason=reason, versions=number) for kind, reason, number in counted if kind == "change"],
+        pick=[ReasonCount(reason=reason, versions=number) for kind, reason, number in counted if kind == "pick"],
         designers=[PersonBrief.model_validate(designer) for designer in designers],
         categories=list(queries.categories_with_reasons(session, _filter(access, None, None))),
     )
@@ -47,11 +47,11 @@ def reason_places(
     """Return the versions of which a reason was given, newest first."""
     access = project_access(session, actor, project_id)
     wanted = _filter(access, designer_id, category)
-    found = queries.places(session, wanted, kind, reason, after=uuid_cursor(cursor), limit=PAGE_PLACES + 1)
-    shown = found[:PAGE_PLACES]
+    reason_rows = queries.places(session, wanted, kind, reason, after=uuid_cursor(cursor), limit=PAGE_PLACES + 1)
+    shown = reason_rows[:PAGE_PLACES]
     return Page(
-        items=[_shown(one, access.project.cue_prefix) for one in shown],
-        next=cursor_of(shown[-1].verdict.id) if len(found) > len(shown) else None,
+        items=[_shown(row, access.project.cue_prefix) for row in shown],
+        next=cursor_of(shown[-1].verdict.id) if len(reason_rows) > len(shown) else None,
     )
 
 
@@ -60,8 +60,8 @@ def _filter(access: ProjectAccess, designer_id: UUID | None, category: str | Non
     return ReasonFilter(access.project.id, access.only_designer_id or designer_id, category)
 
 
-def _shown(place: ReasonPlace, prefix: str) -> ReasonPlaceRead:
-    verdict, take, cue = place.verdict, place.take, place.cue
+def _shown(reason_place: ReasonPlace, prefix: str) -> ReasonPlaceRead:
+    verdict, take, cue = reason_place.verdict, reason_place.take, reason_place.cue
     return ReasonPlaceRead(
         verdict_id=verdict.id,
         take_id=take.id,
@@ -77,5 +77,5 @@ def _shown(place: ReasonPlace, prefix: str) -> ReasonPlaceRead:
         given_at=verdict.created_at,
         reasons=verdict.reasons,
         text=verdict.note,
-        start_s=place.start_s,
+        start_s=reason_place.start_s,
     )

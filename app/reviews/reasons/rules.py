@@ -45,10 +45,10 @@ OURS: Mapping[ReasonKind, tuple[str, ...]] = {
 def ensure_distinct(reasons: Sequence[str], where: str) -> None:
     """Raise ReasonsInvalid where a list has a reason twice, be it in other letters."""
     seen: set[str] = set()
-    for place, reason in enumerate(reasons):
+    for index, reason in enumerate(reasons):
         if reason.casefold() in seen:
             message = f"“{reason}” is in the list twice"
             raise ReasonsInvalid(
-                message, errors=[{"where": f"{where}.{place}", "message": message}], fix="keep one of the two"
+                message, errors=[{"where": f"{where}.{index}", "message": message}], fix="keep one of the two"
             )
         seen.add(reason.casefold())

@@ -40,8 +40,8 @@ def set_reasons(
         if not reasons or tuple(reasons) == OURS[kind]:
             session.execute(delete(ReasonList).where(ReasonList.studio_id == studio_id, ReasonList.kind == kind))
             continue
-        said = {"reasons": list(reasons), "set_by": actor.person, "set_at": clock.now()}
-        row = {"studio_id": studio_id, "kind": kind, **said}
+        facts = {"reasons": list(reasons), "set_by": actor.person, "set_at": clock.now()}
+        row = {"studio_id": studio_id, "kind": kind, **facts}
         if not insert_if_absent(session, ReasonList, row, unique=("studio_id", "kind")):
             known = session.get_one(ReasonList, (studio_id, kind), populate_existing=True)
             known.reasons, known.set_by, known.set_at = list(reasons), actor.person, clock.now()

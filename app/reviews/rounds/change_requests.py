@@ -51,10 +51,10 @@ def change_requests(
     ]
     if access.only_designer_id is not None:
         where.append(ChangeRequest.take.has(designer_id=access.only_designer_id))
-    found = queries.change_requests_of(session, *where, after=uuid_cursor(cursor), limit=PAGE_CHANGE_REQUESTS + 1)
-    shown = found[:PAGE_CHANGE_REQUESTS]
-    items = [change_request_read(one, access.project.cue_prefix) for one in shown]
-    return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > len(shown) else None)
+    requests = queries.change_requests_of(session, *where, after=uuid_cursor(cursor), limit=PAGE_CHANGE_REQUESTS + 1)
+    shown = requests[:PAGE_CHANGE_REQUESTS]
+    items = [change_request_read(request, access.project.cue_prefix) for request in shown]
+    return Page(items=items, next=cursor_of(shown[-1].id) if len(requests) > len(shown) else None)
 
 
 def drop_change_request(session: Session, actor: Actor, change_request_id: UUID) -> None:
@@ -135,10 +135,10 @@ def send_changes(
     rounds = _count_rounds(session, sending, reversals, joins=cue_id is not None)
     session.flush()
     record_reasons(session, ReasonKind.CHANGE, given)
-    for one in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
-        if one.number is not None:
-            price_round(session, one.cue_id, number=one.number, person_id=actor.person)
-        settle_acceptance(session, session.get_one(Cue, one.cue_id), person_id=actor.person)
+    for round_ in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
+        if round_.number is not None:
+            price_round(session, round_.cue_id, number=round_.number, person_id=actor.person)
+        settle_acceptance(session, session.get_one(Cue, round_.cue_id), person_id=actor.person)
     session.expire_all()
     publish(session, "changes.sent", studio_id=sending.studio_id, feedback_id=sending.id)
     sent = queries.change_requests_of(session, ChangeRequest.feedback_id == sending.id)
@@ -149,7 +149,7 @@ def send_changes(
         note=sending.note,
         created_at=sending.created_at,
         change_requests=[change_request_read(one, access.project.cue_prefix) for one in reversed(sent)],
-        rounds=[RoundRead.model_validate(one) for one in rounds],
+        rounds=[RoundRead.model_validate(sent_round) for sent_round in rounds],
         held_back=held_back,
     )
 

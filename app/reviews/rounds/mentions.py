@@ -28,11 +28,16 @@ def mentions_in(session: Session, take: Take, text: str, person_ids: Collection[
     return names_mentioned(text, person_ids, names)
 
 
-def publish_mentions(session: Session, said: Comment | ChangeRequest, *, without: UUID | None = None) -> None:
+def publish_mentions(session: Session, source: Comment | ChangeRequest, *, without: UUID | None = None) -> None:
     """Publish for each person that a comment or a change request mentions them, but for one who is mailed of it."""
-    kind = "comment" if isinstance(said, Comment) else "change_request"
-    for person_id in said.mentions:
+    kind = "comment" if isinstance(source, Comment) else "change_request"
+    for person_id in source.mentions:
         if person_id != str(without):
             publish(
-                session, "person.mentioned", studio_id=said.studio_id, kind=kind, said_id=said.id, person_id=person_id
+                session,
+                "person.mentioned",
+                studio_id=source.studio_id,
+                kind=kind,
+                said_id=source.id,
+                person_id=person_id,
             )

@@ -43,13 +43,13 @@ def blocked_takes(session: Session, takes: Mapping[Cue, Sequence[OfCue]]) -> dic
     with_items = [cue for cue, blockers in by_cue.items() if blockers.are_items]
     notes = _open_notes(session, {cue: takes[cue] for cue in with_notes}) if with_notes else {}
     items = _open_items(session, {cue: takes[cue] for cue in with_items}) if with_items else {}
-    found: defaultdict[UUID, list[BlockedTake]] = defaultdict(list)
+    blocked: defaultdict[UUID, list[BlockedTake]] = defaultdict(list)
     for cue, of_cue in takes.items():
         for take in of_cue:
             comments, earlier = notes.get(take.id, (0, 0))
             if why := what_is_open(comments, earlier, items.get(take.id, [])):
-                found[cue.id].append(BlockedTake(take_id=take.id, why=why))
-    return found
+                blocked[cue.id].append(BlockedTake(take_id=take.id, why=why))
+    return blocked
 
 
 def ensure_nothing_open(session: Session, cue: Cue, takes: Sequence[OfCue]) -> None:
@@ -59,12 +59,12 @@ def ensure_nothing_open(session: Session, cue: Cue, takes: Sequence[OfCue]) -> N
         return
     by_id = {take.id: take for take in takes}
     errors: list[FieldProblem] = []
-    for one in blocked:
-        take = by_id[one.take_id]
+    for block in blocked:
+        take = by_id[block.take_id]
         of_set = f" of variation {take.variation}" if cue.variations > 1 else ""
-        errors.append({"where": str(take.id), "message": f"version {take.number}{of_set}: {one.why}"})
-    said = "; ".join(error["message"] for error in errors)
-    raise ApprovalBlocked(f"nothing was approved of {cue.name}. {said}", errors=errors, fix=HOW_TO_CLOSE)
+        errors.append({"where": str(take.id), "message": f"version {take.number}{of_set}: {block.why}"})
+    message = "; ".join(error["message"] for error in errors)
+    raise ApprovalBlocked(f"nothing was approved of {cue.name}. {message}", errors=errors, fix=HOW_TO_CLOSE)
 
 
 def _open_notes(session: Session, takes: Mapping[Cue, Sequence[OfCue]]) -> dict[UUID, tuple[int, int]]:

@@ -24,18 +24,20 @@ def carried_notes(session: Session, cue_id: UUID) -> list[CarriedNote]:
 
 def notes_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID | None, list[CarriedNote]]:
     """Return the notes of cues that were or are carried over, by cue, in the order in which they were written."""
-    asked, said = queries.notes_to_carry(session, cue_ids)
-    answers = queries.newest_answers(session, [one.id for one in asked] + [one.id for one, _ in said])
+    asked, commented = queries.notes_to_carry(session, cue_ids)
+    answers = queries.newest_answers(
+        session, [request.id for request in asked] + [comment.id for comment, _ in commented]
+    )
     written: list[tuple[ChangeRequest | Comment, Take]] = [
-        *((one, one.take) for one in asked),
-        *((one, take) for one, take in said if one.resolved_at is None or one.id in answers),
+        *((request, request.take) for request in asked),
+        *((comment, take) for comment, take in commented if comment.resolved_at is None or comment.id in answers),
     ]
-    found = queries.approvals_of(session, cue_ids) if written else []
-    approvals = {(take.cue_id, take.variation): (take, verdict) for take, verdict in found}
+    approved = queries.approvals_of(session, cue_ids) if written else []
+    approvals = {(take.cue_id, take.variation): (take, verdict) for take, verdict in approved}
     by_cue: defaultdict[UUID | None, list[CarriedNote]] = defaultdict(list)
-    for one, take in sorted(written, key=lambda note: note[0].created_at):
+    for note, take in sorted(written, key=lambda note: note[0].created_at):
         approval = approvals.get((take.cue_id, take.variation), (None, None))
-        by_cue[take.cue_id].append(_with_approval(_note(one, take, answers.get(one.id)), *approval))
+        by_cue[take.cue_id].append(_with_approval(_note(note, take, answers.get(note.id)), *approval))
     return by_cue
 
 

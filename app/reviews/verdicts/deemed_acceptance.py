@@ -28,9 +28,10 @@ def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
         for reminder in queries.reminders_of(session, [w.cue.id for w in waiting])
     }
     return [
-        one.cue.id
-        for one in waiting
-        if one.is_over(now) or ((number := one.reminders(now)) and (one.cue.id, one.wait.since, number) not in sent)
+        deemed.cue.id
+        for deemed in waiting
+        if deemed.is_over(now)
+        or ((number := deemed.reminders(now)) and (deemed.cue.id, deemed.wait.since, number) not in sent)
     ]
 
 
@@ -47,46 +48,46 @@ def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
             _remind(session, deemed_cue, number, now)
 
 
-def _accept(session: Session, one: DeemedCue, now: datetime) -> None:
+def _accept(session: Session, deemed: DeemedCue, now: datetime) -> None:
     note = (
-        f"Auto-accepted: no response within {counted(one.wait.clause.days, 'working day')}, "
-        f"until {one.wait.last_day(now)} ({one.contract.title})"
+        f"Auto-accepted: no response within {counted(deemed.wait.clause.days, 'working day')}, "
+        f"until {deemed.wait.last_day(now)} ({deemed.contract.title})"
     )
-    decision = Decision(session, None, note, deemed_by_contract_id=one.contract.id)
-    for take in one.picks:
+    decision = Decision(session, None, note, deemed_by_contract_id=deemed.contract.id)
+    for take in deemed.picks:
         decision.approve(take)
-    decision.finish(one.cue)
+    decision.finish(deemed.cue)
     publish(
         session,
         "cue.deemed_accepted",
-        studio_id=one.cue.studio_id,
-        cue_id=one.cue.id,
-        contract_id=one.contract.id,
-        days=one.wait.clause.days,
+        studio_id=deemed.cue.studio_id,
+        cue_id=deemed.cue.id,
+        contract_id=deemed.contract.id,
+        days=deemed.wait.clause.days,
     )
 
 
-def _remind(session: Session, one: DeemedCue, number: int, now: datetime) -> None:
+def _remind(session: Session, deemed: DeemedCue, number: int, now: datetime) -> None:
     reminder = {
         "id": new_id(),
-        "studio_id": one.cue.studio_id,
-        "project_id": one.cue.project_id,
-        "cue_id": one.cue.id,
-        "waiting_since": one.wait.since,
+        "studio_id": deemed.cue.studio_id,
+        "project_id": deemed.cue.project_id,
+        "cue_id": deemed.cue.id,
+        "waiting_since": deemed.wait.since,
         "number": number,
         "created_at": clock.now(),
     }
     if not insert_if_absent(session, Reminder, reminder, unique=("cue_id", "waiting_since", "number")):
         return
-    last_day = one.wait.last_day(now)
-    for person_id in approval_rights(session, one.project).people_for(one.cue.category):
-        record_reminder(session, one.contract.id, one.cue.id, to_id=person_id, last_day=last_day)
+    last_day = deemed.wait.last_day(now)
+    for person_id in approval_rights(session, deemed.project).people_for(deemed.cue.category):
+        record_reminder(session, deemed.contract.id, deemed.cue.id, to_id=person_id, last_day=last_day)
         publish(
             session,
             "approver.reminded",
-            studio_id=one.cue.studio_id,
-            cue_id=one.cue.id,
+            studio_id=deemed.cue.studio_id,
+            cue_id=deemed.cue.id,
             approver_id=person_id,
             last_day=last_day.isoformat(),
-            undecided=[" and ".join(shown_name(take.file_name) for take in group) for group in one.undecided],
+            undecided=[" and ".join(shown_name(take.file_name) for take in group) for group in deemed.undecided],
         )

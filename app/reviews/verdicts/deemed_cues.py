@@ -122,23 +122,32 @@ def _terms_of(session: Session, contract: Contract) -> _Terms | None:
 
 
 def _with_waits(session: Session, waiting: Sequence[_Waiting]) -> list[DeemedCue]:
-    by_calendar = [one for one in waiting if one.terms.silence.by_studio_calendar]
-    calendars = _calendars(session, {one.project.studio_id for one in by_calendar})
+    by_calendar = [deemed for deemed in waiting if deemed.terms.silence.by_studio_calendar]
+    calendars = _calendars(session, {deemed.project.studio_id for deemed in by_calendar})
     pauses = _pauses(session, by_calendar)
-    stated = _stated(session, [take for one in waiting if one.terms.wants_sources for take in one.picks])
-    found = []
-    for one in waiting:
-        moments = [take.conforming_since or take.state_since for take in one.picks]
-        if one.terms.wants_sources:
-            if any(take.id not in stated for take in one.picks):
+    stated = _stated(session, [take for deemed in waiting if deemed.terms.wants_sources for take in deemed.picks])
+    deemed_cues = []
+    for cue_waiting in waiting:
+        moments = [take.conforming_since or take.state_since for take in cue_waiting.picks]
+        if cue_waiting.terms.wants_sources:
+            if any(take.id not in stated for take in cue_waiting.picks):
                 continue
-            moments += [stated[take.id] for take in one.picks]
-        if one.contract.agreed_at is not None:
-            since = max(one.contract.agreed_at, *moments)
-            calendar = calendars.get(one.project.studio_id, WorkCalendar())
-            wait = Wait.under(one.terms.silence, since, calendar, pauses.get(one.cue.id, ()))
-            found.append(DeemedCue(one.cue, one.project, one.contract, one.picks, wait, one.undecided))
-    return found
+            moments += [stated[take.id] for take in cue_waiting.picks]
+        if cue_waiting.contract.agreed_at is not None:
+            since = max(cue_waiting.contract.agreed_at, *moments)
+            calendar = calendars.get(cue_waiting.project.studio_id, WorkCalendar())
+            wait = Wait.under(cue_waiting.terms.silence, since, calendar, pauses.get(cue_waiting.cue.id, ()))
+            deemed_cues.append(
+                DeemedCue(
+                    cue_waiting.cue,
+                    cue_waiting.project,
+                    cue_waiting.contract,
+                    cue_waiting.picks,
+                    wait,
+                    cue_waiting.undecided,
+                )
+            )
+    return deemed_cues
 
 
 def _calendars(session: Session, studio_ids: Collection[UUID]) -> dict[UUID, WorkCalendar]:
@@ -151,8 +160,8 @@ def _calendars(session: Session, studio_ids: Collection[UUID]) -> dict[UUID, Wor
 
 def _pauses(session: Session, waiting: Sequence[_Waiting]) -> Mapping[UUID, Iterable[Pause]]:
     """Return by cue what stopped its count: questions of the contract's designer on it, and open change orders."""
-    by_cue: dict[UUID, list[Pause]] = {one.cue.id: [] for one in waiting}
-    contracts = {one.cue.id: one.contract for one in waiting}
+    by_cue: dict[UUID, list[Pause]] = {deemed.cue.id: [] for deemed in waiting}
+    contracts = {deemed.cue.id: deemed.contract for deemed in waiting}
     for question in queries.questions_on(session, by_cue):
         if question.asked_by == contracts[question.cue_id].designer_id:
             by_cue[question.cue_id].append(Pause("question", question.asked_at, question.answered_at))
@@ -165,8 +174,12 @@ def _pauses(session: Session, waiting: Sequence[_Waiting]) -> Mapping[UUID, Iter
 
 def _stated(session: Session, takes: Sequence[Take]) -> dict[UUID, datetime]:
     """Return the times of stating the sources of takes, of those of which nothing is open."""
-    found = source_statements(session, [take.id for take in takes])
-    return {take_id: one.stated_at for take_id, one in found.items() if not open_points(sources_in(one))}
+    statements = source_statements(session, [take.id for take in takes])
+    return {
+        take_id: statement.stated_at
+        for take_id, statement in statements.items()
+        if not open_points(sources_in(statement))
+    }
 
 
 @dataclass(frozen=True)

@@ -283,7 +283,7 @@ def _take_back(
     forget_reasons(session, decided)
     reasons = _reasons_before(session, decided)
     # Approvals first: a former pick comes back only where there is none.
-    for verdict in sorted(decided, key=lambda one: one.kind is not VerdictKind.APPROVE):
+    for verdict in sorted(decided, key=lambda candidate: candidate.kind is not VerdictKind.APPROVE):
         take = takes[verdict.take_id]
         back = new_verdict(
             session,

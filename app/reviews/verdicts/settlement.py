@@ -54,12 +54,15 @@ def add_accepted_cue(session: Session, contract_id: UUID, cue_id: UUID) -> None:
 
 def work_states(session: Session, contract: Contract, covered: Sequence[ContractCue]) -> dict[UUID, WorkState]:
     """Return the state of the work of a contract's own designer on cues that it covers, as kill fees go by it."""
-    states = queries.variation_states(session, [one.cue_id for one in covered], contract.designer_id)
-    found = {one.cue_id: work_state(one.cue.variations, states[one.cue_id]) for one in covered}
-    for cue_id, state in found.items():
+    states = queries.variation_states(session, [contract_cue.cue_id for contract_cue in covered], contract.designer_id)
+    states_by_cue = {
+        contract_cue.cue_id: work_state(contract_cue.cue.variations, states[contract_cue.cue_id])
+        for contract_cue in covered
+    }
+    for cue_id, state in states_by_cue.items():
         if state is WorkState.ACCEPTED and plan_queries.is_accepted_elsewhere(session, contract.id, cue_id):
-            found[cue_id] = WorkState.NOT_BEGUN  # it was paid for there
-    return found
+            states_by_cue[cue_id] = WorkState.NOT_BEGUN  # it was paid for there
+    return states_by_cue
 
 
 def settle_cut(session: Session, cue: Cue, *, person_id: UUID) -> None:

@@ -39,8 +39,8 @@ def _receipt(session: Session, take: Take) -> HistoryEntry:
 
 def _checks(session: Session, take: Take) -> Iterable[HistoryEntry]:
     for run in queries.check_runs_of(session, take.id):
-        found = "; ".join(str(one["message"]) for one in run.report.get("findings") or [])
-        text = f"{run.verdict}: {found}" if found else run.verdict
+        messages = "; ".join(str(finding["message"]) for finding in run.report.get("findings") or [])
+        text = f"{run.verdict}: {messages}" if messages else run.verdict
         yield HistoryEntry(at=run.created_at, kind=HistoryKind.CHECKED, by=None, text=text)
     for waiver, person in queries.waivers_of(session, take.id):
         yield HistoryEntry(
@@ -85,6 +85,8 @@ def _said(session: Session, take: Take) -> Iterable[HistoryEntry]:
 
 
 def _labelling(session: Session, take: Take) -> Iterable[HistoryEntry]:
-    said = label_of(session, take)
-    if said.labelled_at is not None:
-        yield HistoryEntry(at=said.labelled_at, kind=HistoryKind.LABELLED, by=said.labelled_by, text=said.label or "")
+    take_label = label_of(session, take)
+    if take_label.labelled_at is not None:
+        yield HistoryEntry(
+            at=take_label.labelled_at, kind=HistoryKind.LABELLED, by=take_label.labelled_by, text=take_label.label or ""
+        )
