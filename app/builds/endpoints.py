@@ -281,10 +281,10 @@ def list_packs(
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> Page[SealedPackSummary]:
     """Return the packs that were handed out, the newest first."""
-    found = sealing.packs_in(session, actor, project_id, target=target, before=uuid_cursor(cursor), limit=PAGE + 1)
+    pack_rows = sealing.packs_in(session, actor, project_id, target=target, before=uuid_cursor(cursor), limit=PAGE + 1)
     return Page(
-        items=sealing.summaries(session, found[:PAGE]),
-        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+        items=sealing.summaries(session, pack_rows[:PAGE]),
+        next=cursor_of(pack_rows[PAGE - 1].id) if len(pack_rows) > PAGE else None,
     )
 
 
@@ -350,10 +350,10 @@ def list_builds(
     project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.TEAM)
 ) -> Page[BuildSummary]:
     """Return the project's builds, the newest first."""
-    found = service.builds_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    builds = service.builds_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
     return Page(
-        items=[BuildSummary.model_validate(build) for build in found[:PAGE]],
-        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+        items=[BuildSummary.model_validate(build) for build in builds[:PAGE]],
+        next=cursor_of(builds[PAGE - 1].id) if len(builds) > PAGE else None,
     )
 
 

@@ -95,8 +95,8 @@ def _make_placeholders(runtime: Runtime, project: Project, target: str, slots: S
         with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
             try:
                 path = Path(folder, f"placeholder{slot.view.ending}")
-                said = _said(runtime, project, slot)
-                made = make_placeholder(slot.facts, slot.variation, slot.view, path, said=said)
+                spoken = _said(runtime, project, slot)
+                made = make_placeholder(slot.facts, slot.variation, slot.view, path, said=spoken)
                 blob, is_spoken = runtime.store.put_file(project.studio_id, made.path), made.is_spoken
             except RenderRefused as error:
                 refusal = f"{error}; {error.fix}"

@@ -65,14 +65,14 @@ def adopted_masters(session: Session, project_id: UUID) -> dict[tuple[UUID, int]
         .outerjoin(CheckRun, CheckRun.take_id == Take.id)
         .where(Verdict.project_id == project_id, Verdict.adoption_id.is_not(None), Take.discarded_at.is_(None))
     )
-    found: dict[tuple[UUID, int], AdoptedMaster] = {}
+    masters: dict[tuple[UUID, int], AdoptedMaster] = {}
     for cue_id, variation, sha256, pcm_sha256 in session.execute(query):
         if cue_id is None:
             continue
-        known = found.setdefault((cue_id, variation), AdoptedMaster(sha256, frozenset()))
+        known = masters.setdefault((cue_id, variation), AdoptedMaster(sha256, frozenset()))
         if pcm_sha256:
-            found[cue_id, variation] = replace(known, pcm_sha256s=known.pcm_sha256s | {pcm_sha256})
-    return found
+            masters[cue_id, variation] = replace(known, pcm_sha256s=known.pcm_sha256s | {pcm_sha256})
+    return masters
 
 
 def wanted_cues(session: Session, project_id: UUID) -> int:
@@ -83,7 +83,7 @@ def wanted_cues(session: Session, project_id: UUID) -> int:
 
 def render_hashes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, list[str]]:
     """Return the sample hashes of every game file ever made of takes."""
-    found: dict[UUID, list[str]] = defaultdict(list)
+    hashes_by_take: dict[UUID, list[str]] = defaultdict(list)
     wanted = list(take_ids)
     for start in range(0, len(wanted), IDS_AT_ONCE):
         rows = session.execute(
@@ -92,8 +92,8 @@ def render_hashes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, li
             .order_by(Render.id)
         )
         for take_id, pcm_sha256 in rows:
-            found[take_id].append(str(pcm_sha256))
-    return found
+            hashes_by_take[take_id].append(str(pcm_sha256))
+    return hashes_by_take
 
 
 def pack_by_id(session: Session, pack_id: UUID) -> SealedPack | None:
@@ -262,10 +262,13 @@ def slots_under_way(session: Session, project_id: UUID) -> set[tuple[UUID, int]]
 
 def placeholder_files_of(session: Session, project_id: UUID, target: str) -> dict[tuple[UUID, int], PlaceholderFile]:
     """Return the placeholders that were made for a target, by cue and variation."""
-    found = session.scalars(
+    placeholder_files = session.scalars(
         select(PlaceholderFile).where(PlaceholderFile.project_id == project_id, PlaceholderFile.target == target)
     )
-    return {(one.cue_id, one.variation): one for one in found}
+    return {
+        (placeholder_file.cue_id, placeholder_file.variation): placeholder_file
+        for placeholder_file in placeholder_files
+    }
 
 
 def placeholder_file(session: Session, cue_id: UUID, variation: int, target: str) -> PlaceholderFile | None:
@@ -365,7 +368,7 @@ def same_masters_elsewhere(
         .distinct()
         .order_by(Project.name)
     )
-    found: dict[str, list[str]] = defaultdict(list)
+    names_by_hash: dict[str, list[str]] = defaultdict(list)
     for sha256, name in rows:
-        found[sha256].append(name)
-    return dict(found)
+        names_by_hash[sha256].append(name)
+    return dict(names_by_hash)

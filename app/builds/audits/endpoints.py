@@ -64,10 +64,10 @@ def list_audits(
     project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = TEAM
 ) -> Page[AuditSummary]:
     """Return the audits of a project, the newest first."""
-    found = audits.audits_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    page_rows = audits.audits_in(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
     return Page(
-        items=[AuditSummary.model_validate(audit) for audit in found[:PAGE]],
-        next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None,
+        items=[AuditSummary.model_validate(audit) for audit in page_rows[:PAGE]],
+        next=cursor_of(page_rows[PAGE - 1].id) if len(page_rows) > PAGE else None,
     )
 
 
@@ -89,11 +89,11 @@ def list_audited_sounds(
     """Return an audit's results on its sounds, in its order."""
     access, audit = audits.visible_audit(session, actor, audit_id)
     after = number_cursor(cursor)
-    found = audits.sounds_in(session, audit, drifted_only=drifted, after=after, limit=SOUNDS_PAGE + 1)
-    shown = found[:SOUNDS_PAGE]
+    rows = audits.sounds_in(session, audit, drifted_only=drifted, after=after, limit=SOUNDS_PAGE + 1)
+    shown = rows[:SOUNDS_PAGE]
     return Page(
         items=audits.read_sounds(session, access, audit, shown),
-        next=cursor_of(shown[-1].place) if len(found) > SOUNDS_PAGE else None,
+        next=cursor_of(shown[-1].place) if len(rows) > SOUNDS_PAGE else None,
     )
 
 

@@ -56,14 +56,14 @@ def drifted_sounds(session: Session, audit_id: UUID) -> Sequence[AuditedSound]:
 
 def depending_sounds(session: Session, audit_id: UUID) -> int:
     """Return the number of sounds of an audit that have a level that the game's state changes, and no drift."""
-    found = session.scalars(
+    places = session.scalars(
         select(AuditedSound.place).where(
             AuditedSound.audit_id == audit_id,
             AuditedSound.has_drifted.is_(False),
             AuditedSound.played_status == AuditStatus.DEPENDS,
         )
     )
-    return len(found.all())
+    return len(places.all())
 
 
 def sounds_of(
@@ -146,12 +146,12 @@ def statuses_by_cue(session: Session, audit_id: UUID) -> dict[UUID, list[tuple[A
             AuditedSound.audit_id == audit_id, AuditedSound.cue_id.is_not(None)
         )
     )
-    found: dict[UUID, list[tuple[AuditStatus, AuditStatus]]] = {}
+    by_cue: dict[UUID, list[tuple[AuditStatus, AuditStatus]]] = {}
     for cue_id, status, played_status in rows:
         if cue_id is None:
             continue
-        found.setdefault(cue_id, []).append((status, played_status))
-    return found
+        by_cue.setdefault(cue_id, []).append((status, played_status))
+    return by_cue
 
 
 def heard_cues(session: Session, project_id: UUID) -> set[UUID]:

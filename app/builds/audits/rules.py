@@ -84,14 +84,14 @@ UNHEARD = frozenset({HeardAs.MISSING, HeardAs.NOT_REACHED})
 _OF_DESIGNER = frozenset({TaskKind.TOO_LONG, TaskKind.TOO_SHORT, TaskKind.WRONG})
 
 
-def is_heard(said: HeardAs) -> bool:
+def is_heard(heard_as: HeardAs) -> bool:
     """Whether a note means that its sound was heard in the game."""
-    return said not in UNHEARD
+    return heard_as not in UNHEARD
 
 
-def task_of(said: HeardAs) -> TaskKind | None:
+def task_of(heard_as: HeardAs) -> TaskKind | None:
     """Return the task that a note becomes; None where there is nothing to do."""
-    return None if said in (HeardAs.GOOD, HeardAs.NOT_REACHED) else TaskKind(said.value)
+    return None if heard_as in (HeardAs.GOOD, HeardAs.NOT_REACHED) else TaskKind(heard_as.value)
 
 
 def role_of(kind: TaskKind) -> TaskRole:
@@ -99,16 +99,16 @@ def role_of(kind: TaskKind) -> TaskRole:
     return TaskRole.DESIGNER if kind in _OF_DESIGNER else TaskRole.IMPLEMENTER
 
 
-def ensure_amount(said: HeardAs, amount_db: float | None) -> None:
+def ensure_amount(heard_as: HeardAs, amount_db: float | None) -> None:
     """Raise ListeningNoteInvalid unless a suggested gain goes with what was said: down if too loud, up if too soft."""
     if amount_db is None:
         return
-    if said not in (HeardAs.TOO_LOUD, HeardAs.TOO_SOFT):
-        raise ListeningNoteInvalid(f"a sound that is {said} has no gain to suggest; leave amount_db out")
-    if (amount_db < 0) != (said is HeardAs.TOO_LOUD) or not 0 < abs(amount_db) <= MAX_AMOUNT_DB:
-        wanted = "below 0" if said is HeardAs.TOO_LOUD else "above 0"
+    if heard_as not in (HeardAs.TOO_LOUD, HeardAs.TOO_SOFT):
+        raise ListeningNoteInvalid(f"a sound that is {heard_as} has no gain to suggest; leave amount_db out")
+    if (amount_db < 0) != (heard_as is HeardAs.TOO_LOUD) or not 0 < abs(amount_db) <= MAX_AMOUNT_DB:
+        wanted = "below 0" if heard_as is HeardAs.TOO_LOUD else "above 0"
         raise ListeningNoteInvalid(
-            f"{amount_db:+.1f} dB does not go with {said}; send a gain {wanted}, of {MAX_AMOUNT_DB:.0f} dB at most"
+            f"{amount_db:+.1f} dB does not go with {heard_as}; send a gain {wanted}, of {MAX_AMOUNT_DB:.0f} dB at most"
         )
 
 
@@ -164,7 +164,9 @@ def played_level(entry: Mapping[str, Any]) -> PlayedLevel:
     moves = sorted(worst["moved"] if worst else [], key=lambda move: -abs(move["gain_db"] - move["approved_db"]))[
         :MOST_MOVES
     ]
-    depends = dict.fromkeys(one["what"] for play in plays for one in play["depends"] if one["on"] != "distance")
+    depends = dict.fromkeys(
+        dependency["what"] for play in plays for dependency in play["depends"] if dependency["on"] != "distance"
+    )
     events = dict.fromkeys(name for play in plays for name in play["events"])
     return PlayedLevel(
         file_db=None if gain_db is None else round(gain_db - moved_by_property, 2),

@@ -69,7 +69,7 @@ def save_audit(session: Session, actor: Actor, project_id: UUID, posted: AuditAd
         sounds=len(sounds),
         drifted=len(drifted),
         new_drifts=sum(not _is_among(drift, by_path) for drift in drifted),
-        unread=[one.model_dump() for one in project.unread[:UNREAD_KEPT]] if project else [],
+        unread=[unread.model_dump() for unread in project.unread[:UNREAD_KEPT]] if project else [],
         token_id=actor.token_id,
     )
     session.add(audit)
@@ -86,11 +86,11 @@ def _sounds(session: Session, project: Project, files: Sequence[PostedSound]) ->
     take_ids = {take_id for file in files if (take_id := _take_named(file)) is not None}
     takes = audit_queries.takes_named(session, project.id, take_ids)
     stems = audit_queries.cues_by_stem(session, project.id)
-    return [_sound(project, place, file, takes, stems) for place, file in enumerate(files)]
+    return [_sound(project, index, file, takes, stems) for index, file in enumerate(files)]
 
 
 def _sound(
-    project: Project, place: int, file: PostedSound, takes: Mapping[UUID, Take], stems: Mapping[str, UUID]
+    project: Project, index: int, file: PostedSound, takes: Mapping[UUID, Take], stems: Mapping[str, UUID]
 ) -> AuditedSound:
     take_id = _take_named(file)
     take = takes.get(take_id) if take_id is not None else None
@@ -98,7 +98,7 @@ def _sound(
     stem = named.stem.lower()
     level = played_level(file.model_dump())
     return AuditedSound(
-        place=place,
+        place=index,
         studio_id=project.studio_id,
         project_id=project.id,
         path=file.path,
@@ -133,14 +133,14 @@ def _drifts(session: Session, audit: BuildAudit | None) -> list[Drift]:
 
 
 def _by_path(drifts: Sequence[Drift]) -> dict[str, list[Drift]]:
-    found: dict[str, list[Drift]] = {}
+    by_path: dict[str, list[Drift]] = {}
     for drift in drifts:
-        found.setdefault(drift.path, []).append(drift)
-    return found
+        by_path.setdefault(drift.path, []).append(drift)
+    return by_path
 
 
 def _is_among(drift: Drift, by_path: Mapping[str, Sequence[Drift]]) -> bool:
-    return any(drift.is_same(one) for one in by_path.get(drift.path, ()))
+    return any(drift.is_same(other) for other in by_path.get(drift.path, ()))
 
 
 def audits_in(
@@ -197,10 +197,12 @@ def read_sounds(
     tasks = audit_queries.open_drift_tasks(session, project.id)
     cues = cues_by_id(session, project.id, {sound.cue_id for sound in sounds if sound.cue_id})
     approved = approved_sounds(session, project, sounds)
-    found = []
+    reads = []
     for sound in sounds:
-        acceptance = next((one for one in accepted if one.drift.is_same(sound.drift)), None)
-        found.append(
+        acceptance = next(
+            (accepted_drift for accepted_drift in accepted if accepted_drift.drift.is_same(sound.drift)), None
+        )
+        reads.append(
             AuditedSoundRead(
                 place=sound.place,
                 path=sound.path,
@@ -221,7 +223,7 @@ def read_sounds(
                 sound=approved.get(sound.place),
             )
         )
-    return found
+    return reads
 
 
 def approved_sounds(session: Session, project: Project, sounds: Sequence[AuditedSound]) -> dict[int, TakeSound]:
@@ -237,8 +239,8 @@ def approved_sounds(session: Session, project: Project, sounds: Sequence[Audited
     hashes = {take.master_sha256 for take in chosen.values()}
     pictures = pictures_of_sounds(session, [project.studio_id], hashes)
     return {
-        place: TakeSound(**sound_places(picture, None), take_id=take.id)
-        for place, take in chosen.items()
+        index: TakeSound(**sound_places(picture, None), take_id=take.id)
+        for index, take in chosen.items()
         if (picture := pictures.get(take.master_sha256)) is not None
     }
 
@@ -266,7 +268,7 @@ def accept_drift(session: Session, actor: Actor, audit_id: UUID, *, path: str, r
     access.ensure_may_speak()
     sound = _drifted_sound(session, audit, path)
     standing = audit_queries.accepted_drifts(session, audit.project_id)
-    known = next((one for one in standing if one.drift.is_same(sound.drift)), None)
+    known = next((accepted_drift for accepted_drift in standing if accepted_drift.drift.is_same(sound.drift)), None)
     if known is not None:
         return read_accepted(known)
     session.add(

@@ -132,7 +132,7 @@ def _stated(sources: Sources | None) -> dict[str, str]:
             ", ".join(part for part in (library.name, library.licence, library.file) if part)
             for library in sources.libraries
         ),
-        "generated": "; ".join(f"{one.tool}: {one.part}" for one in sources.generated),
+        "generated": "; ".join(f"{generated_part.tool}: {generated_part.part}" for generated_part in sources.generated),
         "performers": "; ".join(
             f"{performer.name}, release: {performer.release or 'none named'}" for performer in sources.performers
         ),

@@ -137,8 +137,8 @@ def _entry(row: ClearanceRow) -> dict[str, object]:
             _approval(row),
         ],
         "sources": [
-            ", ".join(words for words, said in yes.items() if said == "yes"),
-            *(f"{word}: {said}" for word, said in listed.items() if said),
+            ", ".join(words for words, stated in yes.items() if stated == "yes"),
+            *(f"{word}: {stated}" for word, stated in listed.items() if stated),
         ],
         "open": [
             row.open_points,

@@ -52,7 +52,7 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
         )
     project = session.get_one(Project, contract.project_id)
     covered = cues_of(session, contract.id)
-    approved = approved_takes_of(session, [one.cue_id for one in covered], contract.designer_id)
+    approved = approved_takes_of(session, [contract_cue.cue_id for contract_cue in covered], contract.designer_id)
     palette = _palette(session, project, {take.id for take in approved})
     files = _files(session, project, "masters", approved)
     of_palette = _files(session, project, "palette", palette)
@@ -65,9 +65,9 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
         open_brief=[answer.text for answer in open_answers(session, project.id)],
     )
     masters = [
-        stored_entry(store, take.studio_id, one.path, take.master_sha256, take.master_bytes)
+        stored_entry(store, take.studio_id, file.path, take.master_sha256, take.master_bytes)
         for take in (*approved, *palette)
-        if not (one := (files | of_palette)[take.id]).left_out
+        if not (file := (files | of_palette)[take.id]).left_out
     ]
     ensure_stored(store, project.studio_id, masters)
     entries = [*masters, memory_entry(CUES, cue_table(handover)), memory_entry(READ_ME, read_me(handover))]
@@ -92,13 +92,13 @@ def open_handovers(session: Session, actor: Actor, project_id: UUID) -> list[Ope
     covered = {one.id: cues_of(session, one.id) for one in ended}
     waiting = {cue.id for cue in wanted_cues(session, project_id)}
     waiting -= {cue.cue_id for cues in covered.values() for cue in cues if cue.accepted_at is not None}
-    found: list[OpenHandover] = []
-    for contract in sorted(ended, key=lambda one: one.number, reverse=True):
-        cues = [one.cue for one in covered[contract.id] if one.cue_id in waiting]
+    handovers: list[OpenHandover] = []
+    for contract in sorted(ended, key=lambda other: other.number, reverse=True):
+        cues = [contract_cue.cue for contract_cue in covered[contract.id] if contract_cue.cue_id in waiting]
         waiting -= {cue.id for cue in cues}
         if cues and contract.designer_id != actor.person_id and contract.ended_at is not None:
             prefix = access.project.cue_prefix
-            found.append(
+            handovers.append(
                 OpenHandover(
                     contract_id=contract.id,
                     title=contract.title,
@@ -107,7 +107,7 @@ def open_handovers(session: Session, actor: Actor, project_id: UUID) -> list[Ope
                     cues=[OpenCue(id=cue.id, label=label(prefix, cue.number), name=cue.name) for cue in cues],
                 )
             )
-    return found
+    return handovers
 
 
 def _palette(session: Session, project: Project, own: set[UUID]) -> list[Take]:
@@ -155,11 +155,11 @@ def _cues(
     unfinished = [one.cue_id for one in covered if one.accepted_at is None]
     remarks = queries.open_remarks(session, unfinished, contract.designer_id)
     asked = questions_of(session, project.id, only_open=True)
-    found = []
-    for one in covered:
-        cue, takes = one.cue, [take for take in approved if take.cue_id == one.cue_id]
+    cues = []
+    for contract_cue in covered:
+        cue, takes = contract_cue.cue, [take for take in approved if take.cue_id == contract_cue.cue_id]
         done = {take.variation for take in takes}
-        found.append(
+        cues.append(
             HandedCue(
                 label=label(project.cue_prefix, cue.number),
                 name=cue.name,
@@ -167,7 +167,7 @@ def _cues(
                 description=cue.description,
                 variations=cue.variations,
                 is_palette=cue.palette,
-                state=_state(one),
+                state=_state(contract_cue),
                 files=[files[take.id] for take in takes],
                 owed=[  # a cue that was cut from the list owns no names, and is owed no more
                     stems[cue.id, each]
@@ -178,7 +178,7 @@ def _cues(
                 questions=[each.text for each in asked if each.cue_id == cue.id],
             )
         )
-    return found
+    return cues
 
 
 def _state(covered: ContractCue) -> str:
@@ -194,5 +194,5 @@ def _remark(row: queries.RemarkRow) -> HandedRemark:
 
 def _brief(session: Session, project_id: UUID) -> list[tuple[str, str]]:
     answers = answers_of(session, project_id)
-    said = [(question.text, in_words(question, answers.get(question.key))) for question in QUESTIONS]
-    return [(question, answer) for question, answer in said if answer]
+    answers_given = [(question.text, in_words(question, answers.get(question.key))) for question in QUESTIONS]
+    return [(question, answer) for question, answer in answers_given if answer]

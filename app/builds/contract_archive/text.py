@@ -121,7 +121,7 @@ def read_me(handover: Handover) -> bytes:
     page.section("Open rounds", remarks, "No cue without an approved version has a change request or an open comment.")
     questions = [f"- {cue.label} {cue.name}: {text}" for cue in cues for text in cue.questions]
     page.section("Open questions", questions, "No question on these cues is open.")
-    page.section("Palette of other contracts", [_file_line(one) for one in handover.palette], "None.")
+    page.section("Palette of other contracts", [_file_line(file) for file in handover.palette], "None.")
     brief = [line for question, answer in handover.brief for line in (f"### {question}", "", answer, "")]
     page.section("Brief", brief, "The project has no brief.")
     if handover.open_brief:
@@ -134,9 +134,9 @@ def _cue_line(cue: HandedCue) -> str:
     return f"- {cue.label} {cue.name}: {cue.state}{palette}"
 
 
-def _file_line(one: HandedFile) -> str:
-    left_out = f", not in this pack: {one.left_out}" if one.left_out else ""
-    return f"- {one.path}, SHA-256 {one.sha256}; {one.sources or 'sources not stated'}{left_out}"
+def _file_line(file: HandedFile) -> str:
+    left_out = f", not in this pack: {file.left_out}" if file.left_out else ""
+    return f"- {file.path}, SHA-256 {file.sha256}; {file.sources or 'sources not stated'}{left_out}"
 
 
 def _remark_lines(cue: HandedCue) -> list[str]:

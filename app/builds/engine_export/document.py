@@ -18,7 +18,7 @@ def document(cues: Sequence[ExportedCue]) -> bytes:
     """Return the document: ASCII, the same bytes for the same cues."""
     assets = distinct((cue.label, identifier(cue.name, cue.label)) for cue in cues)
     files = distinct(
-        (_key(cue, place), identifier(file.stem, cue.label)) for cue in cues for place, file in enumerate(cue.files)
+        (_key(cue, index), identifier(file.stem, cue.label)) for cue in cues for index, file in enumerate(cue.files)
     )
     events = _events(cues)
     sounds = [
@@ -35,21 +35,21 @@ def document(cues: Sequence[ExportedCue]) -> bytes:
             "load": cue.load,
             "compression": cue.compression,
             "notes": cue.notes,
-            "files": [_file(cue, file, files[_key(cue, place)]) for place, file in enumerate(cue.files)],
+            "files": [_file(cue, file, files[_key(cue, index)]) for index, file in enumerate(cue.files)],
         }
         for cue in cues
     ]
     return (json.dumps({"format": FORMAT, "sounds": sounds}, ensure_ascii=True, indent=1) + "\n").encode("ascii")
 
 
-def _key(cue: ExportedCue, place: int) -> str:
-    return f"{cue.label}_{place + 1:02d}"
+def _key(cue: ExportedCue, index: int) -> str:
+    return f"{cue.label}_{index + 1:02d}"
 
 
 def _events(cues: Sequence[ExportedCue]) -> dict[str, str]:
     """Return a path for each cue's event: its own, and no folder of another's."""
     paths = {cue.label: "/".join(_event(cue)) for cue in cues}
-    folders = {path[:place].casefold() for path in paths.values() for place, char in enumerate(path) if char == "/"}
+    folders = {path[:index].casefold() for path in paths.values() for index, char in enumerate(path) if char == "/"}
     for label in paths:
         while paths[label].casefold() in folders:
             paths[label] += f"_{identifier(label)}"

@@ -69,19 +69,19 @@ def _notes(number: str, cue: Cue, *, has_placeholder: bool) -> str:
 
 def _content(pack: Pack) -> dict[str, tuple[Cue, list[HandedFile]]]:
     """Return each cue by its label, with its files in the order of its variations."""
-    found: dict[UUID, tuple[Cue, dict[int, HandedFile]]] = {}
+    by_cue: dict[UUID, tuple[Cue, dict[int, HandedFile]]] = {}
     for sound in pack.sounds:
         if render := sound.packed:
-            found.setdefault(sound.cue.id, (sound.cue, {}))[1][sound.variation] = _game_file(sound.path, render)
+            by_cue.setdefault(sound.cue.id, (sound.cue, {}))[1][sound.variation] = _game_file(sound.path, render)
     for placeholder_file in pack.placeholder_files:
         made = HandedFile(
             path=placeholder_file.path,
             sha256=placeholder_file.sha256,
             duration_s=placeholder_file.cue.duration_s or 0.0,
         )
-        found.setdefault(placeholder_file.cue.id, (placeholder_file.cue, {}))[1][placeholder_file.variation] = made
+        by_cue.setdefault(placeholder_file.cue.id, (placeholder_file.cue, {}))[1][placeholder_file.variation] = made
     prefix = pack.project.cue_prefix
-    return {label(prefix, cue.number): (cue, [files[at] for at in sorted(files)]) for cue, files in found.values()}
+    return {label(prefix, cue.number): (cue, [files[at] for at in sorted(files)]) for cue, files in by_cue.values()}
 
 
 def _game_file(path: str, render: Render) -> HandedFile:

@@ -14,7 +14,7 @@ from app.reviews.models import GameLevel
 
 def handed_paths(session: Session, project_id: UUID, target: str, handoff: Handoff) -> set[str]:
     """Return the game files that a target's sealed packs with a hand-off contain."""
-    found = session.scalars(
+    paths = session.scalars(
         select(PackedFile.path)
         .join(SealedPack, SealedPack.id == PackedFile.pack_id)
         .where(
@@ -26,7 +26,7 @@ def handed_paths(session: Session, project_id: UUID, target: str, handoff: Hando
         )
         .distinct()
     )
-    return set(found)
+    return set(paths)
 
 
 def cues_of_the_game(session: Session, project_id: UUID, handoff: Handoff) -> set[UUID]:

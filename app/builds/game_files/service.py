@@ -99,11 +99,11 @@ def approved_file(session: Session, actor: Actor, project_id: UUID, render_id: U
     where there is no file, DownloadUnpaid where its contract opens it by payment.
     """
     access = project_access(session, actor, project_id)
-    found = queries.render_of_project(session, project_id, render_id)
-    if found is None or access.only_designer_id not in (None, found[1].designer_id):
+    render_and_take = queries.render_of_project(session, project_id, render_id)
+    if render_and_take is None or access.only_designer_id not in (None, render_and_take[1].designer_id):
         raise RenderNotFound(f"no render {render_id}")
     ensure_team_or_build(access)
-    render, take = found
+    render, take = render_and_take
     if take.state is not TakeState.APPROVED and not queries.is_in_sealed_pack(session, project_id, render_id):
         raise GameFileNotApproved("this game file belongs to a version that is not approved")
     if render.sha256 is None:

@@ -32,10 +32,10 @@ def compare_with_libraries(runtime: Runtime, payload: Payload) -> None:
         known = same_sound_queries.master_fingerprints(session, take.studio_id, [sha256]).get(sha256)
         if known is None:
             return
-        found = _found(session, known, queries.library_moments(session, take.studio_id))
-    if found:
+        matches = _found(session, known, queries.library_moments(session, take.studio_id))
+    if matches:
         with runtime.database.writing() as session:
-            libraries.save_library_matches(session, take_id, found)
+            libraries.save_library_matches(session, take_id, matches)
 
 
 @job("builds.compare_library")
@@ -50,9 +50,9 @@ def compare_library(runtime: Runtime, payload: Payload) -> None:
         studio_id, size = library.studio_id, library.sounds
         moments = queries.library_moments(session, studio_id, library_id)
         takes = queries.takes_with_fingerprints(session, studio_id, after, TAKES_AT_ONCE)
-        found = {take_id: _found(session, known, moments) for take_id, known in takes}
+        matches_by_take = {take_id: _found(session, known, moments) for take_id, known in takes}
     with runtime.database.writing() as session:
-        for take_id, matches in found.items():
+        for take_id, matches in matches_by_take.items():
             if matches:
                 libraries.save_library_matches(session, take_id, matches)
         if len(takes) == TAKES_AT_ONCE:
@@ -72,8 +72,8 @@ def _found(session: Session, mine: MasterFingerprint, moments: Moments) -> list[
     if mine.fingerprint is None:
         return []
     keys, of_sounds = moments
-    likely = (queries.library_sound(session, keys[place]) for place in likely_sounds(mine.fingerprint, of_sounds))
-    return [found for one in likely if one is not None and (found := _compared(mine, one)) is not None]
+    likely = (queries.library_sound(session, keys[index]) for index in likely_sounds(mine.fingerprint, of_sounds))
+    return [match for sound in likely if sound is not None and (match := _compared(mine, sound)) is not None]
 
 
 def _compared(mine: MasterFingerprint, other: LibrarySound) -> LibraryFound | None:

@@ -17,10 +17,10 @@ SoundKey = tuple[UUID, str]  # library and path
 
 def libraries_of(session: Session, studio_id: UUID, person_id: UUID | None) -> Sequence[SoundLibrary]:
     """Return the libraries of a studio by name; those of one person where one is given."""
-    found = select(SoundLibrary).where(SoundLibrary.studio_id == studio_id).options(joinedload(SoundLibrary.person))
+    query = select(SoundLibrary).where(SoundLibrary.studio_id == studio_id).options(joinedload(SoundLibrary.person))
     if person_id is not None:
-        found = found.where(SoundLibrary.person_id == person_id)
-    return session.scalars(found.order_by(SoundLibrary.name, SoundLibrary.id)).all()
+        query = query.where(SoundLibrary.person_id == person_id)
+    return session.scalars(query.order_by(SoundLibrary.name, SoundLibrary.id)).all()
 
 
 def library_by_id(session: Session, library_id: UUID) -> SoundLibrary | None:
@@ -39,25 +39,25 @@ def library_by_name(session: Session, studio_id: UUID, person_id: UUID, name: st
 
 def count_library_sounds(session: Session, *, studio_id: UUID | None = None, library_id: UUID | None = None) -> int:
     """Return the number of sounds of a library, or of all libraries of a studio."""
-    found = select(func.count()).select_from(LibrarySound)
+    query = select(func.count()).select_from(LibrarySound)
     if studio_id is not None:
-        found = found.where(LibrarySound.studio_id == studio_id)
+        query = query.where(LibrarySound.studio_id == studio_id)
     if library_id is not None:
-        found = found.where(LibrarySound.library_id == library_id)
-    return session.scalar(found) or 0
+        query = query.where(LibrarySound.library_id == library_id)
+    return session.scalar(query) or 0
 
 
 def library_moments(
     session: Session, studio_id: UUID, library_id: UUID | None = None
 ) -> tuple[list[SoundKey], list[bytes]]:
     """Return the keys and moments of a studio's library sounds; of one library where one is given."""
-    found = select(LibrarySound.library_id, LibrarySound.path, LibrarySound.moments).where(
+    query = select(LibrarySound.library_id, LibrarySound.path, LibrarySound.moments).where(
         LibrarySound.studio_id == studio_id, LibrarySound.fingerprint_version == FINGERPRINT_VERSION
     )
     if library_id is not None:
-        found = found.where(LibrarySound.library_id == library_id)
-    rows = session.execute(found.order_by(LibrarySound.library_id, LibrarySound.path)).all()
-    return [(one, path) for one, path, _ in rows], [moments for _, _, moments in rows]
+        query = query.where(LibrarySound.library_id == library_id)
+    rows = session.execute(query.order_by(LibrarySound.library_id, LibrarySound.path)).all()
+    return [(library, path) for library, path, _ in rows], [moments for _, _, moments in rows]
 
 
 def library_sound(session: Session, key: SoundKey) -> LibrarySound | None:
@@ -69,7 +69,7 @@ def takes_with_fingerprints(
     session: Session, studio_id: UUID, after: UUID | None, limit: int
 ) -> Sequence[tuple[UUID, MasterFingerprint]]:
     """Return takes of a studio by id, after one, with what their masters are recognised by."""
-    found = (
+    query = (
         select(Take.id, MasterFingerprint)
         .join(
             MasterFingerprint,
@@ -82,8 +82,8 @@ def takes_with_fingerprints(
         )
     )
     if after is not None:
-        found = found.where(Take.id > after)
-    return [(take_id, known) for take_id, known in session.execute(found.order_by(Take.id).limit(limit))]
+        query = query.where(Take.id > after)
+    return [(take_id, known) for take_id, known in session.execute(query.order_by(Take.id).limit(limit))]
 
 
 def library_matches_of(session: Session, take_ids: Collection[UUID]) -> Sequence[LibraryMatch]:

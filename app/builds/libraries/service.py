@@ -45,8 +45,8 @@ def access_to_register(session: Session, actor: Actor, project_id: UUID) -> Proj
 def libraries(session: Session, actor: Actor, project_id: UUID) -> list[SoundLibraryRead]:
     """Return the libraries of the project's studio to its team, and to a designer their own."""
     access = project_access(session, actor, project_id)
-    found = queries.libraries_of(session, access.project.studio_id, access.only_designer_id)
-    return [_read(one, actor) for one in found]
+    rows = queries.libraries_of(session, access.project.studio_id, access.only_designer_id)
+    return [_read(library, actor) for library in rows]
 
 
 def _read(library: SoundLibrary, actor: Actor) -> SoundLibraryRead:
@@ -118,27 +118,27 @@ def remove_library(session: Session, actor: Actor, library_id: UUID) -> None:
     session.flush()
 
 
-def save_library_matches(session: Session, take_id: UUID, found: Sequence[LibraryFound]) -> None:
+def save_library_matches(session: Session, take_id: UUID, matches: Sequence[LibraryFound]) -> None:
     """Record the files of libraries that a take equals, unless their library was removed."""
     take = session.get_one(Take, take_id)
     rows = [
         {
             "take_id": take.id,
             "library_id": library.id,
-            "path": one.path,
+            "path": match.path,
             "studio_id": take.studio_id,
             "project_id": take.project_id,
             "name": library.name,
             "licence": library.licence,
-            "score": one.difference.score,
-            "gain_db": one.difference.gain_db,
-            "has_same_samples": one.has_same_samples,
-            "is_trimmed": one.difference.is_trimmed,
-            "is_resampled": one.is_resampled,
+            "score": match.difference.score,
+            "gain_db": match.difference.gain_db,
+            "has_same_samples": match.has_same_samples,
+            "is_trimmed": match.difference.is_trimmed,
+            "is_resampled": match.is_resampled,
             "found_at": clock.now(),
         }
-        for one in found
-        if (library := queries.library_by_id(session, one.library_id)) is not None
+        for match in matches
+        if (library := queries.library_by_id(session, match.library_id)) is not None
     ]
     if rows:
         insert_all_if_absent(session, LibraryMatch, rows, unique=("take_id", "library_id", "path"))

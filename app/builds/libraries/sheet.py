@@ -32,4 +32,7 @@ def parse_library_sheet(content_base64: str) -> list[tuple[str, str, int, bytes,
             f"the sheet lists {len(sounds):,} sounds; a sheet may list {MAX_SHEET_SOUNDS:,}",
             fix="write a sheet for each of its folders; they go into one library by its name",
         )
-    return [(path, one.pcm_sha256, one.sample_rate_hz, one.fingerprint or b"", one.moments) for path, one in sounds]
+    return [
+        (path, signature.pcm_sha256, signature.sample_rate_hz, signature.fingerprint or b"", signature.moments)
+        for path, signature in sounds
+    ]

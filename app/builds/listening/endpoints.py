@@ -85,13 +85,13 @@ def list_game_tasks(
     project_id: UUID, session: DbSession, done: bool = False, cursor: str | None = None, actor: Actor = PROJECT
 ) -> Page[GameTaskRead]:
     """Return the tasks for the game to play its sounds as it should, the newest first."""
-    access, found = game_tasks.tasks_in(
+    access, tasks = game_tasks.tasks_in(
         session, actor, project_id, done=done, before=uuid_cursor(cursor), limit=PAGE + 1
     )
-    shown = found[:PAGE]
+    shown = tasks[:PAGE]
     return Page(
         items=game_tasks.read_tasks(session, access, shown),
-        next=cursor_of(shown[-1].id) if len(found) > PAGE else None,
+        next=cursor_of(shown[-1].id) if len(tasks) > PAGE else None,
     )
 
 

@@ -76,14 +76,14 @@ def standing_notes(session: Session, pass_id: UUID, cue_id: UUID, person_id: UUI
 
 def tasks_of_notes(session: Session, note_ids: Collection[UUID]) -> dict[UUID, GameTask]:
     """Return the tasks that notes became, by note."""
-    found = session.scalars(select(GameTask).where(in_array(GameTask.note_id, note_ids)))
-    return {task.note_id: task for task in found if task.note_id is not None}
+    tasks = session.scalars(select(GameTask).where(in_array(GameTask.note_id, note_ids)))
+    return {task.note_id: task for task in tasks if task.note_id is not None}
 
 
 def notes_by_id(session: Session, note_ids: Collection[UUID]) -> dict[UUID, ListeningNote]:
     """Return notes by id."""
-    found = session.scalars(select(ListeningNote).where(in_array(ListeningNote.id, note_ids)))
-    return {note.id: note for note in found}
+    notes = session.scalars(select(ListeningNote).where(in_array(ListeningNote.id, note_ids)))
+    return {note.id: note for note in notes}
 
 
 def tasks_of(

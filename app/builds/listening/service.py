@@ -191,11 +191,11 @@ def _add_task_of(session: Session, note: ListeningNote, sounds: Sequence[Audited
 
 
 def _visible_pass(session: Session, actor: Actor, listening_pass_id: UUID) -> tuple[ProjectAccess, ListeningPass]:
-    found = listening_queries.pass_by_id(session, listening_pass_id)
-    if found is None:
+    listening_pass = listening_queries.pass_by_id(session, listening_pass_id)
+    if listening_pass is None:
         raise ListeningPassNotFound(f"no listening pass {listening_pass_id}")
     try:
-        return project_access(session, actor, found.project_id), found
+        return project_access(session, actor, listening_pass.project_id), listening_pass
     except ProjectNotFound:
         raise ListeningPassNotFound(f"no listening pass {listening_pass_id}") from None
 

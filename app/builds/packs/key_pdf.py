@@ -64,7 +64,7 @@ def _entry(row: KeyRow) -> dict[str, object]:
         "file": re.sub(r"([_/])", "\\1\u200b", row.file) or "none",  # long names break after these
         "cue": row.cue + (f" {row.variation}/{row.variations}" if row.variations > 1 else ""),
         "name": row.name,
-        "what": [row.description, *(f"{word}: {said}" for word, said in named.items() if said)],
+        "what": [row.description, *(f"{word}: {text}" for word, text in named.items() if text)],
         "format": _format(row),
         "note": row.note,
     }

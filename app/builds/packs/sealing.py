@@ -68,7 +68,7 @@ def seal(session: Session, pack_id: UUID, files: Sequence[Packed]) -> None:
     rows = [
         {
             "pack_id": pack.id,
-            "place": place,
+            "place": index,
             "studio_id": pack.studio_id,
             "path": file.entry.path,
             "kind": file.kind,
@@ -77,7 +77,7 @@ def seal(session: Session, pack_id: UUID, files: Sequence[Packed]) -> None:
             "pcm_sha256": file.render.pcm_sha256 if file.render else None,
             "render_id": file.render.id if file.render else None,
         }
-        for place, file in enumerate(files)
+        for index, file in enumerate(files)
     ]
     session.execute(sa.insert(PackedFile), rows)
     pack.state, pack.sealed_at = PackState.SEALED, clock.now()

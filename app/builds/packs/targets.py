@@ -24,8 +24,10 @@ def visible_targets(session: Session, actor: Actor, project_id: UUID) -> Targets
     return TargetsRead(
         targets=[_target_read(session, spec, pack_of(session, access.project, name)) for name in spec.targets],
         presets=[
-            PresetRead(name=one.name, engine=one.engine, accepts=one.accepts, why=one.why, toml=one.to_toml())
-            for one in TARGET_PRESETS.values()
+            PresetRead(
+                name=preset.name, engine=preset.engine, accepts=preset.accepts, why=preset.why, toml=preset.to_toml()
+            )
+            for preset in TARGET_PRESETS.values()
         ],
     )
 

@@ -46,10 +46,10 @@ def compare_take(runtime: Runtime, payload: Payload) -> None:
             return
         with runtime.database.writing() as session:
             same_sounds.save_master_fingerprint(session, studio_id, sha256, known)
-    found = _found_elsewhere(runtime, studio_id, project_id, sha256)
+    matches = _found_elsewhere(runtime, studio_id, project_id, sha256)
     with runtime.database.writing() as session:
-        if found:
-            same_sounds.save_same_sounds(session, take_id, found)
+        if matches:
+            same_sounds.save_same_sounds(session, take_id, matches)
         publish(session, "take.fingerprinted", studio_id=studio_id, take_id=take_id)
         for earlier in queries.approved_without_fingerprint(session, studio_id, EARLIER_AT_ONCE):
             runtime.queue.enqueue(
@@ -84,8 +84,8 @@ def _found_elsewhere(
         elsewhere = queries.approved_moments_elsewhere(session, studio_id, project_id)
     places = likely_sounds(mine.fingerprint, [moments for _, moments in elsewhere])
     with runtime.database.reading() as session:
-        likely = queries.master_fingerprints(session, studio_id, [elsewhere[place][0] for place in places])
-    return [found for other in likely.values() if (found := _compared(mine, other)) is not None]
+        likely = queries.master_fingerprints(session, studio_id, [elsewhere[index][0] for index in places])
+    return [match for other in likely.values() if (match := _compared(mine, other)) is not None]
 
 
 def _compared(mine: MasterFingerprint, other: MasterFingerprint) -> same_sounds.FoundElsewhere | None:

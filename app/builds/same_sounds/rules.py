@@ -21,7 +21,7 @@ def words_of_same_sound(*, has_same_samples: bool, gain_db: float, is_trimmed: b
 
 def is_named(library: str, declared: Iterable[str]) -> bool:
     """Return whether a declaration names a library, whatever its capitals and blanks."""
-    return _plain(library) in {_plain(one) for one in declared}
+    return _plain(library) in {_plain(name) for name in declared}
 
 
 def _plain(name: str) -> str:

@@ -58,29 +58,32 @@ def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, know
     insert_if_absent(session, MasterFingerprint, row, unique=("studio_id", "sound_sha256"))
 
 
-def save_same_sounds(session: Session, take_id: UUID, found: Sequence[FoundElsewhere]) -> None:
+def save_same_sounds(session: Session, take_id: UUID, matches: Sequence[FoundElsewhere]) -> None:
     """Record the takes that hold the same sound, for both sides, unless they are no longer approved."""
-    by_hash = {one.sha256: one for one in found}
+    by_hash = {one.sha256: one for one in matches}
     take = session.get_one(Take, take_id)
     rows = []
     for other in queries.approved_takes_elsewhere(session, take.studio_id, take.project_id, by_hash):
-        one = by_hash[other.master_sha256]
-        rows += [_row(take, other, one, one.difference.gain_db), _row(other, take, one, -one.difference.gain_db)]
+        match = by_hash[other.master_sha256]
+        rows += [
+            _row(take, other, match, match.difference.gain_db),
+            _row(other, take, match, -match.difference.gain_db),
+        ]
     if rows:
         insert_all_if_absent(session, SameSound, rows, unique=("take_id", "other_take_id"))
 
 
-def _row(take: Take, other: Take, found: FoundElsewhere, gain_db: float) -> dict[str, object]:
+def _row(take: Take, other: Take, match: FoundElsewhere, gain_db: float) -> dict[str, object]:
     return {
         "take_id": take.id,
         "other_take_id": other.id,
         "studio_id": take.studio_id,
         "project_id": take.project_id,
-        "score": found.difference.score,
+        "score": match.difference.score,
         "gain_db": gain_db,
-        "has_same_samples": found.has_same_samples,
-        "is_trimmed": found.difference.is_trimmed,
-        "is_resampled": found.is_resampled,
+        "has_same_samples": match.has_same_samples,
+        "is_trimmed": match.difference.is_trimmed,
+        "is_resampled": match.is_resampled,
         "found_at": clock.now(),
     }
 
@@ -104,10 +107,10 @@ def same_sounds_of_take(session: Session, actor: Actor, take_id: UUID) -> SameSo
 def _of_libraries(session: Session, takes: Sequence[Take]) -> dict[UUID, list[LibraryMatchRead]]:
     """Return by take which files of registered libraries it equals, and whether its sources name the library."""
     stated = sources_of(session, takes)
-    found: dict[UUID, list[LibraryMatchRead]] = {take.id: [] for take in takes}
-    for library_match in library_queries.library_matches_of(session, found):
+    by_take: dict[UUID, list[LibraryMatchRead]] = {take.id: [] for take in takes}
+    for library_match in library_queries.library_matches_of(session, by_take):
         sources = stated.get(library_match.take_id)
-        found[library_match.take_id].append(
+        by_take[library_match.take_id].append(
             LibraryMatchRead(
                 library=library_match.name,
                 licence=library_match.licence,
@@ -120,7 +123,7 @@ def _of_libraries(session: Session, takes: Sequence[Take]) -> dict[UUID, list[Li
                 ),
             )
         )
-    return found
+    return by_take
 
 
 def library_files_in_words(session: Session, takes: Sequence[Take]) -> dict[UUID, str]:
@@ -159,10 +162,10 @@ def _read(same: SameSound, other: Take, project: Project) -> SameSoundRead:
 
 def same_sounds_in_words(session: Session, takes: Sequence[Take]) -> dict[UUID, str]:
     """Return by take where else its sound is, for a clearance sheet; the caller has checked access."""
-    found: dict[UUID, list[str]] = {}
+    words_by_take: dict[UUID, list[str]] = {}
     for same, other, project in queries.same_sounds_of(session, [take.id for take in takes]):
-        found.setdefault(same.take_id, []).append(f"{project.name}: {_named(other, project)}, {_words(same)}")
-    return {take_id: "; ".join(words) for take_id, words in found.items()}
+        words_by_take.setdefault(same.take_id, []).append(f"{project.name}: {_named(other, project)}, {_words(same)}")
+    return {take_id: "; ".join(words) for take_id, words in words_by_take.items()}
 
 
 def _named(take: Take, project: Project) -> str:

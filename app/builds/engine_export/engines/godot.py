@@ -95,13 +95,13 @@ def _randomizer(cue: ExportedCue, path: str) -> bytes:
     count = len(cue.files)
     head = f'[gd_resource type="AudioStreamRandomizer" load_steps={count + 1} format=3 uid={quoted(uid_of(path))}]'
     lines = [head, ""]
-    for place, file in enumerate(cue.files, start=1):
+    for number, file in enumerate(cue.files, start=1):
         source = f"res://{file.path}"
         known = f"uid={quoted(uid_of(source))} path={quoted(source)}"
-        lines.append(f'[ext_resource type="AudioStream" {known} id="{place}"]')
+        lines.append(f'[ext_resource type="AudioStream" {known} id="{number}"]')
     lines += ["", "[resource]", f"streams_count = {count}"]
-    for place in range(count):
-        lines += [f'stream_{place}/stream = ExtResource("{place + 1}")', f"stream_{place}/weight = 1.0"]
+    for index in range(count):
+        lines += [f'stream_{index}/stream = ExtResource("{index + 1}")', f"stream_{index}/weight = 1.0"]
     facts = {"cue": cue.label, "title": cue.title, "event": "/".join(cue.stated_event), "notes": cue.notes}
     lines += [f"metadata/{name} = {quoted(text)}" for name, text in facts.items() if text]
     return ("\n".join(lines) + "\n").encode()

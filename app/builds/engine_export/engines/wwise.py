@@ -75,7 +75,7 @@ def _rows(cue: ExportedCue, path: str) -> Iterator[Sequence[str]]:
         yield _sound_row(cue, cue.files[0], path, cue.notes)
         return
     yield "", path, CONTAINER, cue.notes, "", ""
-    names = distinct((f"{place:02d}", _object_name(file.stem)) for place, file in enumerate(cue.files, start=1))
+    names = distinct((f"{number:02d}", _object_name(file.stem)) for number, file in enumerate(cue.files, start=1))
     for file, name in zip(cue.files, names.values(), strict=True):
         yield _sound_row(cue, file, rf"{path}\<{_sound_type(cue)}>{name}", "")
 
