@@ -164,11 +164,12 @@ def list_contracts(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> list[schemas.ContractBrief]:
     """Return the project's contracts, the oldest first; a designer sees their own, once they were sent."""
-    found = lifecycle.contracts_of(session, actor, project_id)
-    to_sign = queries.turns_to_sign(session, found)
-    notices = queries.notices_in_effect(session, [contract.id for contract in found])
+    contracts = lifecycle.contracts_of(session, actor, project_id)
+    to_sign = queries.turns_to_sign(session, contracts)
+    notices = queries.notices_in_effect(session, [contract.id for contract in contracts])
     return [
-        schemas.ContractBrief(**_brief(contract, actor, to_sign[contract.id].parties, notices)) for contract in found
+        schemas.ContractBrief(**_brief(contract, actor, to_sign[contract.id].parties, notices))
+        for contract in contracts
     ]
 
 
@@ -216,8 +217,8 @@ def read_last_contract(
     actor: Actor = allows(Audience.PRODUCER),
 ) -> schemas.LastContractRead:
     """Return the contract that a new one can begin like: the last with this designer, else the studio's last."""
-    found = last_contract(session, actor, project_id, engagement_id=engagement_id, kind=kind)
-    return schemas.LastContractRead(contract=schemas.LastContract.model_validate(found) if found else None)
+    last = last_contract(session, actor, project_id, engagement_id=engagement_id, kind=kind)
+    return schemas.LastContractRead(contract=schemas.LastContract.model_validate(last) if last else None)
 
 
 @router.get("/contracts/{contract_id}", responses=problems(ContractNotFound))

@@ -324,7 +324,7 @@ def seal_of(session: Session, version_id: UUID) -> Seal | None:
 
 def sealed_versions(session: Session, contract_id: UUID) -> dict[UUID, Seal]:
     """Return the seals of a contract by version."""
-    return {one.version_id: one for one in session.scalars(select(Seal).where(Seal.contract_id == contract_id))}
+    return {seal.version_id: seal for seal in session.scalars(select(Seal).where(Seal.contract_id == contract_id))}
 
 
 def seal_by_file(session: Session, file_sha256: str) -> Seal | None:

@@ -14,11 +14,11 @@ def near_days(session: Session, contracts: Collection[Contract], today: date) ->
     """Return the days of contracts of which both parties are reminded now, the earliest first."""
     agreed = [contract for contract in contracts if contract.agreed_at is not None]
     terms = named_terms(session, agreed) if agreed else {}
-    found = [
+    near = [
         (contract, named)
         for contract in agreed
         if contract.agreed_at
         for named in named_days(terms[contract.id], contract.agreed_at.date())
         if named.is_near(today)
     ]
-    return sorted(found, key=lambda one: one[1].day)
+    return sorted(near, key=lambda pair: pair[1].day)

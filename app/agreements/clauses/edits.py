@@ -100,9 +100,9 @@ def _read_back(
     source: str, sent: str, pieces: Sequence[Piece], changed: Terms, currency: str
 ) -> list[tuple[BlockKind, str]]:
     """Return the text of an edited clause's lines with its values filled in."""
-    said = {piece.name: sent[piece.begins : piece.ends] for piece in pieces}
-    said |= {name: written_term(name, value, currency) for name, value in changed.items()}
-    filled = VARIABLE.sub(lambda found: said.get(found[1], found[0]), source).strip()
+    texts = {piece.name: sent[piece.begins : piece.ends] for piece in pieces}
+    texts |= {name: written_term(name, value, currency) for name, value in changed.items()}
+    filled = VARIABLE.sub(lambda match: texts.get(match[1], match[0]), source).strip()
     return [(line.kind, line.text) for line in lines_with_places(filled)]
 
 
@@ -124,11 +124,11 @@ class _Edit:
     def text(self, word_lines: Sequence[WordLine]) -> str:
         parts: list[_Part] = []
         before: tuple[int | None, BlockKind] | None = None  # the line before: its place, and its kind
-        for place, word_line in self._paired(word_lines):
-            kind = self._lines[place].kind if place is not None else word_line.kind
-            parts += self._between(before, place, kind)
-            parts += self._line(place, word_line, number_after=self._number_of(before))
-            before = (place, kind)
+        for index, word_line in self._paired(word_lines):
+            kind = self._lines[index].kind if index is not None else word_line.kind
+            parts += self._between(before, index, kind)
+            parts += self._line(index, word_line, number_after=self._number_of(before))
+            before = (index, kind)
         if before is not None and before[0] is not None and before[0] == len(self._lines) - 1:
             parts.append(_Kept(self._lines[-1].ends, len(self._sent)))
         return "".join(self._written(parts))
@@ -145,10 +145,10 @@ class _Edit:
             for line in word_lines[c:d]:
                 partner = next(
                     (
-                        place
-                        for place in range(at, min(at + NEAR, b))
-                        if self._lines[place].kind == line.kind
-                        and (is_single or likeness(self._lines[place].text, line.text) >= ALIKE)
+                        index
+                        for index in range(at, min(at + NEAR, b))
+                        if self._lines[index].kind == line.kind
+                        and (is_single or likeness(self._lines[index].text, line.text) >= ALIKE)
                     ),
                     None,
                 )
@@ -157,17 +157,17 @@ class _Edit:
                     at = partner + 1
 
     def _between(
-        self, before: tuple[int | None, BlockKind] | None, place: int | None, kind: BlockKind
+        self, before: tuple[int | None, BlockKind] | None, index: int | None, kind: BlockKind
     ) -> Iterator[_Part]:
         if before is None:
-            if place == 0:
+            if index == 0:
                 yield _Kept(0, self._lines[0].begins)
             return
         last, last_kind = before
         following = last + 1 if last is not None and last + 1 < len(self._lines) else None
         if last is not None and following is not None and self._lines[following].kind == kind:
             stretch = _Kept(self._lines[last].ends, self._lines[following].begins)
-            yield stretch if place == following else self._sent[stretch.begins : stretch.ends]
+            yield stretch if index == following else self._sent[stretch.begins : stretch.ends]
         else:
             yield "\n" if last_kind == kind and kind in ("item", "table") else "\n\n"
 
@@ -179,14 +179,14 @@ class _Edit:
         number = re.match(r"(\d+)\.", self._sent[line.begins : line.starts])
         return f"{int(number[1]) + 1}. " if number and line.kind == "item" else "- "
 
-    def _line(self, place: int | None, word_line: WordLine, *, number_after: str) -> Iterator[_Part]:
+    def _line(self, index: int | None, word_line: WordLine, *, number_after: str) -> Iterator[_Part]:
         new = letters_of_word(word_line)
-        if place is None:
+        if index is None:
             begins = {"head": "### ", "item": number_after, "table": "| "}.get(word_line.kind, "")
             yield begins
             yield from self._composed([_Glyph(*each) for each in new], (), word_line.kind)
         else:
-            line = self._lines[place]
+            line = self._lines[index]
             if line_key(letters_of_source(line), line.kind, self._is_plain) == line_key(
                 new, word_line.kind, self._is_plain
             ):
@@ -224,21 +224,23 @@ class _Edit:
         """Return an edited line with the variables whose new words are a value of their term."""
         for piece in self._pieces:
             inside = [
-                at for at, one in enumerate(line.letters) if piece.begins <= one.begins and one.ends <= piece.ends
+                at
+                for at, letter in enumerate(line.letters)
+                if piece.begins <= letter.begins and letter.ends <= piece.ends
             ]
             if piece.name not in self._terms or not inside or not piece.begins < piece.ends:
                 continue
             first, last = inside[0], inside[-1]
-            begins = max((at + 1 for at, one in enumerate(glyphs) if _is_before(one, first)), default=0)
-            ends = min((at for at, one in enumerate(glyphs) if _is_after(one, last)), default=len(glyphs))
+            begins = max((at + 1 for at, glyph in enumerate(glyphs) if _is_before(glyph, first)), default=0)
+            ends = min((at for at, glyph in enumerate(glyphs) if _is_after(glyph, last)), default=len(glyphs))
             region = glyphs[begins:ends]
-            if [one.said for one in region] == list(range(first, last + 1)):
+            if [glyph.said for glyph in region] == list(range(first, last + 1)):
                 continue
             words = "".join(
-                line.letters[one.said].letter if isinstance(one.said, int) else str(one.said) for one in region
+                line.letters[glyph.said].letter if isinstance(glyph.said, int) else str(glyph.said) for glyph in region
             )
             looks = line.letters[first]
-            if not self._is_plain and any(one[1:] != (looks.strong, looks.emphatic) for one in region):
+            if not self._is_plain and any(glyph[1:] != (looks.strong, looks.emphatic) for glyph in region):
                 continue
             value = _value_in(piece.name, words, self._currency)
             if value is None or self.changed.get(piece.name, value) != value:
@@ -254,19 +256,19 @@ class _Edit:
     def _composed(self, glyphs: Sequence[_Glyph], letters: Sequence[Letter], kind: BlockKind) -> Iterator[_Part]:
         """Yield the parts of a line, with the marks of bold and italic words where these begin and end."""
         strong = emphatic = False
-        said = [letters[one.said].letter if isinstance(one.said, int) else one.said for one in glyphs]
-        escaped = _place_to_escape("".join(one if isinstance(one, str) else "x" for one in said), kind)
-        for at, glyph in enumerate(_with_spaces_between(glyphs, said)):
+        letters_written = [letters[one.said].letter if isinstance(one.said, int) else one.said for one in glyphs]
+        escaped = _place_to_escape("".join(one if isinstance(one, str) else "x" for one in letters_written), kind)
+        for at, glyph in enumerate(_with_spaces_between(glyphs, letters_written)):
             if kind != "head" and (strong, emphatic) != glyph[1:]:
                 yield ("**" if strong != glyph.strong else "") + ("*" if emphatic != glyph.emphatic else "")
                 strong, emphatic = glyph[1:]
             if at == escaped:
                 yield "\\"
-            place = letters[glyph.said] if isinstance(glyph.said, int) else None
-            if kind == "table" and self._is_bar(said, at, place):
+            letter = letters[glyph.said] if isinstance(glyph.said, int) else None
+            if kind == "table" and self._is_bar(letters_written, at, letter):
                 yield "|"
-            elif place is not None:
-                yield _Kept(place.begins, place.ends) if place.begins < place.ends else place.letter
+            elif letter is not None:
+                yield _Kept(letter.begins, letter.ends) if letter.begins < letter.ends else letter.letter
             elif isinstance(glyph.said, str):
                 yield _MARKUP.sub(r"\\\1", glyph.said)
             elif isinstance(glyph.said, _Value):
@@ -274,13 +276,13 @@ class _Edit:
         if strong or emphatic:
             yield ("**" if strong else "") + ("*" if emphatic else "")
 
-    def _is_bar(self, said: Sequence[str | _Value], at: int, place: Letter | None) -> bool:
+    def _is_bar(self, written: Sequence[str | _Value], at: int, letter: Letter | None) -> bool:
         """Whether a character is the border of two cells."""
-        if said[at] != "·":
+        if written[at] != "·":
             return False
-        if place:
-            return self._sent[place.begins] == "|"
-        return 0 < at < len(said) - 1 and said[at - 1] == said[at + 1] == " "
+        if letter:
+            return self._sent[letter.begins] == "|"
+        return 0 < at < len(written) - 1 and written[at - 1] == written[at + 1] == " "
 
     def _written(self, parts: Sequence[_Part]) -> Iterator[str]:
         """Yield parts as Markdown: a variable all of which is kept by its name, a part of its value as it was sent."""
@@ -313,17 +315,17 @@ class _Edit:
 
 def _place_to_escape(text: str, kind: BlockKind) -> int | None:
     """Return the index of the character that needs a backslash, so that a line is read as one of its kind."""
-    if kind == "text" and (found := _AS_OTHER_KIND.match(text)):
-        return found.end() if text[0].isdigit() else 0
+    if kind == "text" and (match := _AS_OTHER_KIND.match(text)):
+        return match.end() if text[0].isdigit() else 0
     return text.index("-") if kind == "table" and _AS_RULE.fullmatch(text) else None
 
 
-def _with_spaces_between(glyphs: Sequence[_Glyph], said: Sequence[str | _Value]) -> Iterator[_Glyph]:
+def _with_spaces_between(glyphs: Sequence[_Glyph], written: Sequence[str | _Value]) -> Iterator[_Glyph]:
     """Yield characters; a space beside what is new is bold or italic where both its neighbours are."""
     for at, glyph in enumerate(glyphs):
         before, after = glyphs[at - 1] if at else None, glyphs[at + 1] if at + 1 < len(glyphs) else None
-        letter = said[at]
-        is_as_before = all(one is None or isinstance(one.said, int) for one in (before, glyph, after))
+        letter = written[at]
+        is_as_before = all(neighbour is None or isinstance(neighbour.said, int) for neighbour in (before, glyph, after))
         if not isinstance(letter, str) or not letter.isspace() or is_as_before:
             yield glyph
         elif before is None or after is None:
@@ -342,7 +344,7 @@ def _is_after(glyph: _Glyph, last: int) -> bool:
 
 def _words(glyphs: Sequence[_Glyph], letters: Sequence[Letter]) -> str:
     texts = (letters[glyph.said].letter if isinstance(glyph.said, int) else glyph.said for glyph in glyphs)
-    return "".join(one for one in texts if isinstance(one, str))
+    return "".join(letter for letter in texts if isinstance(letter, str))
 
 
 def _value_in(name: str, words: str, currency: str) -> TermValue | None:

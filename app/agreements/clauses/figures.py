@@ -343,9 +343,9 @@ def _filled(text: str, terms: Mapping[str, Any], marked: str = "") -> str:
 
 def _sentences(text: str) -> Iterator[tuple[int, int]]:
     begins = 0
-    for found in _SENTENCE_END.finditer(text):
-        yield begins, found.start()
-        begins = found.end()
+    for match in _SENTENCE_END.finditer(text):
+        yield begins, match.start()
+        begins = match.end()
     yield begins, len(text)
 
 
@@ -374,10 +374,10 @@ def _typed_as_usual(name: str, text: str, terms: Mapping[str, Any], currency: st
     hits: set[tuple[int, int]] = set()
     for begins, ends in _sentences(text):
         for pattern in _patterns().get(name, ()):
-            if found := pattern.search(text[begins:ends]):
-                group = max((each for each in range(1, pattern.groups + 1) if found[each]), default=0)
+            if match := pattern.search(text[begins:ends]):
+                group = max((each for each in range(1, pattern.groups + 1) if match[each]), default=0)
                 if group:
-                    hits.add((begins + found.start(group), begins + found.end(group)))
+                    hits.add((begins + match.start(group), begins + match.end(group)))
     if len(hits) != 1:
         return None
     ((begins, ends),) = hits
@@ -406,17 +406,17 @@ def _basis_points(words: str) -> int | None:
     bare = re.sub(r"\s*(?:%|percent|per\s+cent|pct)$", "", words.strip(), flags=re.IGNORECASE)
     if bare == words.strip():
         return None
-    if found := re.fullmatch(r"(\d+)(?:[.,](\d{1,2}))?", bare):
-        return int(found[1]) * 100 + int((found[2] or "0").ljust(2, "0"))
+    if match := re.fullmatch(r"(\d+)(?:[.,](\d{1,2}))?", bare):
+        return int(match[1]) * 100 + int((match[2] or "0").ljust(2, "0"))
     whole = number_in(bare)
     return None if whole is None else whole * 100
 
 
 def _minor(words: str, currency: str) -> int | None:
-    found = re.fullmatch(r"(?:([A-Z]{3})\s*)?(\d{1,3}(?:,\d{3})*|\d+)(?:\.(\d+))?(?:\s*([A-Z]{3}))?", words.strip())
-    if not found or (found[1] or found[4] or currency) != currency:
+    match = re.fullmatch(r"(?:([A-Z]{3})\s*)?(\d{1,3}(?:,\d{3})*|\d+)(?:\.(\d+))?(?:\s*([A-Z]{3}))?", words.strip())
+    if not match or (match[1] or match[4] or currency) != currency:
         return None
-    digits, cents = minor_digits(currency), found[3] or ""
+    digits, cents = minor_digits(currency), match[3] or ""
     if len(cents) > digits:
         return None
-    return int(found[2].replace(",", "") + cents.ljust(digits, "0"))
+    return int(match[2].replace(",", "") + cents.ljust(digits, "0"))

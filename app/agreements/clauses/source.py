@@ -61,10 +61,10 @@ def pieces_of(source: str, sent: str, fill: Callable[[str], str]) -> list[Piece]
     parts = [part for part in _parts(source) if part[0] or part[1]]
     pieces = _laid_out([(text if not name else fill(f"{{{name}}}"), name) for text, name in parts])
     if "".join(text for text, _ in pieces) != sent:
-        found = _matched([(None if name in FACTS else text, name) for text, name in pieces], sent)
-        if found is None:
+        matched = _matched([(None if name in FACTS else text, name) for text, name in pieces], sent)
+        if matched is None:
             return None
-        pieces = found
+        pieces = matched
     laid: list[Piece] = []
     at = 0
     for text, name in pieces:
@@ -75,10 +75,10 @@ def pieces_of(source: str, sent: str, fill: Callable[[str], str]) -> list[Piece]
 
 def _parts(source: str) -> Iterator[tuple[str, str]]:
     at = 0
-    for found in VARIABLE.finditer(source):
-        yield source[at : found.start()], ""
-        yield "", found[1]
-        at = found.end()
+    for match in VARIABLE.finditer(source):
+        yield source[at : match.start()], ""
+        yield "", match[1]
+        at = match.end()
     yield source[at:], ""
 
 
@@ -111,17 +111,17 @@ def _matched(parts: Sequence[tuple[str | None, str]], sent: str) -> list[tuple[s
         return None
     at, earliest = len(first), []
     for text in between:
-        if (place := sent.find(text, at, end)) < 0:
+        if (position := sent.find(text, at, end)) < 0:
             return None
-        earliest.append(place)
-        at = place + len(text)
+        earliest.append(position)
+        at = position + len(text)
     until, latest = end, []
     for text in reversed(between):
         until = sent.rfind(text, len(first), until)
         latest.append(until)
     if earliest != latest[::-1]:
         return None
-    begins = [len(first), *(place + len(text) for place, text in zip(earliest, between, strict=True))]
+    begins = [len(first), *(position + len(text) for position, text in zip(earliest, between, strict=True))]
     values = iter(sent[a:b] for a, b in zip(begins, [*earliest, end], strict=True))
     return [(next(values) if text is None else text, name) for text, name in parts]
 
@@ -176,7 +176,7 @@ def _row(sent: str, begins: int, ends: int) -> SourceLine:
     left = len(inner) - len(inner.lstrip("|"))
     inner = inner.strip("|")
     letters: list[Letter] = []
-    at, bars = begins + left, [found.start() + begins + left for found in _CELL.finditer(inner)]
+    at, bars = begins + left, [match.start() + begins + left for match in _CELL.finditer(inner)]
     ends_of = [*bars, begins + left + len(inner)]
     for number, end in enumerate(ends_of):
         cell = sent[at:end]
@@ -198,15 +198,15 @@ def _letters(sent: str, stretches: Sequence[tuple[int, int]]) -> list[Letter]:
         if number:
             letters.append(Letter(" ", strong, emphatic, before, start))
         at = start
-        for found in [*_INLINE.finditer(sent[start:end]), None]:
-            until = start + found.start() if found else end
-            letters += [Letter(_shown(sent[place]), strong, emphatic, place, place + 1) for place in range(at, until)]
-            if found is None:
+        for match in [*_INLINE.finditer(sent[start:end]), None]:
+            until = start + match.start() if match else end
+            letters += [Letter(_shown(sent[index]), strong, emphatic, index, index + 1) for index in range(at, until)]
+            if match is None:
                 break
-            at = start + found.end()
-            if found[1]:
-                letters.append(Letter(found[1], strong, emphatic, until, at))
-            elif found[2]:
+            at = start + match.end()
+            if match[1]:
+                letters.append(Letter(match[1], strong, emphatic, until, at))
+            elif match[2]:
                 strong = not strong
             else:
                 emphatic = not emphatic
@@ -215,9 +215,9 @@ def _letters(sent: str, stretches: Sequence[tuple[int, int]]) -> list[Letter]:
 
 
 def _trimmed(letters: Sequence[Letter]) -> tuple[Letter, ...]:
-    said = "".join(letter.letter for letter in letters)
-    left = len(said) - len(said.lstrip())
-    return tuple(letters[left : left + len(said.strip())])
+    text = "".join(letter.letter for letter in letters)
+    left = len(text) - len(text.lstrip())
+    return tuple(letters[left : left + len(text.strip())])
 
 
 def _shown(letter: str) -> str:

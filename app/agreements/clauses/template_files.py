@@ -46,31 +46,33 @@ def parse_toml(toml: str) -> TemplateFields:
     What a request brings is parsed in a child process, so that all of it is plain values.
     """
     try:
-        said = read_toml(toml, "template.toml")
+        fields = read_toml(toml, "template.toml")
     except SpecError as error:
         raise BadTemplate(f"the template {error.args[0]}", fix="export a template as TOML to see an example") from None
-    _ensure_keys("", said, {"format", "name", "kind", "terms", "clauses"}, needed={"format", "name", "kind", "clauses"})
-    if said["format"] != FORMAT:
-        raise BadTemplate(f"format is {said['format']!r}; this version reads format {FORMAT}")
-    if not isinstance(said["name"], str) or not 0 < len(said["name"].strip()) <= MAX_NAME_CHARS:
+    _ensure_keys(
+        "", fields, {"format", "name", "kind", "terms", "clauses"}, needed={"format", "name", "kind", "clauses"}
+    )
+    if fields["format"] != FORMAT:
+        raise BadTemplate(f"format is {fields['format']!r}; this version reads format {FORMAT}")
+    if not isinstance(fields["name"], str) or not 0 < len(fields["name"].strip()) <= MAX_NAME_CHARS:
         raise BadTemplate(f"name: wanted a text of 1 to {MAX_NAME_CHARS} characters")
-    if said["kind"] not in list(ContractKind):
-        raise BadTemplate(f"kind is {said['kind']!r}; wanted one of {', '.join(ContractKind)}")
-    terms = said.get("terms", {})
+    if fields["kind"] not in list(ContractKind):
+        raise BadTemplate(f"kind is {fields['kind']!r}; wanted one of {', '.join(ContractKind)}")
+    terms = fields.get("terms", {})
     if not isinstance(terms, dict) or not all(type(value) in (int, str) for value in terms.values()):
         raise BadTemplate("terms: wanted a table of whole numbers and texts")
-    if not isinstance(said["clauses"], list):
+    if not isinstance(fields["clauses"], list):
         raise BadTemplate("clauses: wanted a list of tables, each under [[clauses]]")
     return (
-        said["name"].strip(),
-        said["kind"],
-        [_clause(place, row).as_row() for place, row in enumerate(said["clauses"], 1)],
+        fields["name"].strip(),
+        fields["kind"],
+        [_clause(number, row).as_row() for number, row in enumerate(fields["clauses"], 1)],
         terms,
     )
 
 
-def _clause(place: int, row: Any) -> Clause:
-    where = f"clause {place}: "
+def _clause(number: int, row: Any) -> Clause:
+    where = f"clause {number}: "
     if not isinstance(row, dict):
         raise BadTemplate(f"{where}wanted a table")
     _ensure_keys(where, row, {"key", "title", "text", "stands"}, needed={"key", "title", "text"})

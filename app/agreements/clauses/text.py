@@ -68,21 +68,21 @@ def spans_of(line: str) -> list[Span]:
             spans.append(Span(written, strong, emphatic, name))
         written = ""
 
-    place = 0
-    for found in _INLINE.finditer(line):
-        written += line[place : found.start()]
-        place = found.end()
-        if found[1]:
-            written += found[1]
+    offset = 0
+    for match in _INLINE.finditer(line):
+        written += line[offset : match.start()]
+        offset = match.end()
+        if match[1]:
+            written += match[1]
             continue
         close()
-        if found[2]:
+        if match[2]:
             strong = not strong
-        elif found[3]:
+        elif match[3]:
             emphatic = not emphatic
         else:
-            name = found[4]
-    written += line[place:]
+            name = match[4]
+    written += line[offset:]
     close()
     return spans
 

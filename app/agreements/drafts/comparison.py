@@ -46,7 +46,7 @@ class Compared:
 
 def lines_of(markdown: str) -> list[Line]:
     """Return a text line by line, as it is read."""
-    return [Line(block.kind, said) for block in blocks_of(markdown) for said in plain(block)]
+    return [Line(block.kind, text) for block in blocks_of(markdown) for text in plain(block)]
 
 
 def ensure_comparable(earlier: str, later: str) -> None:
@@ -86,7 +86,7 @@ def _paired(old: Sequence[Line], new: Sequence[Line]) -> Iterator[Compared]:
         bag = Counter(line.text.split())
         near = range(at, min(at + NEAR, len(bags)))
         partner = next(
-            (place for place in near if old[place].kind == line.kind and _likeness(bags[place], bag) >= ALIKE), None
+            (index for index in near if old[index].kind == line.kind and _likeness(bags[index], bag) >= ALIKE), None
         )
         if partner is None:
             yield Compared(line.kind, "added", [Run("later", line.text)])
@@ -97,10 +97,10 @@ def _paired(old: Sequence[Line], new: Sequence[Line]) -> Iterator[Compared]:
     yield from (Compared(gone.kind, "removed", [Run("earlier", gone.text)]) for gone in old[at:])
 
 
-def _likeness(one: Counter[str], other: Counter[str]) -> float:
+def _likeness(bag: Counter[str], other: Counter[str]) -> float:
     """Return the share of words that two lines have in common."""
-    whole = one.total() + other.total()
-    return 2 * (one & other).total() / whole if whole else 1.0
+    whole = bag.total() + other.total()
+    return 2 * (bag & other).total() / whole if whole else 1.0
 
 
 def words_between(earlier: str, later: str) -> list[Run]:

@@ -73,8 +73,8 @@ def _anchors(old: Sequence[Hashable], new: Sequence[Hashable], within: _Range) -
     once_old = {item for item, times in Counter(old[a:b]).items() if times == 1}
     once_new = {item for item, times in Counter(new[c:d]).items() if times == 1}
     places = {old[i]: i for i in range(a, b) if old[i] in once_old}
-    found = [(places[new[j]], j) for j in range(c, d) if new[j] in once_new and new[j] in places]
-    return _rising(found)
+    anchors = [(places[new[j]], j) for j in range(c, d) if new[j] in once_new and new[j] in places]
+    return _rising(anchors)
 
 
 def _rising(pairs: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
@@ -91,10 +91,10 @@ def _rising(pairs: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
         else:
             ends[length], last[length] = i, place
     chosen: list[tuple[int, int]] = []
-    place = last[-1] if last else -1
-    while place >= 0:
-        chosen.append(pairs[place])
-        place = before[place]
+    index = last[-1] if last else -1
+    while index >= 0:
+        chosen.append(pairs[index])
+        index = before[index]
     return chosen[::-1]
 
 

@@ -70,8 +70,8 @@ def read_contract_version(
 ) -> schemas.VersionRead:
     """Return one version of the text."""
     contract = visible_contract(session, actor, contract_id)
-    found = versions.visible_version(session, actor, contract, version)
-    return version_read(found, is_team=bool(actor.roles_in(contract.studio_id)))
+    contract_version = versions.visible_version(session, actor, contract, version)
+    return version_read(contract_version, is_team=bool(actor.roles_in(contract.studio_id)))
 
 
 @router.get(
@@ -92,11 +92,11 @@ def download_contract_pdf(
 ) -> Response:
     """Return the PDF of a version that was sent: sealed once all have signed it, or else as both saw it."""
     contract = visible_contract(session, actor, contract_id)
-    found = versions.visible_version(session, actor, contract, version)
-    if found.pdf_sha256 is None:
+    contract_version = versions.visible_version(session, actor, contract, version)
+    if contract_version.pdf_sha256 is None:
         raise ContractVersionNotFound(f"version {version} was not sent, so there is no PDF of it")
-    seal = None if as_sent else queries.seal_of(session, found.id)
-    pdf = runtime.store.read(contract.studio_id, seal.file_sha256 if seal else found.pdf_sha256)
+    seal = None if as_sent else queries.seal_of(session, contract_version.id)
+    pdf = runtime.store.read(contract.studio_id, seal.file_sha256 if seal else contract_version.pdf_sha256)
     name = f"{contract.title}, version {version}{', signed' if seal else ''}.pdf"
     return Response(pdf, media_type=PDF, headers=attachment(name))
 
@@ -118,17 +118,19 @@ def download_contract_docx(
 ) -> Response:
     """Return a version as a Word document, with tracked changes against another one if one is named."""
     contract = visible_contract(session, actor, contract_id)
-    found = versions.visible_version(session, actor, contract, version)
+    contract_version = versions.visible_version(session, actor, contract, version)
     name = f"{contract.title}, version {version}"
-    standing = [row for row in found.clauses if row["stands"]]
+    standing = [row for row in contract_version.clauses if row["stands"]]
     headings = [Heading(row["key"], f"{number}. {row['title']}") for number, row in enumerate(standing, start=1)]
     with COMPARISONS.of(actor.person):
         earlier = None
         if against is not None:
             other = versions.visible_version(session, actor, contract, against)
-            earlier = Earlier(other.text, found.author.name, found.created_at)
+            earlier = Earlier(other.text, contract_version.author.name, contract_version.created_at)
             name = f"{name}, changes since version {against}"
-        document = word_document(found.text, headings, earlier, properties_of(str(contract.id), version, against))
+        document = word_document(
+            contract_version.text, headings, earlier, properties_of(str(contract.id), version, against)
+        )
     return Response(document, media_type=DOCX, headers=attachment(f"{name}.docx"))
 
 

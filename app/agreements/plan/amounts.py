@@ -22,6 +22,6 @@ def split(amount_minor: int, weights: Sequence[int]) -> list[int]:
     whole = sum(weights)
     parts = [divmod(amount_minor * weight, whole) for weight in weights]
     left = amount_minor - sum(part for part, _ in parts)
-    by_remainder = sorted(range(len(parts)), key=lambda place: -parts[place][1])
+    by_remainder = sorted(range(len(parts)), key=lambda index: -parts[index][1])
     lucky = set(by_remainder[:left])
-    return [part + (place in lucky) for place, (part, _) in enumerate(parts)]
+    return [part + (index in lucky) for index, (part, _) in enumerate(parts)]

@@ -125,17 +125,17 @@ def _apart(parts: Sequence[_Part]) -> Iterator[_Part]:
 
 def _parted(parts: Sequence[_Part], today: date, wanted: int) -> list[_Part] | None:
     """Return parts with the heaviest that can be in several, the earlier ones due before it; None where none can be."""
-    for place in sorted(range(len(parts)), key=lambda at: -sum(cue.weight for cue in parts[at].cues)):
-        part = parts[place]
-        room_days = (part.due_on - (parts[place - 1].due_on if place else today)).days
-        if len(part.cues) < 2 or (place and room_days < 2):
+    for index in sorted(range(len(parts)), key=lambda at: -sum(cue.weight for cue in parts[at].cues)):
+        part = parts[index]
+        room_days = (part.due_on - (parts[index - 1].due_on if index else today)).days
+        if len(part.cues) < 2 or (index and room_days < 2):
             continue
         count = min(wanted - len(parts) + 1, len(part.cues), max(room_days // APART.days, 2))
         apart_days = max(min(APART.days, room_days // count), 1)
         shares = _shared(part.cues, count)
         days = [part.due_on - timedelta(days=apart_days * (count - 1 - at)) for at in range(count)]
         made = [_Part(day, cues) for day, cues in zip(days, shares, strict=True)]
-        return [*parts[:place], *made, *parts[place + 1 :]]
+        return [*parts[:index], *made, *parts[index + 1 :]]
     return None
 
 

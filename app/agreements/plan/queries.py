@@ -48,7 +48,7 @@ def cues_in_project(session: Session, project_id: UUID, cue_ids: Collection[UUID
 
 def running_cue(session: Session, cue_id: UUID, designer_ids: Collection[UUID] | None) -> ContractCue | None:
     """Return a cue as an agreed contract covers it; of one of these designers where some are given."""
-    found = (
+    query = (
         select(ContractCue)
         .join(Contract, Contract.id == ContractCue.contract_id)
         .where(ContractCue.cue_id == cue_id, Contract.state == ContractState.AGREED)
@@ -56,8 +56,8 @@ def running_cue(session: Session, cue_id: UUID, designer_ids: Collection[UUID] |
         .order_by(Contract.number)
     )
     if designer_ids is not None:
-        found = found.where(Contract.designer_id.in_(designer_ids))
-    return session.scalars(found).first()
+        query = query.where(Contract.designer_id.in_(designer_ids))
+    return session.scalars(query).first()
 
 
 def cue_of(session: Session, contract_id: UUID, cue_id: UUID) -> ContractCue | None:
@@ -72,10 +72,10 @@ def cue_of(session: Session, contract_id: UUID, cue_id: UUID) -> ContractCue | N
 
 def is_accepted_elsewhere(session: Session, contract_id: UUID, cue_id: UUID) -> bool:
     """Return whether a cue was accepted under another contract, which may have ended since."""
-    found = select(ContractCue.id).where(
+    accepted = select(ContractCue.id).where(
         ContractCue.cue_id == cue_id, ContractCue.contract_id != contract_id, ContractCue.accepted_at.is_not(None)
     )
-    return session.scalars(found.limit(1)).first() is not None
+    return session.scalars(accepted.limit(1)).first() is not None
 
 
 def covered_elsewhere(session: Session, contract_id: UUID, cue_ids: Collection[UUID]) -> Sequence[Row[str, str]]:

@@ -155,9 +155,16 @@ def review_plan(
     """Return the errors and warnings of a plan while it is written, its price and its concepts; nothing is saved."""
     contract = contract_for_producer(session, actor, contract_id)
     payments = [
-        PlannedPayment(one.name, one.whole_minor, one.due_on, len(one.cues), is_deposit=one.is_deposit) for one in plan
+        PlannedPayment(
+            milestone.name,
+            milestone.whole_minor,
+            milestone.due_on,
+            len(milestone.cues),
+            is_deposit=milestone.is_deposit,
+        )
+        for milestone in plan
     ]
-    cue_ids = [cue.cue_id for one in plan for cue in one.cues]
+    cue_ids = [cue.cue_id for milestone in plan for cue in milestone.cues]
     price = price_of(session, contract, payments)
     advice = [
         *check_plan(payments, contract.currency),
@@ -247,8 +254,8 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
 
     wanted = [cue.cue_id for planned in plan for cue in planned.cues]
     known = {cue.id: cue for cue in plan_queries.cues_in_project(session, contract.project_id, wanted)}
-    for place, planned in enumerate(plan):
-        at = f"milestones.{place}"
+    for index, planned in enumerate(plan):
+        at = f"milestones.{index}"
         if planned.is_deposit and planned.cues:
             report(at, f"{planned.name} is a deposit, which is due at signing; move its cues into a milestone")
         if not 0 <= planned.whole_minor <= LARGEST_MINOR:

@@ -158,14 +158,14 @@ def _empty(milestones: Sequence[PlannedPayment]) -> Iterator[Advice]:
 
 def worsened(before: Sequence[Advice], after: Sequence[Advice]) -> list[Advice]:
     """Return the warnings that a change adds to a plan or makes worse."""
-    known = {one.key: one.excess for one in before}
-    return [one for one in after if one.key not in known or one.excess > known[one.key]]
+    known = {advice.key: advice.excess for advice in before}
+    return [advice for advice in after if advice.key not in known or advice.excess > known[advice.key]]
 
 
 def resolved(before: Sequence[Advice], after: Sequence[Advice]) -> list[Advice]:
     """Return the warnings that a change takes from a plan."""
-    left = {one.key for one in after}
-    return [one for one in before if one.key not in left]
+    left = {advice.key for advice in after}
+    return [advice for advice in before if advice.key not in left]
 
 
 def _percent(part: int, whole: int) -> str:

@@ -64,14 +64,14 @@ def verify_pdf(
     """
     body, key_sha256 = sent
     with runtime.database.reading() as session, bypass_row_policies(session):  # the file itself is what is known
-        found = seals.verify(session, body, key_sha256)
-        return VerifiedRead(verdict=found.verdict.value, file_sha256=found.file_sha256, binds=_bound(found))
+        verified = seals.verify(session, body, key_sha256)
+        return VerifiedRead(verdict=verified.verdict.value, file_sha256=verified.file_sha256, binds=_bound(verified))
 
 
-def _bound(found: seals.Verified) -> BoundRead | None:
-    if found.seal is None:
+def _bound(verified: seals.Verified) -> BoundRead | None:
+    if verified.seal is None:
         return None
-    contract, version = found.seal.contract, found.seal.version
+    contract, version = verified.seal.contract, verified.seal.version
     return BoundRead(
         title=contract.title,
         kind=contract.kind,
@@ -80,10 +80,10 @@ def _bound(found: seals.Verified) -> BoundRead | None:
         studio_name=contract.project.studio.name,
         designer_name=contract.designer.name,
         agreed_at=contract.agreed_at,
-        sealed_at=found.seal.sealed_at,
-        is_timestamped=found.seal.is_timestamped,
+        sealed_at=verified.seal.sealed_at,
+        is_timestamped=verified.seal.is_timestamped,
         signatures=[
             BoundSignatureRead(party=acceptance.party, name=acceptance.name, signed_at=acceptance.accepted_at)
-            for acceptance in found.acceptances
+            for acceptance in verified.acceptances
         ],
     )

@@ -178,16 +178,16 @@ def document_of(session: Session, contract: Contract) -> dict[str, Any]:
 def read_document(text: str) -> tuple[UUID, list[Entry]]:
     """Return whose record a kept file is, and its entries; raise NoRecord, saying why, for anything else."""
     try:
-        said = json.loads(text)
-        if said["format"] != FORMAT:
-            raise NoRecord(f"its format is {said['format']!r}; this version reads format {FORMAT}")
-        entries = [Entry(of=str(UUID(said["contract"])), **entry) for entry in said["entries"]]
-        ends = said["length"], said["sha256"]
+        document = json.loads(text)
+        if document["format"] != FORMAT:
+            raise NoRecord(f"its format is {document['format']!r}; this version reads format {FORMAT}")
+        entries = [Entry(of=str(UUID(document["contract"])), **entry) for entry in document["entries"]]
+        ends = document["length"], document["sha256"]
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise NoRecord(f"it is not a record that was taken from a contract ({error})") from None
-    if found := list(faults(entries, of=said["contract"], length=ends[0], last_sha256=ends[1])):
-        raise NoRecord(f"the file itself was altered: {found[0]}")
-    return UUID(said["contract"]), entries
+    if found_faults := list(faults(entries, of=document["contract"], length=ends[0], last_sha256=ends[1])):
+        raise NoRecord(f"the file itself was altered: {found_faults[0]}")
+    return UUID(document["contract"]), entries
 
 
 def faults_beside(session: Session, contract_id: UUID, kept: Sequence[Entry]) -> Iterator[str]:

@@ -55,14 +55,14 @@ def read_head(text: str) -> dict[str, Any]:
 
     begins, ends = text.find("{"), text.rfind("}")
     try:
-        said = json.loads(text[begins : ends + 1])
-        facts = {name: said[name] for name in FACTS}
+        document = json.loads(text[begins : ends + 1])
+        facts = {name: document[name] for name in FACTS}
         UUID(facts["contract"])
         if facts["format"] != FORMAT:
             raise BadHead(f"its format is {facts['format']!r}; this version reads format {FORMAT}")
         if not isinstance(facts["length"], int):
             raise BadHead("its length is not a number")
-        signature = base64.b64decode(said["signature"], validate=True)
+        signature = base64.b64decode(document["signature"], validate=True)
         Ed25519PublicKey.from_public_bytes(bytes.fromhex(facts["key"])).verify(signature, canonical(facts).encode())
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise BadHead(f"it is not a signed head of a record ({error})") from None

@@ -55,13 +55,13 @@ def _changes(bodies: Sequence[schemas.RedlineAdd]) -> list[Change]:
 
 def _read(session: DbSession, actor: Actor, contract_id: UUID, number: int | None = None) -> schemas.RedlinesRead:
     contract = visible_contract(session, actor, contract_id)
-    found = redlines.rounds(session, contract)
-    shown = found[min(number or len(found), len(found)) - 1] if found else None
-    is_last_open = bool(found) and found[-1].sent_version is None
+    rounds = redlines.rounds(session, contract)
+    shown = rounds[min(number or len(rounds), len(rounds)) - 1] if rounds else None
+    is_last_open = bool(rounds) and rounds[-1].sent_version is None
     return schemas.RedlinesRead(
         contract_id=contract.id,
         project_id=contract.project_id,
-        rounds=len(found),
+        rounds=len(rounds),
         round=schemas.RedlineRoundRead(
             number=shown.number,
             version=shown.version,
@@ -70,12 +70,14 @@ def _read(session: DbSession, actor: Actor, contract_id: UUID, number: int | Non
             by=shown.by,
             at=shown.at,
             unanswered=len(shown.unanswered),
-            clauses=[schemas.MarkedClauseRead.model_validate(one) for one in redlines.marked(session, contract, shown)],
+            clauses=[
+                schemas.MarkedClauseRead.model_validate(clause) for clause in redlines.marked(session, contract, shown)
+            ],
         )
         if shown
         else None,
         may_answer=is_last_open
-        and shown is found[-1]
+        and shown is rounds[-1]
         and contract.state is ContractState.DRAFT
         and party_of(actor, contract) is Party.STUDIO,
     )
@@ -121,7 +123,7 @@ def preview_redlines(
     with MARKED.of(actor.person):
         marked, found = redlines.preview(session, actor, contract_id, _changes(body.changes))
         return schemas.RedlinesPreview(
-            clauses=[schemas.MarkedClauseRead.model_validate(one) for one in marked],
+            clauses=[schemas.MarkedClauseRead.model_validate(clause) for clause in marked],
             problems=[DraftProblem.model_validate(each) for each in found],
         )
 

@@ -33,19 +33,19 @@ def marked_clauses(
 
 def clauses_as_sent(text: str, clauses: Sequence[Clause]) -> dict[str, str]:
     """Return by key what a text says of each clause in force, without its heading."""
-    found: dict[str, str] = {}
-    place, key = 0, None
+    texts_by_key: dict[str, str] = {}
+    offset, key = 0, None
     for number, clause in enumerate((clause for clause in clauses if clause.stands), start=1):
         heading = f"\n\n## {number}. {literal(clause.title)}\n\n"
-        begins = text.find(heading, max(place - 2, 0))  # an empty clause shares its blank line
+        begins = text.find(heading, max(offset - 2, 0))  # an empty clause shares its blank line
         if begins < 0:
             continue
         if key is not None:
-            found[key] = text[place:begins]
-        place, key = begins + len(heading), clause.key
+            texts_by_key[key] = text[offset:begins]
+        offset, key = begins + len(heading), clause.key
     if key is not None:
-        found[key] = text[place:]
-    return found
+        texts_by_key[key] = text[offset:]
+    return texts_by_key
 
 
 class _Marking:

@@ -148,24 +148,25 @@ class Round:
 def rounds_of(entries: Iterable[tuple[str, datetime, Mapping[str, Any]]]) -> list[Round]:
     """Return the rounds of a record, in order, from the kind, instant and payload of its entries."""
     rounds: list[Round] = []
-    for kind, at, said in entries:
+    for kind, at, facts in entries:
         if kind == PROPOSED:
-            redlines = [Redline.of(facts) for facts in said["redlines"]]
-            rounds.append(Round(len(rounds) + 1, said["version"], said["note"], said["by"], at, redlines))
+            redlines = [Redline.of(facts) for facts in facts["redlines"]]
+            rounds.append(Round(len(rounds) + 1, facts["version"], facts["note"], facts["by"], at, redlines))
         elif rounds and rounds[-1].sent_version is None:
             if kind == SENT:
-                rounds[-1] = replace(rounds[-1], sent_version=said["version"])
+                rounds[-1] = replace(rounds[-1], sent_version=facts["version"])
             elif kind == ANSWERED:
-                rounds[-1] = _answered(rounds[-1], at, said)
+                rounds[-1] = _answered(rounds[-1], at, facts)
     return rounds
 
 
-def _answered(round_: Round, at: datetime, said: Mapping[str, Any]) -> Round:
-    kind = RedlineAnswerKind(said["answer"])
-    wording = Wording.of(said) if kind is RedlineAnswerKind.COUNTERED else None
-    answer = Answer(kind, wording, said["comment"], said["by"], at)
+def _answered(round_: Round, at: datetime, facts: Mapping[str, Any]) -> Round:
+    kind = RedlineAnswerKind(facts["answer"])
+    wording = Wording.of(facts) if kind is RedlineAnswerKind.COUNTERED else None
+    answer = Answer(kind, wording, facts["comment"], facts["by"], at)
     redlines = [
-        replace(redline, answer=answer) if redline.number == said["redline"] else redline for redline in round_.redlines
+        replace(redline, answer=answer) if redline.number == facts["redline"] else redline
+        for redline in round_.redlines
     ]
     return replace(round_, redlines=redlines)
 
@@ -196,23 +197,23 @@ def faults_of_changes(changes: Sequence[Change], clauses: Sequence[Clause], term
     seen: set[str] = set()
     of_terms: dict[str, int | str] = {}
     for index, change in enumerate(changes):
-        place = f"changes.{index}"
+        where = f"changes.{index}"
         for name, value in change.wording.terms.items():
             if of_terms.setdefault(name, value) != value:
-                yield place, f"{{{name}}} has another value in an earlier change"
+                yield where, f"{{{name}}} has another value in an earlier change"
         named = change.after_key if change.kind is RedlineKind.INSERT else change.clause_key or ""
         if named is not None and named not in standing:
-            yield place, f"this version has no clause {named}" if named else "name the clause that is changed"
+            yield where, f"this version has no clause {named}" if named else "name the clause that is changed"
             continue
         if change.kind is not RedlineKind.INSERT and named:
             if named in seen:
-                yield place, f"the clause {standing[named].title} is changed twice"
+                yield where, f"the clause {standing[named].title} is changed twice"
             seen.add(named)
         if change.kind is RedlineKind.STRIKE:
             continue
-        yield from ((place, fault) for fault in faults_of_wording(change.wording, terms))
+        yield from ((where, fault) for fault in faults_of_wording(change.wording, terms))
         if change.kind is RedlineKind.REPLACE and named and _is_as_before(change.wording, standing[named], terms):
-            yield place, f"nothing of {standing[named].title} is changed"
+            yield where, f"nothing of {standing[named].title} is changed"
     inserted = [change for change in changes if change.kind is RedlineKind.INSERT]
     struck = {change.clause_key for change in changes if change.kind is RedlineKind.STRIKE}
     if not standing.keys() - struck and not inserted:
@@ -267,10 +268,10 @@ def faults_of_proposed_figures(
     for where, message in faults_of_figures(*proposed_text(changes, clauses, terms), kind):
         if (where, message) in before:
             continue
-        place, _, name = where.partition(".")
+        part, _, name = where.partition(".")
         if name.startswith(_INSERTED):
             yield f"changes.{name.removeprefix(_INSERTED)}", message
-        elif place == "terms":
+        elif part == "terms":
             yield (f"changes.{by_struck[name]}" if name in by_struck else "changes"), f"{{{name}}}: {message}"
         else:
             yield (f"changes.{index_of[name]}" if name in index_of else "changes"), message
@@ -348,8 +349,8 @@ def _with(clauses: Sequence[Clause], clause: Clause, earlier: Sequence[str]) -> 
     keys = [each.key for each in clauses]
     if clause.key in keys:
         return [clause if each.key == clause.key else each for each in clauses]
-    place = next((keys.index(key) + 1 for key in reversed(earlier) if key in keys), 0)
-    return [*clauses[:place], clause, *clauses[place:]]
+    index = next((keys.index(key) + 1 for key in reversed(earlier) if key in keys), 0)
+    return [*clauses[:index], clause, *clauses[index:]]
 
 
 def is_in(redline: Redline, text: Text, base: Sequence[Clause]) -> bool:
@@ -358,10 +359,10 @@ def is_in(redline: Redline, text: Text, base: Sequence[Clause]) -> bool:
     if wanted is None or wording is None:
         return True
     clauses, terms = text
-    found = next((clause for clause in clauses if clause.key == wanted.key), None)
+    current = next((clause for clause in clauses if clause.key == wanted.key), None)
     if not wanted.stands:
-        return found is None or not found.stands
-    return found == wanted and all(terms.get(name) == value for name, value in wording.terms.items())
+        return current is None or not current.stands
+    return current == wanted and all(terms.get(name) == value for name, value in wording.terms.items())
 
 
 def faults_of_sent(rounds: Sequence[Round], texts: Mapping[int, Text]) -> Iterator[str]:

@@ -178,11 +178,15 @@ def answer(
     """
     contract = contract_to_change(session, actor, contract_id)
     ensure_state(contract.state, {ContractState.DRAFT}, next_action_hint(contract.state, contract.kind))
-    found = rounds(session, contract)
-    redline = next((one for one in found[-1].redlines if one.number == number), None) if found else None
-    if redline is None or found[-1].sent_version is not None:
+    rounds_sent = rounds(session, contract)
+    redline = (
+        next((candidate for candidate in rounds_sent[-1].redlines if candidate.number == number), None)
+        if rounds_sent
+        else None
+    )
+    if redline is None or rounds_sent[-1].sent_version is not None:
         raise RedlineNotFound(f"no redline {number} of this contract waits for an answer")
-    base = _base(session, contract, found[-1])
+    base = _base(session, contract, rounds_sent[-1])
     is_counter = kind is RedlineAnswerKind.COUNTERED
     before = next((clause.text for clause in base[0] if clause.key == redline.clause_key), redline.wording.text)
     wording = wording_with_fields(wording, before, base[1], contract.currency)
@@ -191,7 +195,7 @@ def answer(
     person = session.get_one(Person, actor.person)
     answered = replace(redline, answer=Answer(kind, wording if is_counter else None, comment, person.name, clock.now()))
     draft = text_of(newest_of(session, contract))
-    clauses, terms = answered_draft(draft, base, found[-1], answered)
+    clauses, terms = answered_draft(draft, base, rounds_sent[-1], answered)
     known = text_faults(session, contract, *draft, holdback_bp=contract.holdback_bp)
     now = text_faults(session, contract, clauses, terms, holdback_bp=contract.holdback_bp)
     if faults := [fault for fault in now if fault not in known]:
@@ -201,7 +205,7 @@ def answer(
             fix="counter with a text that keeps it, or change the draft first",
         )
     if (clauses, terms) != (list(draft[0]), draft[1]):
-        title = answered.wording.title or next(one.title for one in base[0] if one.key == answered.clause_key)
+        title = answered.wording.title or next(clause.title for clause in base[0] if clause.key == answered.clause_key)
         add_version(session, actor, contract, clauses, terms, note=f"Redline {number} {kind.value}: {title}")
     facts = (wording if is_counter else Wording()).as_facts() | {"comment": comment}
     record.append_by(session, actor, contract, ANSWERED, redline=number, answer=kind.value, **facts)
@@ -221,14 +225,14 @@ def _fault_of_answer(
 
 def ensure_answered(session: Session, contract: Contract, text: Text) -> None:
     """Raise RedlinesOpen unless every redline is answered and a text has what was agreed, word for word."""
-    found = rounds(session, contract)
-    if not found or found[-1].sent_version is not None:
+    rounds_sent = rounds(session, contract)
+    if not rounds_sent or rounds_sent[-1].sent_version is not None:
         return
-    if unanswered := found[-1].unanswered:
+    if unanswered := rounds_sent[-1].unanswered:
         subject = f"{counted(len(unanswered), 'proposed change')} {verb(len(unanswered), 'has', 'have')}"
         raise RedlinesOpen(f"{subject} no answer yet", fix="accept, refuse or counter each on the page Redlines")
-    base = _base(session, contract, found[-1])
-    for redline in found[-1].redlines:
+    base = _base(session, contract, rounds_sent[-1])
+    for redline in rounds_sent[-1].redlines:
         if not is_in(redline, text, base[0]) and redline.answer is not None:
             raise RedlinesOpen(
                 f"redline {redline.number} was {redline.answer.kind.value}, and the draft has other words there now",

@@ -67,7 +67,7 @@ def signatures_page(signed: Sequence[Signed], text_sha256: str, zone: ZoneInfo) 
         f"SHA-256 of the text: {text_sha256}",
         f"Each of those who signed agreed to this sentence: {literal(CONSENT)}",
     ]
-    return [CertificatePart("\n\n".join(head)), *(signature_part(one, zone) for one in signed)]
+    return [CertificatePart("\n\n".join(head)), *(signature_part(signature, zone) for signature in signed)]
 
 
 def studio_zone(contract: Contract) -> ZoneInfo:
@@ -75,23 +75,23 @@ def studio_zone(contract: Contract) -> ZoneInfo:
     return ZoneInfo(contract.project.studio.time_zone)
 
 
-def signature_part(one: Signed, zone: ZoneInfo) -> CertificatePart:
+def signature_part(signature: Signed, zone: ZoneInfo) -> CertificatePart:
     """Return the part of a certificate on one signature, and the name as it was drawn."""
-    code = f"{BY_CODE} {in_both(one.code_entered_at, zone)}" if one.code_entered_at else WITHOUT_CODE
+    code = f"{BY_CODE} {in_both(signature.code_entered_at, zone)}" if signature.code_entered_at else WITHOUT_CODE
     facts = [
-        f"- Signed {in_both(one.accepted_at, zone)}",
-        f"- Email: {literal(one.email)}, {PROOF_WORDS[one.email_proof]}",
+        f"- Signed {in_both(signature.accepted_at, zone)}",
+        f"- Email: {literal(signature.email)}, {PROOF_WORDS[signature.email_proof]}",
         f"- Code: {literal(code)}",
-        f"- Network address: {literal(one.address) or 'unknown'}",
-        f"- Browser: {literal(one.agent) or 'unknown'}",
-        *([f"- Name drawn by hand, SHA-256 {drawing_sha256(one.drawing)}:"] if one.drawing else []),
+        f"- Network address: {literal(signature.address) or 'unknown'}",
+        f"- Browser: {literal(signature.agent) or 'unknown'}",
+        *([f"- Name drawn by hand, SHA-256 {drawing_sha256(signature.drawing)}:"] if signature.drawing else []),
     ]
     lines = [
-        f"## {literal(one.name)}, for the {one.party}",
-        *([] if is_drawn(one.name) else [UNDRAWN]),
+        f"## {literal(signature.name)}, for the {signature.party}",
+        *([] if is_drawn(signature.name) else [UNDRAWN]),
         "\n".join(facts),
     ]
-    return CertificatePart("\n\n".join(lines), drawing_svg(one.drawing) if one.drawing else None)
+    return CertificatePart("\n\n".join(lines), drawing_svg(signature.drawing) if signature.drawing else None)
 
 
 def in_both(at: datetime | None, zone: ZoneInfo) -> str:

@@ -131,7 +131,7 @@ def _own_certificate(key: "EllipticCurvePrivateKey") -> bytes:
 
 def marks_of(pdf: bytes) -> list[str]:
     """Return the ids of seals that a file names, ten at most."""
-    return sorted({found.decode() for found in _MARKED.findall(pdf)})[:10]
+    return sorted({match.decode() for match in _MARKED.findall(pdf)})[:10]
 
 
 def sealing_key(pdf: bytes) -> str:

@@ -140,8 +140,8 @@ class BodyReader:
             case "bookmarkStart" if named.get("name", "").startswith(CLAUSE):
                 (self._paragraphs[-1].bookmarks if self._paragraphs else self._bookmarks).append(named["name"])
             case "commentRangeStart" | "commentReference":
-                found = named.get("id", "")
-                (self._paragraphs[-1].comments if self._paragraphs else self._comments).append(found)
+                comment_id = named.get("id", "")
+                (self._paragraphs[-1].comments if self._paragraphs else self._comments).append(comment_id)
             case _ if name in _LETTERS and self._open[-2:-1] == ["r"]:
                 self._write(_LETTERS[name])
 
@@ -184,10 +184,10 @@ class BodyReader:
                 self._add(rest)
 
     def _end_paragraph(self, paragraph: _Paragraph) -> None:
-        said = "".join(span.text for span in paragraph.spans).strip()
+        text = "".join(span.text for span in paragraph.spans).strip()
         if paragraph.is_outside:
-            if said:
-                self._note("text box", said)
+            if text:
+                self._note("text box", text)
             return
         if self._rest is not None:
             for name in ("spans", "bookmarks", "comments"):
@@ -195,7 +195,7 @@ class BodyReader:
             self._rest = None
         if self._tables:
             self._write_in_cell(paragraph)
-        elif paragraph.is_mark_gone and said:
+        elif paragraph.is_mark_gone and text:
             self._rest = paragraph
         else:
             self._add(paragraph)
@@ -238,11 +238,11 @@ class BodyReader:
         taken, self._comments = tuple(dict.fromkeys(self._comments)), []
         return taken
 
-    def _note(self, place: str, text: str) -> None:
-        if self.outside and self.outside[-1].place == place == "hidden text":
-            self.outside[-1] = OutsideText(place, self.outside[-1].text + text)
+    def _note(self, label: str, text: str) -> None:
+        if self.outside and self.outside[-1].place == label == "hidden text":
+            self.outside[-1] = OutsideText(label, self.outside[-1].text + text)
         else:
-            self.outside.append(OutsideText(place, text))
+            self.outside.append(OutsideText(label, text))
 
 
 def block_kind(kind: str) -> BlockKind:
@@ -251,9 +251,9 @@ def block_kind(kind: str) -> BlockKind:
 
 
 def _kind_of(paragraph: _Paragraph) -> tuple[BlockKind, int]:
-    found = re.fullmatch(r"heading ([1-9])", paragraph.style)
-    if found:
-        return "head", int(found[1])
+    match = re.fullmatch(r"heading ([1-9])", paragraph.style)
+    if match:
+        return "head", int(match[1])
     if paragraph.style == "title":
         return "head", 1
     return ("item", 0) if paragraph.is_item or paragraph.style.startswith("list") else ("text", 0)

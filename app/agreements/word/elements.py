@@ -180,8 +180,8 @@ class NoteReader:
             case (True, "p"):
                 self._said.append(" ")
             case (True, "footnote" | "endnote" | "hdr" | "ftr"):
-                if said := " ".join("".join(self._said).split()):
-                    self.outside.append(OutsideText(self._label, said))
+                if text := " ".join("".join(self._said).split()):
+                    self.outside.append(OutsideText(self._label, text))
                 self._said = []
 
     def characters(self, text: str) -> None:

@@ -71,8 +71,10 @@ class WordText:
         return cls(
             Origin(*origin) if origin else None,
             tuple(
-                WordLine(block_kind(kind), level, tuple(Span(*span) for span in spans), tuple(marks), tuple(said))
-                for kind, level, spans, marks, said in lines
+                WordLine(
+                    block_kind(kind), level, tuple(Span(*span) for span in spans), tuple(marks), tuple(comment_ids)
+                )
+                for kind, level, spans, marks, comment_ids in lines
             ),
             tuple(Comment(*comment) for comment in comments),
             tuple(OutsideText(*text) for text in outside),
@@ -113,9 +115,9 @@ def read_word_file(data: bytes) -> WordText:
     """Return the text of a Word document; raise BadWordFile for anything else, and for one that is too large."""
     if not data:
         raise BadWordFile("the file is empty; wanted a Word document (.docx)", fix=SAVE_AGAIN)
-    for begins, found, fix in _OTHER_FILES:
+    for begins, description, fix in _OTHER_FILES:
         if data.startswith(begins):
-            raise BadWordFile(f"this is {found}; wanted a Word document (.docx)", fix=fix)
+            raise BadWordFile(f"this is {description}; wanted a Word document (.docx)", fix=fix)
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             return _Package(archive).text()
@@ -178,10 +180,10 @@ class _Package:
         named: Sequence[str] = (
             self._relations("_rels/.rels", "").get(_DOCUMENT, []) if "_rels/.rels" in self._names else ()
         )
-        found: str | None = next((name for name in (*named, "word/document.xml") if name in self._names), None)
-        if found is None:
+        main_part: str | None = next((name for name in (*named, "word/document.xml") if name in self._names), None)
+        if main_part is None:
             raise BadWordFile("this is a ZIP file without a Word document in it", fix=SAVE_AGAIN)
-        return found
+        return main_part
 
     def _related(self, main: str) -> dict[str, list[str]]:
         folder, _, name = main.rpartition("/")
@@ -191,7 +193,7 @@ class _Package:
     def _relations(self, path: str, folder: str) -> dict[str, list[str]]:
         relations = RelationReader()
         self._read(path, relations)
-        found: dict[str, list[str]] = {}
+        paths_by_kind: dict[str, list[str]] = {}
         for kind, target, is_external in relations.relations:
             if is_external:
                 if kind != "hyperlink":
@@ -202,9 +204,9 @@ class _Package:
                     )
                 continue
             name = str(normpath(join(folder, target)) if not target.startswith("/") else target.lstrip("/"))
-            if name in self._names and name not in found.setdefault(kind, []):
-                found[kind].append(name)
-        return found
+            if name in self._names and name not in paths_by_kind.setdefault(kind, []):
+                paths_by_kind[kind].append(name)
+        return paths_by_kind
 
     def _origin(self) -> Origin | None:
         if "docProps/custom.xml" not in self._names:
@@ -267,12 +269,12 @@ def _refuse_doctype(*_: object) -> None:
 
 def origin_of(properties: Iterable[tuple[str, str]]) -> Origin | None:
     """Return the version that a document was made from by its properties; None where they say nothing."""
-    said = dict(properties)
-    version = said.get(VERSION_PROPERTY, "")
-    contract_id = said.get(CONTRACT_PROPERTY, "")
+    values = dict(properties)
+    version = values.get(VERSION_PROPERTY, "")
+    contract_id = values.get(CONTRACT_PROPERTY, "")
     if not contract_id or not re.fullmatch("[0-9]{1,9}", version):
         return None
-    return Origin(contract_id[:100], int(version), said.get(AGAINST_PROPERTY, "") != "")
+    return Origin(contract_id[:100], int(version), values.get(AGAINST_PROPERTY, "") != "")
 
 
 CONTRACT_PROPERTY, VERSION_PROPERTY, AGAINST_PROPERTY = (

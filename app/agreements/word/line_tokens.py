@@ -42,21 +42,21 @@ def line_key(shown: Sequence[Glyph], kind: BlockKind, is_plain: bool) -> tuple[o
 def tokens_of(shown: Sequence[Glyph], is_plain: bool) -> list[tuple[str, bool, bool]]:
     """Return words, spaces and signs with their looks; a space has none, and a word of two looks is two."""
     tokens: list[tuple[str, bool, bool]] = []
-    for found in _TOKEN.finditer("".join(one.letter for one in shown)):
-        if is_plain or not found[0].strip(" ·"):
-            tokens.append((found[0], False, False))
+    for match in _TOKEN.finditer("".join(glyph.letter for glyph in shown)):
+        if is_plain or not match[0].strip(" ·"):
+            tokens.append((match[0], False, False))
             continue
-        begins = found.start()
-        for at in range(found.start() + 1, found.end() + 1):
-            if at == found.end() or shown[at][1:] != shown[begins][1:]:
-                letters = "".join(one.letter for one in shown[begins:at])
+        begins = match.start()
+        for at in range(match.start() + 1, match.end() + 1):
+            if at == match.end() or shown[at][1:] != shown[begins][1:]:
+                letters = "".join(glyph.letter for glyph in shown[begins:at])
                 tokens.append((letters, shown[begins].strong, shown[begins].emphatic))
                 begins = at
     return tokens
 
 
-def likeness(one: str, other: str) -> float:
+def likeness(line: str, other: str) -> float:
     """Return the share of words that two lines have in common."""
-    bag, other_bag = Counter(one.split()), Counter(other.split())
+    bag, other_bag = Counter(line.split()), Counter(other.split())
     whole = bag.total() + other_bag.total()
     return 2 * (bag & other_bag).total() / whole if whole else 1.0

@@ -100,18 +100,18 @@ class _Reading:
 
     def result(self) -> ReadChanges:
         sections = self._sections()
-        found: dict[str | None, _Section] = {one.key: one for one in sections if one.key is not None}
-        if not found:
+        by_key: dict[str | None, _Section] = {one.key: one for one in sections if one.key is not None}
+        if not by_key:
             raise OtherContractsFile(
                 "no clause of this contract was found in the file",
                 fix="download the version as a Word document here, and make the changes in that file",
             )
         self._ensure_in_order(sections)
-        self._find_bodies(sections, found)
-        edits = self._edits(found)
+        self._find_bodies(sections, by_key)
+        edits = self._edits(by_key)
         changes: list[Change] = []
         for clause in self._clauses:
-            section = found.get(clause.key)
+            section = by_key.get(clause.key)
             comment = self._comment(section) if section else ""
             change = self._change(clause, section, edits.get(clause.key), comment)
             if change is not None:
@@ -169,10 +169,10 @@ class _Reading:
                 "To move a clause, strike it and add it after another one.",
             )
 
-    def _find_bodies(self, sections: Sequence[_Section], found: dict[str | None, _Section]) -> None:
+    def _find_bodies(self, sections: Sequence[_Section], by_key: dict[str | None, _Section]) -> None:
         """Give clauses whose heading is gone the lines that follow their first one, where these are in the file."""
         for clause in self._clauses:
-            if clause.key in found:
+            if clause.key in by_key:
                 continue
             own = {line.text for line in self._source_lines.get(clause.key, ()) if line.text}
             for section in sections:
@@ -182,7 +182,7 @@ class _Reading:
                     continue
                 while at and self._is_edited(section.lines[at - 1].text, own, others):
                     at -= 1
-                found[clause.key] = _Section(clause.key, section.key, None, section.lines[at:])
+                by_key[clause.key] = _Section(clause.key, section.key, None, section.lines[at:])
                 del section.lines[at:]
                 self._add(
                     clause.key,
@@ -196,7 +196,7 @@ class _Reading:
         """Whether a line is one of a clause that was edited, rather than one of the clause before it."""
         return text not in others and any(likeness(text, line) >= ALIKE for line in own)
 
-    def _edits(self, found: Mapping[str | None, _Section]) -> dict[str, Edited]:
+    def _edits(self, by_key: Mapping[str | None, _Section]) -> dict[str, Edited]:
         """Return each clause as the document has it; a value that is changed in two ways is written out in both."""
 
         def read(unread: Collection[str]) -> dict[str, Edited]:
@@ -205,14 +205,14 @@ class _Reading:
                     clause.text,
                     self._sent.get(clause.key, "").strip(),
                     self._source_lines.get(clause.key, ()),
-                    self._lines_of(found[clause.key]),
+                    self._lines_of(by_key[clause.key]),
                     fill=self._from.fill,
                     currency=self._from.currency,
                     terms={name: value for name, value in self._from.text[1].items() if name not in unread},
                     is_plain=self._is_plain,
                 )
                 for clause in self._clauses
-                if clause.key in found
+                if clause.key in by_key
             }
 
         edits = read(())
@@ -297,7 +297,9 @@ class _Reading:
         )
 
     def _name_shared(self, clause: Clause, name: str) -> None:
-        others = [one.title for one in self._clauses if one.key != clause.key and name in variables_in(one.text)]
+        others = [
+            other.title for other in self._clauses if other.key != clause.key and name in variables_in(other.text)
+        ]
         if others:
             self._add(
                 clause.key,
@@ -322,11 +324,11 @@ class _Reading:
         kept: list[Change] = []
         for change in changes:
             title, text = change.wording.title, change.wording.text
-            for found, most, what in ((title, MAX_TITLE_CHARS, "title"), (text, MAX_TEXT_CHARS, "text")):
-                if len(found) > most:
+            for written, most, what in ((title, MAX_TITLE_CHARS, "title"), (text, MAX_TEXT_CHARS, "text")):
+                if len(written) > most:
                     self._add(
                         change.clause_key,
-                        f"The {what} of {_quoted(title[:40])} has {len(found):,} characters in the file; "
+                        f"The {what} of {_quoted(title[:40])} has {len(written):,} characters in the file; "
                         f"a clause's has {most:,} at most. What the file changes in it is not read.",
                         "Shorten it in the file, or part it into clauses with a heading each, and upload it again.",
                     )
@@ -342,14 +344,15 @@ class _Reading:
         return kept[:MAX_CLAUSES]
 
     def _comment(self, section: _Section) -> str:
-        said = self._said(section.comments)
-        if len(said) > MAX_COMMENT_CHARS:
+        comments = self._said(section.comments)
+        if len(comments) > MAX_COMMENT_CHARS:
             self._add(
                 section.key,
-                f"The comments of one clause have {len(said):,} characters; the first {MAX_COMMENT_CHARS:,} are kept.",
+                f"The comments of one clause have {len(comments):,} characters; "
+                f"the first {MAX_COMMENT_CHARS:,} are kept.",
                 "Read the rest in the file.",
             )
-        return said[:MAX_COMMENT_CHARS]
+        return comments[:MAX_COMMENT_CHARS]
 
     def _said(self, ids: Iterator[str]) -> str:
         by_id = {comment.id: comment for comment in self._word.comments}
@@ -367,8 +370,8 @@ class _Reading:
                     f"Text before the first clause is not read: {_quoted(line.text)}",
                     "Ask for another title in the note, or write the text into a clause.",
                 )
-        if said := self._said(comment for line in self._preface for comment in line.comments):
-            self._notes.insert(0, said)
+        if comments := self._said(comment for line in self._preface for comment in line.comments):
+            self._notes.insert(0, comments)
         for outside in self._word.outside:
             self._add(
                 None,
