@@ -66,9 +66,9 @@ def _fields(body: PostingAdd) -> postings.PostingFields:
 @router.get("/projects/{project_id}/postings", responses=problems(ProjectNotFound, TeamNeeded))
 def list_postings(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> list[PostingSummary]:
     """Return the postings of a project, newest first."""
-    found = postings.postings_of(session, actor, project_id)
-    counts = queries.counts_of_bids(session, [posting.id for posting in found])
-    return [summary(posting, sent=counts.get(posting.id, 0), own=None) for posting in found]
+    postings_shown = postings.postings_of(session, actor, project_id)
+    counts = queries.counts_of_bids(session, [posting.id for posting in postings_shown])
+    return [summary(posting, sent=counts.get(posting.id, 0), own=None) for posting in postings_shown]
 
 
 @router.post(
@@ -87,10 +87,11 @@ def create_posting(
 @router.get("/postings")
 def list_my_postings(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> list[PostingSummary]:
     """Return the postings that the caller may bid on, newest first."""
-    found = postings.candidate_postings(session, actor)
-    own = queries.own_bids(session, actor.person, [posting.id for posting in found])
+    postings_shown = postings.candidate_postings(session, actor)
+    own = queries.own_bids(session, actor.person, [posting.id for posting in postings_shown])
     return [
-        summary(posting, sent=None, own=own.get(posting.id), is_closed=posting.project.nda_needed) for posting in found
+        summary(posting, sent=None, own=own.get(posting.id), is_closed=posting.project.nda_needed)
+        for posting in postings_shown
     ]
 
 

@@ -61,8 +61,8 @@ def posting_for(session: Session, actor: Actor, posting_id: UUID) -> Posting | N
 
 def postings_in(session: Session, project_id: UUID) -> Sequence[Posting]:
     """Return the postings of a project, newest first."""
-    found = select(Posting).where(Posting.project_id == project_id).options(_WITH_PROJECT)
-    return session.scalars(found.order_by(Posting.id.desc()).limit(MAX_POSTINGS)).all()
+    query = select(Posting).where(Posting.project_id == project_id).options(_WITH_PROJECT)
+    return session.scalars(query.order_by(Posting.id.desc()).limit(MAX_POSTINGS)).all()
 
 
 def last_currency(session: Session, studio_id: UUID, project_id: UUID | None = None) -> str | None:
@@ -244,8 +244,8 @@ def counts_of_bids(session: Session, posting_ids: Collection[UUID]) -> dict[UUID
 
 def own_bids(session: Session, designer_id: UUID, posting_ids: Collection[UUID]) -> dict[UUID, Bid]:
     """Return a designer's own bids by posting."""
-    found = select(Bid).where(Bid.designer_id == designer_id, Bid.posting_id.in_(posting_ids))
-    return {bid.posting_id: bid for bid in session.scalars(found)}
+    query = select(Bid).where(Bid.designer_id == designer_id, Bid.posting_id.in_(posting_ids))
+    return {bid.posting_id: bid for bid in session.scalars(query)}
 
 
 def other_sent_bids(session: Session, designer_id: UUID, posting_id: UUID) -> Sequence[Bid]:

@@ -161,11 +161,11 @@ def total_minor(lines: Iterable[Mapping[str, Any]]) -> int:
 def concept_minor(asked: Iterable[Mapping[str, Any]], lines: Iterable[Mapping[str, Any]]) -> int:
     """Return a bid's price for cues that are concepts still: the share of each line that they are in."""
     counts = {line["key"]: (line.get("concepts", 0), line["cues"]) for line in asked}
-    found = 0
+    total_minor = 0
     for line in lines:
         concepts, cues = counts.get(line["key"], (0, 0)) if line["kind"] == BidLineKind.ASKED else (0, 0)
-        found += amount_minor(line) * concepts // cues if cues else 0
-    return found
+        total_minor += amount_minor(line) * concepts // cues if cues else 0
+    return total_minor
 
 
 def missing_lines(asked: Sequence[Mapping[str, Any]], lines: Iterable[Mapping[str, Any]]) -> list[str]:
@@ -186,8 +186,8 @@ def ensure_bid_fits(asked: Sequence[Mapping[str, Any]], content: Mapping[str, An
     known = {line["key"] for line in asked}
     seen: set[tuple[str, str]] = set()
     errors: list[FieldProblem] = []
-    for place, line in enumerate(content["lines"]):
-        where = f"lines.{place}"
+    for index, line in enumerate(content["lines"]):
+        where = f"lines.{index}"
         if line["kind"] == BidLineKind.ASKED and line["key"] not in known:
             errors.append(FieldProblem(where=where, message="is not among the lines that the posting asks for"))
         name = (line["kind"], line["key"])

@@ -64,7 +64,7 @@ def propose_plan(
 ) -> schemas.PlanProposal:
     """Return milestones by the due dates and categories of the sound list, to begin a plan from; nothing is saved."""
     proposed = plan.propose_plan(session, actor, contract_id, total_minor=total_minor)
-    return schemas.PlanProposal(milestones=[schemas.ProposedMilestoneRead(**vars(one)) for one in proposed])
+    return schemas.PlanProposal(milestones=[schemas.ProposedMilestoneRead(**vars(milestone)) for milestone in proposed])
 
 
 @router.put(
@@ -105,7 +105,7 @@ def check_plan(
     faults, advice, price, concepts = plan.review_plan(session, actor, contract_id, _planned(body))
     return schemas.PlanChecked(
         faults=[schemas.PlanFault(**fault) for fault in faults],
-        advice=[schemas.AdviceRead.model_validate(one) for one in advice],
+        advice=[schemas.AdviceRead.model_validate(advised) for advised in advice],
         price=schemas.PriceRead.model_validate(price),
         concepts=schemas.ConceptsRead.model_validate(concepts),
     )
@@ -215,9 +215,9 @@ def read_invoice(invoice_id: UUID, session: DbSession, actor: Actor = allows(Aud
 )
 def read_invoice_pdf(invoice_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
     """Return an invoice as PDF; the same invoice is the same bytes."""
-    found = invoices.invoice(session, actor, invoice_id)
-    name = f'inline; filename="invoice-{file_part(found.full_number)}.pdf"'
-    return Response(invoice_text.pdf_of(found), media_type=documents.PDF, headers={"Content-Disposition": name})
+    read_invoice = invoices.invoice(session, actor, invoice_id)
+    name = f'inline; filename="invoice-{file_part(read_invoice.full_number)}.pdf"'
+    return Response(invoice_text.pdf_of(read_invoice), media_type=documents.PDF, headers={"Content-Disposition": name})
 
 
 @router.post(

@@ -49,7 +49,7 @@ def plan_of(session: Session, contract: Contract) -> schemas.PlanRead:
         state=contract.state,
         currency=contract.currency,
         milestones=milestones_read(session, contract, load_ledger_book(session, contract)),
-        advice=[schemas.AdviceRead.model_validate(one) for one in advice_on(session, contract)],
+        advice=[schemas.AdviceRead.model_validate(advice) for advice in advice_on(session, contract)],
         price=schemas.PriceRead.model_validate(price),
         concepts=schemas.ConceptsRead.model_validate(concepts_of(session, contract)),
     )
@@ -175,7 +175,7 @@ def extra_rounds(session: Session, actor: Actor, contract_id: UUID) -> list[sche
     contract = visible_contract(session, actor, contract_id)
     terms, cues = terms_of(session, contract), priced_by_cue(session, contract)
     rounds = queries.extra_rounds_of(session, contract.id)
-    return [extra_round_read(session, contract, one, terms, cues[one.cue_id]) for one in rounds]
+    return [extra_round_read(session, contract, extra_round, terms, cues[extra_round.cue_id]) for extra_round in rounds]
 
 
 def extra_round(session: Session, proposed: ExtraRound) -> schemas.ExtraRoundRead:
@@ -240,8 +240,8 @@ def cue_money(session: Session, actor: Actor, cue_id: UUID) -> schemas.CueMoneyR
         rounds_included=terms.rounds_included,
         extra_round_minor=price_of_round(of_it, terms.extra_round_bp),
         extra_rounds=[
-            extra_round_read(session, contract, one, terms, of_it)
-            for one in queries.extra_rounds_of(session, contract.id)
-            if one.cue_id == cue_id
+            extra_round_read(session, contract, extra_round, terms, of_it)
+            for extra_round in queries.extra_rounds_of(session, contract.id)
+            if extra_round.cue_id == cue_id
         ],
     )

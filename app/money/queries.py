@@ -119,7 +119,7 @@ def worked_days_of(session: Session, contract_id: UUID) -> Sequence[WorkedDay]:
 def waiting_work(session: Session, contract_id: UUID, unit: Literal["quarters", "minutes"]) -> Sequence[WorkedDay]:
     """Return the days or the hours that the studio has neither agreed to nor refused, in order."""
     logged = worked_days_of(session, contract_id)
-    return [one for one in logged if getattr(one, unit) and one.agreed_at is None and one.refused_at is None]
+    return [day for day in logged if getattr(day, unit) and day.agreed_at is None and day.refused_at is None]
 
 
 def contracts_with_retainer(session: Session) -> Sequence[UUID]:

@@ -75,5 +75,5 @@ def growth_days(slips: Sequence[int]) -> float | None:
         return None
     middle = (len(slips) - 1) / 2
     mean = sum(slips) / len(slips)
-    above = sum((place - middle) * (days - mean) for place, days in enumerate(slips))
-    return above / sum((place - middle) ** 2 for place in range(len(slips)))
+    above = sum((index - middle) * (days - mean) for index, days in enumerate(slips))
+    return above / sum((index - middle) ** 2 for index in range(len(slips)))

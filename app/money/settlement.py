@@ -138,7 +138,9 @@ def end_statement(session: Session, contract: Contract, states: Mapping[UUID, Wo
 def open_cues(session: Session, contract: Contract) -> list[ContractCue]:
     """Return the cues of a contract that are neither accepted nor cut."""
     covered = plan_queries.cues_of(session, contract.id)
-    return [one for one in covered if one.accepted_at is None and one.cut_at is None]
+    return [
+        contract_cue for contract_cue in covered if contract_cue.accepted_at is None and contract_cue.cut_at is None
+    ]
 
 
 def settle_end(

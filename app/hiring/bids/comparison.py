@@ -21,7 +21,7 @@ def compared_bids(session: Session, actor: Actor, posting_id: UUID) -> tuple[Pos
     access.ensure_team()
     bids = queries.sent_bids(session, posting_id)
     dated = [(place_of(is_shortlisted=bid.is_shortlisted, sent_at=bid.sent_at), bid) for bid in bids if bid.sent_at]
-    return access.posting, [bid for _, bid in sorted(dated, key=lambda one: one[0])]
+    return access.posting, [bid for _, bid in sorted(dated, key=lambda pair: pair[0])]
 
 
 def scores_seen(

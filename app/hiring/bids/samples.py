@@ -44,8 +44,8 @@ def add_sample(
         content = base64.b64decode(content_base64, validate=True)
     except (ValueError, binascii.Error):
         raise _invalid("content_base64", "this is not base64") from None
-    found = type_of(content[:HEAD_BYTES])
-    if found.kind is not ReferenceKind.AUDIO:
+    media_type = type_of(content[:HEAD_BYTES])
+    if media_type.kind is not ReferenceKind.AUDIO:
         message = "this is not a sound that browsers play; wanted WAV, FLAC, MP3, Ogg or M4A"
         raise NoSound(message, errors=[FieldProblem(where="content_base64", message=message)])
     stored = store.put(posting.studio_id, [content])
@@ -56,7 +56,7 @@ def add_sample(
         designer_id=actor.person,
         line_key=line_key,
         file_name=tidy_line(file_name) or "sample",
-        media_type=found.media_type,
+        media_type=media_type.media_type,
         sha256=stored.sha256,
         file_bytes=stored.size_bytes,
     )
@@ -122,21 +122,21 @@ def is_open(posting: Posting, bid: Bid, now: datetime | None = None) -> bool:
 
 def samples_read(posting: Posting, bid: Bid, samples: Sequence[Sample]) -> list[SampleRead]:
     """Return the samples of a bid in the order of the posting's lines, then as they were added."""
-    place = {line["key"]: at for at, line in enumerate(posting.lines)}
+    line_order = {line["key"]: at for at, line in enumerate(posting.lines)}
     can_play = is_open(posting, bid)
     return [
         SampleRead(
-            id=one.id,
-            line_key=one.line_key,
-            file_name=one.file_name,
-            file_bytes=one.file_bytes,
-            state=one.state,
-            spec_version=one.spec_version,
-            findings=[SampleFinding.model_validate(finding) for finding in one.findings],
-            problem=one.problem,
+            id=sample.id,
+            line_key=sample.line_key,
+            file_name=sample.file_name,
+            file_bytes=sample.file_bytes,
+            state=sample.state,
+            spec_version=sample.spec_version,
+            findings=[SampleFinding.model_validate(finding) for finding in sample.findings],
+            problem=sample.problem,
             is_open=can_play,
         )
-        for one in sorted(samples, key=lambda sample: (place.get(sample.line_key, len(place)), sample.id))
+        for sample in sorted(samples, key=lambda sample: (line_order.get(sample.line_key, len(line_order)), sample.id))
     ]
 
 

@@ -89,8 +89,8 @@ def clashes(session: Session, access: PostingAccess) -> Sequence[OtherWork]:
     days = (posting.work_from_on, posting.work_to_on)
     with bypass_row_policies(session):  # the candidate's own bids, at other studios too
         others = queries.other_sent_bids(session, access.actor.person, posting.id)
-    found = [OtherWork(bid.posting, bid) for bid in others]
-    return [one for one in found if overlap(days, (one.posting.work_from_on, one.posting.work_to_on))]
+    works = [OtherWork(bid.posting, bid) for bid in others]
+    return [work for work in works if overlap(days, (work.posting.work_from_on, work.posting.work_to_on))]
 
 
 def ask(session: Session, actor: Actor, posting_id: UUID, text: str) -> UUID:
@@ -145,10 +145,14 @@ def answer(session: Session, actor: Actor, question_id: UUID, text: str, *, is_f
 
 def questions_seen(session: Session, access: PostingAccess) -> Sequence[PostingQuestion]:
     """Return all questions for the team; for a candidate their own, and those that were answered for all."""
-    found = queries.questions_of(session, access.posting.id)
+    questions = queries.questions_of(session, access.posting.id)
     if access.team is not None:
-        return found
-    return [one for one in found if one.asked_by == access.actor.person or (one.is_for_all and one.answer)]
+        return questions
+    return [
+        question
+        for question in questions
+        if question.asked_by == access.actor.person or (question.is_for_all and question.answer)
+    ]
 
 
 def is_awarded(posting: Posting, bid: Bid) -> bool:

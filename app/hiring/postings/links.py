@@ -25,10 +25,10 @@ def posting_by_link(session: Session, secret: str) -> tuple[Posting, Candidate |
     Raises PostingNotFound for a link that is unknown, withdrawn or too old, and for a draft.
     """
     with bypass_row_policies(session):  # only the secret identifies the posting
-        found = queries.posting_by_secret(session, sha256_of(secret))
-    if found is None or found[0].state is PostingState.DRAFT:
+        posting_and_candidate = queries.posting_by_secret(session, sha256_of(secret))
+    if posting_and_candidate is None or posting_and_candidate[0].state is PostingState.DRAFT:
         raise PostingNotFound("this link is unknown, withdrawn or expired", fix="ask the studio for a new one")
-    return found
+    return posting_and_candidate
 
 
 def join(session: Session, actor: Actor, secret: str) -> UUID:

@@ -103,8 +103,8 @@ def field_of(head: str) -> RosterField | None:
     if len(head) > MAX_HEAD_CHARS:
         return None
     without_brackets = re.sub(r"\(.*?\)|\[.*?\]", " ", head)
-    found: RosterField | None = _FIELD_OF.get(_plain(head)) or _FIELD_OF.get(_plain(without_brackets))
-    return found
+    field: RosterField | None = _FIELD_OF.get(_plain(head)) or _FIELD_OF.get(_plain(without_brackets))
+    return field
 
 
 def known_heads_in(cells: Sequence[str]) -> int:
@@ -129,13 +129,13 @@ def _read_words(text: str) -> list[str]:
 
 
 def _read_services(text: str) -> list[str]:
-    found = []
+    services = []
     for part in parts_of(text):
         service = _SERVICE_OF.get(_plain(part))
         if service is None:
             raise ValueError(f'wanted {", ".join(RosterService)}, found "{part[:40]}"')
-        found.append(str(service))
-    return list(dict.fromkeys(found))
+        services.append(str(service))
+    return list(dict.fromkeys(services))
 
 
 def _read_links(text: str) -> list[dict[str, str]]:
@@ -145,8 +145,8 @@ def _read_links(text: str) -> list[dict[str, str]]:
 
 def _read_email(text: str) -> str:
     bare = re.sub(r"^mailto:", "", text.strip(), flags=re.IGNORECASE)
-    if found := re.fullmatch(r".{0,200}<([^<>]{1,254})>", bare):
-        bare = found[1]
+    if match := re.fullmatch(r".{0,200}<([^<>]{1,254})>", bare):
+        bare = match[1]
     try:
         return ensure_address(bare)
     except BadAddress:
@@ -154,10 +154,10 @@ def _read_email(text: str) -> str:
 
 
 def _read_exclusivity(text: str) -> Exclusivity:
-    found: Exclusivity | None = _EXCLUSIVITY_OF.get(_plain(text))
-    if found is None:
+    exclusivity: Exclusivity | None = _EXCLUSIVITY_OF.get(_plain(text))
+    if exclusivity is None:
         raise ValueError(f'wanted alone or several, found "{text[:40]}"')
-    return found
+    return exclusivity
 
 
 def _read_hours(text: str) -> int:
@@ -171,16 +171,16 @@ def _read_hours(text: str) -> int:
 def read_rate(text: str) -> dict[str, Any]:
     """Return amount, currency and unit of a rate such as "45 EUR/h" or "$400 a day"; raise ValueError for others."""
     wanted = ValueError(f'wanted a rate such as 45 USD/hour or 400 EUR/day, found "{text[:40]}"')
-    found = RATE.fullmatch(text.strip())
-    if found is None:
+    match = RATE.fullmatch(text.strip())
+    if match is None:
         raise wanted
-    currency = found["before"] or found["after"]
-    unit = (found["unit"] or "").lower()
+    currency = match["before"] or match["after"]
+    unit = (match["unit"] or "").lower()
     is_hour, is_day = unit in PER_HOUR.split("|"), unit in PER_DAY.split("|")
     if currency is None or not (is_hour or is_day):
         raise wanted
     code = SYMBOLS.get(currency, currency.upper())
-    amount = round(read_number(found["number"].replace(" ", "")) * 10 ** minor_digits(code))
+    amount = round(read_number(match["number"].replace(" ", "")) * 10 ** minor_digits(code))
     if not 0 <= amount <= 10**10:
         raise wanted
     return {"rate_minor": amount, "rate_currency": code, "rate_unit": RateUnit.HOUR if is_hour else RateUnit.DAY}

@@ -161,7 +161,7 @@ def set_roster_busy(
     roster_entry_id: UUID, body: BusyRangesWrite, session: DbSession, actor: Actor = TEAM
 ) -> RosterEntryRead:
     """Replace the days that were typed as taken; those of a calendar file stay."""
-    ranges = [Busy(one.from_on, one.to_on, one.kind, one.note) for one in body.ranges]
+    ranges = [Busy(period.from_on, period.to_on, period.kind, period.note) for period in body.ranges]
     roster.set_busy(session, actor, roster_entry_id, ranges)
     return entry_read(session, actor, roster_entry_id)
 
@@ -172,7 +172,7 @@ async def _parsed_calendar(roster_entry_id: UUID, body: CalendarFile, request: R
     except ValueError:
         raise CalendarUnreadable("content_base64 is not base64") from None
     today = clock.now().date().isoformat()
-    found = await parse_request(
+    calendar = await parse_request(
         request,
         parse_calendar,
         data,
@@ -181,7 +181,7 @@ async def _parsed_calendar(roster_entry_id: UUID, body: CalendarFile, request: R
         permit=roster.entry_seen,
         whose=roster_entry_id,
     )
-    return body, found
+    return body, calendar
 
 
 @router.put(
@@ -196,8 +196,8 @@ def read_roster_calendar(
     session: DbSession,
 ) -> RosterEntryRead:
     """Read the taken days of the coming year from a calendar file; no title of an event is kept."""
-    body, found = sent
-    roster.read_calendar(session, actor, roster_entry_id, found, file_name=body.file_name)
+    body, calendar = sent
+    roster.read_calendar(session, actor, roster_entry_id, calendar, file_name=body.file_name)
     return entry_read(session, actor, roster_entry_id)
 
 

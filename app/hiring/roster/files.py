@@ -77,7 +77,7 @@ def parse_calendar(data: bytes, today: str) -> list[Range]:
             f"a calendar may take {MAX_RANGES} separate periods of a year; this one takes {len(ranges)}",
             fix="type the booked days instead",
         )
-    return [(one.from_on.isoformat(), one.to_on.isoformat(), one.kind.value) for one in ranges]
+    return [(period.from_on.isoformat(), period.to_on.isoformat(), period.kind.value) for period in ranges]
 
 
 def _takes_time(event: Event) -> bool:
@@ -168,8 +168,8 @@ def _until(moment: date | datetime, start: date | datetime) -> datetime:
 def _moments(event: Event, name: str) -> Iterator[datetime]:
     given = event.get(name, [])
     for each in given if isinstance(given, list) else [given]:
-        for one in each.dts:
-            moment = one.dt[0] if isinstance(one.dt, tuple) else one.dt
+        for moments in each.dts:
+            moment = moments.dt[0] if isinstance(moments.dt, tuple) else moments.dt
             yield _naive(moment)
 
 

@@ -98,17 +98,17 @@ def _columns(sheet: Sheet, mapping: Mapping[str, RosterField]) -> list[Column]:
             raise ColumnUnknown(f"two columns are mapped to {wanted}: {', '.join(names)}")
     taken = set(chosen)
     columns = []
-    for place, name in enumerate(sheet.columns):
+    for index, name in enumerate(sheet.columns):
         guess = mapping.get(name) or field_of(name) or RosterField.IGNORE
         if name not in mapping and guess in taken and guess not in TOGETHER:
             guess = RosterField.IGNORE
         taken.add(guess)
-        columns.append(Column(place, name, guess))
+        columns.append(Column(index, name, guess))
     return columns
 
 
-def _samples(sheet: Sheet, place: int) -> list[str]:
-    return list(dict.fromkeys(cells[place][:200] for _, cells in sheet.rows if cells[place]))[:SAMPLES]
+def _samples(sheet: Sheet, index: int) -> list[str]:
+    return list(dict.fromkeys(cells[index][:200] for _, cells in sheet.rows if cells[index]))[:SAMPLES]
 
 
 def _sheet_faults(sheet: Sheet, columns: Sequence[Column], access: RosterAccess) -> list[RosterImportFault]:

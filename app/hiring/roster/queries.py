@@ -20,8 +20,8 @@ MAX_POSTINGS = 100
 
 def entries_of(session: Session, studio_id: UUID) -> Sequence[RosterEntry]:
     """Return all designers whom a studio has on file, by name."""
-    found = select(RosterEntry).where(RosterEntry.studio_id == studio_id)
-    return session.scalars(found.order_by(func.lower(RosterEntry.name), RosterEntry.id).limit(MAX_ENTRIES)).all()
+    query = select(RosterEntry).where(RosterEntry.studio_id == studio_id)
+    return session.scalars(query.order_by(func.lower(RosterEntry.name), RosterEntry.id).limit(MAX_ENTRIES)).all()
 
 
 def entry_for(session: Session, actor: Actor, entry_id: UUID) -> RosterEntry | None:
@@ -31,8 +31,8 @@ def entry_for(session: Session, actor: Actor, entry_id: UUID) -> RosterEntry | N
 
 def entry_locked(session: Session, entry_id: UUID) -> RosterEntry | None:
     """Return an entry as it is now, locked until the transaction ends."""
-    found = select(RosterEntry).where(RosterEntry.id == entry_id).with_for_update(key_share=True)
-    return session.scalar(found.execution_options(populate_existing=True))
+    query = select(RosterEntry).where(RosterEntry.id == entry_id).with_for_update(key_share=True)
+    return session.scalar(query.execution_options(populate_existing=True))
 
 
 def lock_roster(session: Session, studio_id: UUID) -> None:
@@ -42,10 +42,10 @@ def lock_roster(session: Session, studio_id: UUID) -> None:
 
 def has_address(session: Session, studio_id: UUID, email: str, *, but: UUID | None = None) -> bool:
     """Whether a studio has an address on file, in another entry than one."""
-    found = select(RosterEntry.id).where(RosterEntry.studio_id == studio_id, RosterEntry.email == email)
+    query = select(RosterEntry.id).where(RosterEntry.studio_id == studio_id, RosterEntry.email == email)
     if but is not None:
-        found = found.where(RosterEntry.id != but)
-    return session.scalar(found) is not None
+        query = query.where(RosterEntry.id != but)
+    return session.scalar(query) is not None
 
 
 def entries_count(session: Session, studio_id: UUID) -> int:
@@ -56,9 +56,9 @@ def entries_count(session: Session, studio_id: UUID) -> int:
 def ranges_of(session: Session, entry_ids: Collection[UUID]) -> dict[UUID, list[BusyRange]]:
     """Return by entry the days that are taken, the earliest first."""
     by_entry: defaultdict[UUID, list[BusyRange]] = defaultdict(list)
-    found = select(BusyRange).where(BusyRange.entry_id.in_(entry_ids)).order_by(BusyRange.from_on, BusyRange.id)
-    for one in session.scalars(found):
-        by_entry[one.entry_id].append(one)
+    query = select(BusyRange).where(BusyRange.entry_id.in_(entry_ids)).order_by(BusyRange.from_on, BusyRange.id)
+    for busy_range in session.scalars(query):
+        by_entry[busy_range.entry_id].append(busy_range)
     return by_entry
 
 
@@ -82,8 +82,8 @@ def drop_entry(session: Session, entry_id: UUID) -> None:
 def sounds_of(session: Session, entry_ids: Collection[UUID]) -> dict[UUID, list[ReelSound]]:
     """Return by entry the sounds of the reel, in the order in which they were added."""
     by_entry: defaultdict[UUID, list[ReelSound]] = defaultdict(list)
-    for one in session.scalars(select(ReelSound).where(ReelSound.entry_id.in_(entry_ids)).order_by(ReelSound.id)):
-        by_entry[one.entry_id].append(one)
+    for sound in session.scalars(select(ReelSound).where(ReelSound.entry_id.in_(entry_ids)).order_by(ReelSound.id)):
+        by_entry[sound.entry_id].append(sound)
     return by_entry
 
 
@@ -98,20 +98,20 @@ kept_reel_bytes = Usage(ReelSound.studio_id, sha256=ReelSound.sha256, size_bytes
 def designers_of(session: Session, studio_id: UUID, emails: Collection[str]) -> dict[str, Person]:
     """Return by address the people with that proven address who are or were engaged by a studio."""
     engaged = exists().where(Engagement.designer_id == Person.id, Engagement.studio_id == studio_id)
-    found = select(Person).where(Person.email.in_(emails), Person.email_proof.is_not(None), engaged)
-    return {person.email: person for person in session.scalars(found)}
+    query = select(Person).where(Person.email.in_(emails), Person.email_proof.is_not(None), engaged)
+    return {person.email: person for person in session.scalars(query)}
 
 
 def entries_of_addresses(session: Session, studio_id: UUID, emails: Collection[str]) -> dict[str, RosterEntry]:
     """Return by address whom a studio has on file."""
-    found = select(RosterEntry).where(RosterEntry.studio_id == studio_id, RosterEntry.email.in_(emails))
-    return {entry.email: entry for entry in session.scalars(found)}
+    query = select(RosterEntry).where(RosterEntry.studio_id == studio_id, RosterEntry.email.in_(emails))
+    return {entry.email: entry for entry in session.scalars(query)}
 
 
 def entries_by_id(session: Session, studio_id: UUID, entry_ids: Collection[UUID]) -> Sequence[RosterEntry]:
     """Return those of these entries that a studio has."""
-    found = select(RosterEntry).where(RosterEntry.studio_id == studio_id, RosterEntry.id.in_(entry_ids))
-    return session.scalars(found.order_by(RosterEntry.id)).all()
+    query = select(RosterEntry).where(RosterEntry.studio_id == studio_id, RosterEntry.id.in_(entry_ids))
+    return session.scalars(query.order_by(RosterEntry.id)).all()
 
 
 def postings_to_ask_about(session: Session, studio_id: UUID) -> Sequence[Posting]:
@@ -129,7 +129,7 @@ def postings_to_ask_about(session: Session, studio_id: UUID) -> Sequence[Posting
 
 def asked_postings(session: Session, email: str, posting_ids: Collection[UUID]) -> set[UUID]:
     """Return those of these postings that an address is asked about."""
-    found = select(Candidate.posting_id).where(
+    query = select(Candidate.posting_id).where(
         Candidate.email == email, Candidate.posting_id.in_(posting_ids), Candidate.revoked_at.is_(None)
     )
-    return set(session.scalars(found))
+    return set(session.scalars(query))

@@ -59,9 +59,9 @@ def roster_read(
 ) -> RosterRead:
     """Return one page of those on file who match, with what is taken of their days."""
     access = roster_access(session, actor, studio_id)
-    all_entries, found = found_entries(session, studio_id, wanted)
-    start = _after(found, cursor)
-    shown = found[start : start + PAGE]
+    all_entries, entries = found_entries(session, studio_id, wanted)
+    start = _after(entries, cursor)
+    shown = entries[start : start + PAGE]
     ids = [entry.id for entry in shown]
     ranges, sounds = roster_queries.ranges_of(session, ids), roster_queries.sounds_of(session, ids)
     engaged = roster_queries.designers_of(session, studio_id, [entry.email for entry in shown])
@@ -70,8 +70,8 @@ def roster_read(
             _row(access, entry, ranges.get(entry.id, []), sounds.get(entry.id, []), days, entry.email in engaged)
             for entry in shown
         ],
-        next=str(shown[-1].id) if start + PAGE < len(found) else None,
-        found=len(found),
+        next=str(shown[-1].id) if start + PAGE < len(entries) else None,
+        found=len(entries),
         total=len(all_entries),
         first_week_on=monday_of(access.today),
         specialities=_counts([entry.specialities for entry in all_entries]),
@@ -80,14 +80,14 @@ def roster_read(
     )
 
 
-def _after(found: Sequence[RosterEntry], cursor: str | None) -> int:
+def _after(entries: Sequence[RosterEntry], cursor: str | None) -> int:
     last = uuid_cursor(cursor)
     if last is None or cursor is None:
         return 0
-    place = next((place for place, entry in enumerate(found) if entry.id == last), None)
-    if place is None:
+    index = next((position for position, entry in enumerate(entries) if entry.id == last), None)
+    if index is None:
         raise bad_cursor(cursor)
-    return place + 1
+    return index + 1
 
 
 def _counts(values: Sequence[Sequence[str]]) -> list[ValueCount]:
@@ -145,7 +145,7 @@ def entry_read(session: Session, actor: Actor, entry_id: UUID) -> RosterEntryRea
         free_from_on=free_from(busy, access.today, entry.available_from_on),
         first_week_on=monday_of(access.today),
         weeks=weeks(busy, access.today, entry.available_from_on),
-        busy=[BusyRangeRead.model_validate(one) for one in ranges],
+        busy=[BusyRangeRead.model_validate(busy_range) for busy_range in ranges],
         reel=[ReelSoundRead.model_validate(sound) for sound in sounds],
         designer=PersonBrief.model_validate(person) if person else None,
     )

@@ -46,8 +46,8 @@ def add_sound(
         raise ReelFull(f"a reel has {MAX_SOUNDS} sounds at most", fix="remove one first")
     upload = finished_upload(session, upload_id, owner_id=actor.person, scope=upload_scope(entry_id))
     end = min(HEAD_BYTES, upload.size_bytes)
-    found = type_of(b"".join(store.stream(entry.studio_id, upload.sha256, 0, end)) if end else b"")
-    if found.kind is not ReferenceKind.AUDIO:
+    file_type = type_of(b"".join(store.stream(entry.studio_id, upload.sha256, 0, end)) if end else b"")
+    if file_type.kind is not ReferenceKind.AUDIO:
         message = "this is not a sound that browsers play; wanted WAV, FLAC, MP3, Ogg or M4A"
         raise NoSound(message, errors=[FieldProblem(where="upload_id", message=message)])
     sound = ReelSound(
@@ -55,7 +55,7 @@ def add_sound(
         entry_id=entry_id,
         title=title,
         file_name=upload.file_name,
-        media_type=found.media_type,
+        media_type=file_type.media_type,
         sha256=upload.sha256,
         file_bytes=upload.size_bytes,
         added_by=actor.person,

@@ -100,7 +100,7 @@ def matches(known: Known, wanted: RosterFilter) -> bool:
     if wanted.service is not None and wanted.service not in known.services:
         return False
     for value, own in ((wanted.speciality, known.specialities), (wanted.language, known.languages)):
-        if value and value.casefold() not in {one.casefold() for one in own}:
+        if value and value.casefold() not in {name.casefold() for name in own}:
             return False
     words = wanted.words.casefold().split()
     if not words:
@@ -114,10 +114,10 @@ def counted(values: Iterable[Sequence[str]]) -> list[tuple[str, int]]:
     counts: Counter[str] = Counter()
     shown: dict[str, str] = {}
     for own in values:
-        for folded, value in {one.casefold(): one for one in own}.items():
+        for folded, value in {name.casefold(): name for name in own}.items():
             counts[folded] += 1
             shown.setdefault(folded, value)
-    return [(shown[folded], count) for folded, count in sorted(counts.items(), key=lambda one: (-one[1], one[0]))]
+    return [(shown[folded], count) for folded, count in sorted(counts.items(), key=lambda pair: (-pair[1], pair[0]))]
 
 
 def tidy_values(values: Iterable[str]) -> list[str]:
@@ -143,8 +143,8 @@ def weeks(ranges: Sequence[Busy], today: date, available_from_on: date | None = 
     last = first + WEEKS_SHOWN * WEEK
     booked, half = set(_days(ranges, BusyKind.BOOKED, today, last)), set(_days(ranges, BusyKind.HALF_DAYS, today, last))
     states = []
-    for place in range(WEEKS_SHOWN):
-        monday = first + place * WEEK
+    for week in range(WEEKS_SHOWN):
+        monday = first + week * WEEK
         days = [day for offset in range(WORKING_DAYS) if (day := monday + timedelta(days=offset)) >= today]
         taken = sum(day in booked or (available_from_on is not None and day < available_from_on) for day in days)
         if days and taken == len(days):
@@ -164,18 +164,18 @@ def free_days(ranges: Sequence[Busy], today: date, available_from_on: date | Non
     last = first + WEEKS_SHOWN * WEEK
     booked, half = set(_days(ranges, BusyKind.BOOKED, today, last)), set(_days(ranges, BusyKind.HALF_DAYS, today, last))
     free = []
-    for place in range(WEEKS_SHOWN):
-        days = [first + place * WEEK + timedelta(days=offset) for offset in range(WORKING_DAYS)]
+    for week in range(WEEKS_SHOWN):
+        days = [first + week * WEEK + timedelta(days=offset) for offset in range(WORKING_DAYS)]
         open_days = [day for day in days if day >= max(today, available_from_on or today) and day not in booked]
         free.append(sum(0.5 if day in half else 1.0 for day in open_days))
     return free
 
 
 def _days(ranges: Sequence[Busy], kind: BusyKind, first: date, last: date) -> Iterator[date]:
-    for one in ranges:
-        if one.kind is kind:
-            start = max(one.from_on, first)
-            for offset in range((min(one.to_on, last) - start).days + 1):
+    for busy in ranges:
+        if busy.kind is kind:
+            start = max(busy.from_on, first)
+            for offset in range((min(busy.to_on, last) - start).days + 1):
                 yield start + timedelta(days=offset)
 
 
@@ -189,30 +189,34 @@ def clashes(
     if available_from_on is not None and available_from_on > first:
         taken.append(Busy(first, available_from_on - timedelta(days=1), note="not available yet"))
     within = [
-        Busy(max(one.from_on, first), min(one.to_on, last), one.kind, one.note)
-        for one in taken
-        if one.from_on <= last and first <= one.to_on
+        Busy(max(busy.from_on, first), min(busy.to_on, last), busy.kind, busy.note)
+        for busy in taken
+        if busy.from_on <= last and first <= busy.to_on
     ]
-    return sorted(within, key=lambda one: (one.from_on, one.to_on))
+    return sorted(within, key=lambda busy: (busy.from_on, busy.to_on))
 
 
 def free_from(ranges: Sequence[Busy], today: date, available_from_on: date | None) -> date:
     """Return the first day from today on that is not booked; half days count as free."""
     day = max(today, available_from_on or today)
-    booked = sorted((one for one in ranges if one.kind is BusyKind.BOOKED), key=lambda one: one.from_on)
-    for one in booked:
-        if one.from_on <= day <= one.to_on:
-            day = one.to_on + timedelta(days=1)
+    booked = sorted((busy for busy in ranges if busy.kind is BusyKind.BOOKED), key=lambda busy: busy.from_on)
+    for booking in booked:
+        if booking.from_on <= day <= booking.to_on:
+            day = booking.to_on + timedelta(days=1)
     return day
 
 
 def merged(ranges: Iterable[Busy]) -> list[Busy]:
     """Return ranges of one kind and note that touch or overlap as one, the earliest first."""
     joined: list[Busy] = []
-    for one in sorted(ranges, key=lambda busy: (busy.kind, busy.note, busy.from_on)):
+    for busy_range in sorted(ranges, key=lambda busy: (busy.kind, busy.note, busy.from_on)):
         last = joined[-1] if joined else None
-        if last and (last.kind, last.note) == (one.kind, one.note) and one.from_on <= last.to_on + timedelta(days=1):
-            joined[-1] = Busy(last.from_on, max(last.to_on, one.to_on), one.kind, one.note)
+        if (
+            last
+            and (last.kind, last.note) == (busy_range.kind, busy_range.note)
+            and busy_range.from_on <= last.to_on + timedelta(days=1)
+        ):
+            joined[-1] = Busy(last.from_on, max(last.to_on, busy_range.to_on), busy_range.kind, busy_range.note)
         else:
-            joined.append(one)
+            joined.append(busy_range)
     return sorted(joined, key=lambda busy: (busy.from_on, busy.to_on))

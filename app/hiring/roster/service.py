@@ -91,7 +91,7 @@ def entries_of_bidders(
 
 def busy_of(ranges: Iterable[BusyRange]) -> list[Busy]:
     """Return the days that are taken as rules read them."""
-    return [Busy(one.from_on, one.to_on, one.kind, one.note) for one in ranges]
+    return [Busy(busy.from_on, busy.to_on, busy.kind, busy.note) for busy in ranges]
 
 
 def add_entry(session: Session, actor: Actor, studio_id: UUID, facts: Mapping[str, Any]) -> RosterEntry:
@@ -125,12 +125,12 @@ def remove_entry(session: Session, actor: Actor, entry_id: UUID) -> None:
 
 def ensure_links(links: Sequence[Mapping[str, str]]) -> None:
     """Raise RosterInvalid for a link that is not a plain https address."""
-    for place, link in enumerate(links):
+    for index, link in enumerate(links):
         try:
             host_of(link["url"])
         except ReferenceInvalid as error:
             raise RosterInvalid(
-                error.message, errors=[FieldProblem(where=f"links.{place}.url", message=error.message)]
+                error.message, errors=[FieldProblem(where=f"links.{index}.url", message=error.message)]
             ) from None
 
 
@@ -207,20 +207,22 @@ def _locked(session: Session, entry_id: UUID) -> RosterEntry:
 def set_busy(session: Session, actor: Actor, entry_id: UUID, ranges: Sequence[Busy]) -> None:
     """Replace the days that were typed; those of the calendar file stay."""
     entry_seen(session, actor, entry_id)
-    for place, one in enumerate(ranges):
-        if one.to_on < one.from_on:
+    for index, busy in enumerate(ranges):
+        if busy.to_on < busy.from_on:
             message = "ends before it begins"
             raise RosterInvalid(
-                f"a period {message}", errors=[FieldProblem(where=f"ranges.{place}.to_on", message=message)]
+                f"a period {message}", errors=[FieldProblem(where=f"ranges.{index}.to_on", message=message)]
             )
     _replace(session, _locked(session, entry_id), ranges, from_calendar=False)
 
 
-def read_calendar(session: Session, actor: Actor, entry_id: UUID, found: Sequence[Range], *, file_name: str) -> None:
+def read_calendar(session: Session, actor: Actor, entry_id: UUID, calendar: Sequence[Range], *, file_name: str) -> None:
     """Replace the days of the calendar file by those of a newer one."""
     access, _ = entry_seen(session, actor, entry_id)
     entry = _locked(session, entry_id)
-    ranges = [Busy(date.fromisoformat(first), date.fromisoformat(last), BusyKind(kind)) for first, last, kind in found]
+    ranges = [
+        Busy(date.fromisoformat(first), date.fromisoformat(last), BusyKind(kind)) for first, last, kind in calendar
+    ]
     _replace(session, entry, ranges, from_calendar=True)
     entry.calendar_name, entry.calendar_read_at = file_name, clock.now()
     entry.calendar_to_on = access.today + HORIZON
@@ -242,28 +244,28 @@ def _replace(session: Session, entry: RosterEntry, ranges: Sequence[Busy], *, fr
         BusyRange(
             studio_id=entry.studio_id,
             entry_id=entry.id,
-            from_on=one.from_on,
-            to_on=one.to_on,
-            kind=one.kind,
-            note=one.note,
+            from_on=busy.from_on,
+            to_on=busy.to_on,
+            kind=busy.kind,
+            note=busy.note,
             is_from_calendar=from_calendar,
         )
-        for one in ranges
+        for busy in ranges
     )
     session.flush()
 
 
 def postings_to_ask_about(session: Session, actor: Actor, entry: RosterEntry) -> list[Posting]:
     """Return the drafts and open postings that the caller may ask a designer about."""
-    found = []
+    postings = []
     may_speak: dict[UUID, bool] = {}
     for posting in roster_queries.postings_to_ask_about(session, entry.studio_id):
         if posting.project_id not in may_speak:
             access = project_access(session, actor, posting.project_id)
             may_speak[posting.project_id] = access.is_producer or access.is_liaison or access.is_approver
         if may_speak[posting.project_id]:
-            found.append(posting)
-    return found
+            postings.append(posting)
+    return postings
 
 
 def addresses_on_file(session: Session, actor: Actor, posting_id: UUID, entry_ids: Sequence[UUID]) -> list[str]:

@@ -111,7 +111,9 @@ def _billed(session: Session, contract: Contract, invoice: Invoice) -> BilledInv
     is_credit = sum(line.amount_minor for line in owed) < 0
     parties = _parties(session, contract, invoice, is_credit=is_credit, is_untaxed=is_untaxed)
     first, last = queries.days_of_invoice(session, invoice.id)
-    corrects = [(one.full_number, one.issued_on) for one in queries.invoices_corrected_by(session, invoice.id)]
+    corrects = [
+        (corrected.full_number, corrected.issued_on) for corrected in queries.invoices_corrected_by(session, invoice.id)
+    ]
     notes = [invoice.note] if invoice.note else []
     if len(corrects) > 1:
         notes.append(f"Corrects the invoices {', '.join(number for number, _ in corrects)}.")

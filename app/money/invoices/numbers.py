@@ -47,10 +47,10 @@ def advice(number: str, used: Collection[str]) -> str:
     counted = _counted(number)
     if counted is None:
         return f"It has no digits to count on; the next one would be {number}-2."
-    series = [one for one in map(_counted, used) if one is not None and one.series == counted.series]
+    series = [other for other in map(_counted, used) if other is not None and other.series == counted.series]
     if not series:
         return ""
-    highest = max(one.count for one in series)
+    highest = max(other.count for other in series)
     if counted.count < highest:
         return f"{counted.at(highest)} is issued already; this one stands before it."
     missing = counted.count - highest - 1

@@ -178,7 +178,7 @@ def _put_on(session: Session, invoice: Invoice, texts: dict[UUID, str]) -> None:
 def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dict[UUID, str]:
     """Return in words what lines are for, by their ids."""
     cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
-    milestones = {one.id: one.name for one in plan_queries.milestones_of(session, contract.id)}
+    milestones = {milestone.id: milestone.name for milestone in plan_queries.milestones_of(session, contract.id)}
     cut_in = {cue.cue_id: cue.cut_in for cue in plan_queries.cues_of(session, contract.id)}
 
     worked = {worked_day.id: worked_day for worked_day in queries.worked_days_of(session, contract.id)}
@@ -224,7 +224,7 @@ def invoices(session: Session, actor: Actor, contract_id: UUID) -> list[schemas.
     """Return the invoices of a contract, the oldest first."""
     contract = visible_contract(session, actor, contract_id)
     book = load_ledger_book(session, contract)
-    return [invoice_read(session, contract, book, one) for one in queries.invoices_of(session, contract.id)]
+    return [invoice_read(session, contract, book, row) for row in queries.invoices_of(session, contract.id)]
 
 
 def visible_invoice(session: Session, actor: Actor, invoice_id: UUID) -> tuple[Invoice, Contract]:
@@ -240,18 +240,18 @@ def visible_invoice(session: Session, actor: Actor, invoice_id: UUID) -> tuple[I
 
 def invoice(session: Session, actor: Actor, invoice_id: UUID) -> schemas.InvoiceRead:
     """Return an invoice with its lines and payments."""
-    found, contract = visible_invoice(session, actor, invoice_id)
-    return invoice_read(session, contract, load_ledger_book(session, contract), found)
+    row, contract = visible_invoice(session, actor, invoice_id)
+    return invoice_read(session, contract, load_ledger_book(session, contract), row)
 
 
 def charge_late_interest(session: Session, actor: Actor, invoice_id: UUID) -> schemas.InvoiceRead:
     """Make the interest that an invoice bears by today due, as its designer; what is charged already is left out."""
-    found, contract = visible_invoice(session, actor, invoice_id)
+    row, contract = visible_invoice(session, actor, invoice_id)
     if contract.designer_id != actor.person:
         raise OtherPartyNeeded("the designer of this contract charges interest", fix="ask the designer for it")
     lock_contract(session, contract.id)
     book, today = load_ledger_book(session, contract), plan_queries.today_of(session, contract)
-    accrued_minor, charged_minor = _late_interest(session, contract, book, found, today)
+    accrued_minor, charged_minor = _late_interest(session, contract, book, row, today)
     if accrued_minor <= charged_minor:
         raise NoInterestDue(
             f"{money(charged_minor, contract.currency)} of interest is charged, and no more is due",
@@ -261,11 +261,11 @@ def charge_late_interest(session: Session, actor: Actor, invoice_id: UUID) -> sc
         LineKind.LATE_INTEREST,
         accrued_minor - charged_minor,
         CLAUSES[LineKind.LATE_INTEREST],
-        late_invoice_id=found.id,
+        late_invoice_id=row.id,
         late_until_on=today,
     )
     write(session, contract, [entry], person_id=actor.person)
-    return invoice_read(session, contract, load_ledger_book(session, contract), found)
+    return invoice_read(session, contract, load_ledger_book(session, contract), row)
 
 
 def _late_interest(
@@ -336,7 +336,7 @@ def invoice_read(session: Session, contract: Contract, book: LedgerBook, invoice
                 paid_on=payment.paid_on,
                 refund_of_id=payment.refund_of_id,
                 left_minor=payment.amount_minor
-                + sum(one.amount_minor for one in payments if one.refund_of_id == payment.id),
+                + sum(refund.amount_minor for refund in payments if refund.refund_of_id == payment.id),
             )
             for payment in payments
         ],

@@ -97,7 +97,7 @@ class LedgerBook:
             raise AssertionError("a payment entry names what it pays")
         if line.kind is LineKind.PAID:
             return line.about_id
-        return self._owed_id(next(one for one in self.lines if one.id == line.about_id))
+        return self._owed_id(next(candidate for candidate in self.lines if candidate.id == line.about_id))
 
     @property
     def owed(self) -> list[Line]:
@@ -299,7 +299,7 @@ def allocate(book: LedgerBook, invoice_id: UUID, amount_minor: int) -> list[Entr
         )
     left_minor = sign * amount_minor
     entries: list[Entry] = []
-    for line in sorted(lines, key=lambda one: sign * one.amount_minor > 0):
+    for line in sorted(lines, key=lambda candidate: sign * candidate.amount_minor > 0):
         step = sign * open_minor[line.id]
         if step > 0:
             step = min(step, left_minor)

@@ -117,5 +117,5 @@ def csv_of(bookings: Iterable[Booking]) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\r\n")
     writer.writerow(COLUMNS)
-    writer.writerows(booking.cells for booking in sorted(bookings, key=lambda one: one.document.on))
+    writer.writerows(booking.cells for booking in sorted(bookings, key=lambda entry: entry.document.on))
     return out.getvalue()

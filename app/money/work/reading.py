@@ -29,7 +29,7 @@ def worked_days(session: Session, actor: Actor, contract_id: UUID) -> list[Worke
 def worked_day(session: Session, day: WorkedDay) -> WorkedDayRead:
     """Return one entry of logged work with its price."""
     contract = session.get_one(Contract, day.contract_id)
-    return next(one for one in _read(session, contract) if one.id == day.id)
+    return next(other for other in _read(session, contract) if other.id == day.id)
 
 
 def _read(session: Session, contract: Contract) -> list[WorkedDayRead]:
@@ -39,19 +39,19 @@ def _read(session: Session, contract: Contract) -> list[WorkedDayRead]:
     prefix = session.get_one(Project, contract.project_id).cue_prefix
     return [
         WorkedDayRead(
-            id=one.id,
-            worked_on=one.worked_on,
-            quarters=one.quarters,
-            minutes=one.minutes,
-            cue=brief(one.cue, prefix) if one.cue else None,
-            note=one.note,
-            state=_state(one),
-            amount_minor=price_of(one.quarters, rate_minor) if one.quarters else of_hours[one.id],
-            agreed_at=one.agreed_at,
-            refused_at=one.refused_at,
-            refusal=one.refusal,
+            id=day.id,
+            worked_on=day.worked_on,
+            quarters=day.quarters,
+            minutes=day.minutes,
+            cue=brief(day.cue, prefix) if day.cue else None,
+            note=day.note,
+            state=_state(day),
+            amount_minor=price_of(day.quarters, rate_minor) if day.quarters else of_hours[day.id],
+            agreed_at=day.agreed_at,
+            refused_at=day.refused_at,
+            refusal=day.refusal,
         )
-        for one in logged
+        for day in logged
     ]
 
 
@@ -70,7 +70,7 @@ def _prices_of_hours(session: Session, contract: Contract, logged: Sequence[Work
             if line.worked_day_id is not None:
                 prices[line.worked_day_id] = line.amount_minor
         approved = Counter(hours.approved)
-        for one in hours.waiting:
-            prices[one.id] = hours.charge(one, approved)
-            approved[hours.month_of(one.worked_on)] += one.minutes or 0
+        for day in hours.waiting:
+            prices[day.id] = hours.charge(day, approved)
+            approved[hours.month_of(day.worked_on)] += day.minutes or 0
     return prices

@@ -83,6 +83,6 @@ def month_of(day: date, agreed_on: date) -> int:
 
 def month_begins_on(month: int, agreed_on: date) -> date:
     """Return the first day of a contract's month: the 31st is the last day of a month that has none."""
-    years, place = divmod(agreed_on.month - 1 + month - 1, 12)
+    years, month_index = divmod(agreed_on.month - 1 + month - 1, 12)
     year = agreed_on.year + years
-    return date(year, place + 1, min(agreed_on.day, calendar.monthrange(year, place + 1)[1]))
+    return date(year, month_index + 1, min(agreed_on.day, calendar.monthrange(year, month_index + 1)[1]))

@@ -71,7 +71,10 @@ def log_work(session: Session, actor: Actor, contract_id: UUID, work: Work) -> W
     day = None
     if work.quarters is not None:
         logged = queries.worked_days_of(session, contract.id)
-        day = next((one for one in logged if one.quarters and one.worked_on == work.worked_on), None)
+        day = next(
+            (worked_day for worked_day in logged if worked_day.quarters and worked_day.worked_on == work.worked_on),
+            None,
+        )
     if day is None:
         day = WorkedDay(
             studio_id=contract.studio_id,

@@ -33,7 +33,7 @@ class HourBook:
         self.today = days.of(clock.now())
         self.agreed_on = days.of(contract.agreed_at) if contract.agreed_at else self.today
         logged = queries.worked_days_of(session, contract.id) if self.money_terms.has_hours else ()
-        self.entries: Sequence[WorkedDay] = [one for one in logged if one.minutes is not None]
+        self.entries: Sequence[WorkedDay] = [day for day in logged if day.minutes is not None]
 
     def month_of(self, day: date) -> int:
         """Return in which month of the contract a day is."""
