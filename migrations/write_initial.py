@@ -2,6 +2,7 @@
 
 import hashlib
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -56,5 +57,19 @@ def _render_type(kind: str, item: Any, _context: Any) -> str | Literal[False]:
     return False
 
 
+def release_of(checkout: Path) -> str | None:
+    """Return the first release of a checkout, whose tables no later version may write anew; None before there is one."""
+    command = ["git", "-C", str(checkout), "tag", "--list", "v[0-9]*", "--sort=version:refname"]
+    if shutil.which("git") is None:
+        return None
+    tags = subprocess.run(command, check=False, capture_output=True, text=True).stdout.split()
+    return tags[0] if tags else None
+
+
 if __name__ == "__main__":
+    if release := release_of(INITIAL.parent):
+        sys.exit(
+            f"{INITIAL.name} was released with {release}, and databases were made by it: leave it as it is, and add a file"
+            " to migrations/versions that changes its tables, with its revision as down_revision"
+        )
     write_initial(INITIAL)
