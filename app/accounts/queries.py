@@ -160,8 +160,8 @@ def record_desk_token_use(session: Session, desk_token_id: UUID) -> None:
 
 def desk_tokens(session: Session, person_id: UUID) -> Sequence[DeskToken]:
     """Return a person's desk tokens that are not over, newest first."""
-    found = select(DeskToken).where(DeskToken.person_id == person_id, DeskToken.expires_at > clock.now())
-    return session.scalars(found.order_by(DeskToken.id.desc())).all()
+    query = select(DeskToken).where(DeskToken.person_id == person_id, DeskToken.expires_at > clock.now())
+    return session.scalars(query.order_by(DeskToken.id.desc())).all()
 
 
 def actor_for_demo_part(session: Session, part: str) -> Actor | None:
@@ -335,8 +335,8 @@ def membership(session: Session, studio_id: UUID, person_id: UUID) -> Membership
 
 def member_at_address(session: Session, studio_id: UUID, email: str) -> UUID | None:
     """Return the member of the studio to whom a normalised address belongs."""
-    found = select(Membership.person_id).join(Membership.person)
-    return session.scalar(found.where(Membership.studio_id == studio_id, Person.email == email))
+    query = select(Membership.person_id).join(Membership.person)
+    return session.scalar(query.where(Membership.studio_id == studio_id, Person.email == email))
 
 
 def studio_invitations(session: Session, studio_id: UUID) -> Sequence[StudioInvitation]:

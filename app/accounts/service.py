@@ -205,10 +205,10 @@ def _membership_to_change(
 ) -> Membership:
     ensure_producer_of(session, actor, studio_id)
     queries.studio_locked(session, studio_id)  # two producers leaving at once would leave none
-    places = {place.person_id: place for place in queries.members(session, studio_id)}
+    places = {member.person_id: member for member in queries.members(session, studio_id)}
     if person_id not in places:
         raise MemberNotFound(f"no person {person_id} in this studio")
-    others = [frozenset(Role(role) for role in place.roles) for id_, place in places.items() if id_ != person_id]
+    others = [frozenset(Role(role) for role in member.roles) for id_, member in places.items() if id_ != person_id]
     ensure_producer_remains(others, wanted)
     return places[person_id]
 
@@ -295,14 +295,14 @@ def accept_studio_invitation(
         invitation.accepted_at = clock.now()
         invitation.accepted_by = person.id
         roles = {Role(role) for role in invitation.roles}
-        place = queries.membership(session, invitation.studio_id, person.id)
-        if Role.PRODUCER in roles and (place is None or Role.PRODUCER not in place.roles):
+        membership = queries.membership(session, invitation.studio_id, person.id)
+        if Role.PRODUCER in roles and (membership is None or Role.PRODUCER not in membership.roles):
             publish(session, "producer.named", studio_id=invitation.studio_id, person_id=person.id)
-        if place is None:
+        if membership is None:
             add_member(session, invitation.studio_id, person.id, roles)
         else:
-            roles |= {Role(role) for role in place.roles}
-            place.roles = sorted(roles)
+            roles |= {Role(role) for role in membership.roles}
+            membership.roles = sorted(roles)
         publish(session, "member.joined", studio_id=invitation.studio_id, person_id=person.id, roles=sorted(roles))
         if invitation.approves_project_id is not None:
             publish(

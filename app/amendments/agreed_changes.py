@@ -31,7 +31,9 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
     order.state, order.closed_at = ChangeOrderState.AGREED, clock.now()
     session.flush()
     changes = schemas.CHANGES.validate_python(order.changes)
-    terms = {name: cap for one in changes if one.kind == "set_caps" for name, cap in one.terms.items()}
+    terms = {
+        name: cap for set_change in changes if set_change.kind == "set_caps" for name, cap in set_change.terms.items()
+    }
     contract.changed_terms = contract.changed_terms | terms
     facts = {
         "change_order": order.number,
@@ -42,7 +44,7 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
     record.append(session, contract.id, "changed", facts, by=person_id)
     end_pause(session, contract, order.number)
     states = work_states(session, contract)
-    position = max((one.position for one in reviewer.covered.values()), default=0)
+    position = max((contract_cue.position for contract_cue in reviewer.covered.values()), default=0)
     entries: list[Entry] = []
     for change in changes:
         match change.kind:
@@ -92,9 +94,9 @@ def _agree_round(session: Session, reviewer: Reviewer, cue_id: UUID, *, person_i
         for extra_round in money_queries.extra_rounds_of(session, contract.id)
         if extra_round.cue_id == cue_id
     ]
-    proposed = next((one for one in known if one.agreed_at is None and one.dropped_at is None), None)
+    proposed = next((round_ for round_ in known if round_.agreed_at is None and round_.dropped_at is None), None)
     if proposed is None:
         counted = round_counts(session, [cue_id]).get(cue_id, 0)
-        number = max([reviewer.terms.rounds_included, counted, *(one.number for one in known)]) + 1
+        number = max([reviewer.terms.rounds_included, counted, *(round_.number for round_ in known)]) + 1
         proposed = add_round(session, contract, cue_id, number=number, person_id=person_id)
     charge_round(session, contract, proposed, person_id=person_id)

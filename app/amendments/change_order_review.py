@@ -62,8 +62,8 @@ class Reviewer:
 
     def is_done(self, milestone_id: UUID) -> bool:
         """Whether a milestone has cues and all of them are settled."""
-        own = [one for one in self.covered.values() if one.milestone_id == milestone_id]
-        return bool(own) and all(one.accepted_at or one.cut_at for one in own)
+        own = [contract_cue for contract_cue in self.covered.values() if contract_cue.milestone_id == milestone_id]
+        return bool(own) and all(contract_cue.accepted_at or contract_cue.cut_at for contract_cue in own)
 
     def round_minor(self, covered: ContractCue) -> int:
         """Return the cost of a further round of a cue by the contract."""
@@ -165,7 +165,9 @@ class Reviewer:
 
     def _difference(self, changes: Sequence[schemas.Change]) -> schemas.DifferenceRead:
         before = self.plan()
-        after = changed_plan(before, [one for one in map(self._difference_of, changes) if one is not None])
+        after = changed_plan(
+            before, [difference for difference in map(self._difference_of, changes) if difference is not None]
+        )
         states = work_states(self.session, self.contract)
         gone = {change.cue_id for change in changes if change.kind == "cut_cue"}
         not_owed = sum(
@@ -179,9 +181,9 @@ class Reviewer:
         figures = overview.figures(self.session, self.contract, load_ledger_book(self.session, self.contract))
         price = figures.agreed_minor - figures.saved_minor
         added = sum(new.amount_minor - old.amount_minor for old, new in zip(before, after, strict=True))
-        cues = sum(1 for one in self.covered.values() if one.cut_at is None)
-        advice_before = check_plan([one.payment for one in before], self.contract.currency)
-        advice_after = check_plan([one.payment for one in after], self.contract.currency)
+        cues = sum(1 for contract_cue in self.covered.values() if contract_cue.cut_at is None)
+        advice_before = check_plan([planned.payment for planned in before], self.contract.currency)
+        advice_after = check_plan([planned.payment for planned in after], self.contract.currency)
         terms = agreed_terms(self.session, self.contract)
         warnings = warnings_of(
             before,
@@ -209,8 +211,8 @@ class Reviewer:
                 for old, new in zip(before, after, strict=True)
             ],
             warnings=[AdviceRead.model_validate(warning) for warning in warnings],
-            advice=[AdviceRead.model_validate(one) for one in worsened(advice_before, advice_after)],
-            advice_gone=[AdviceRead.model_validate(one) for one in resolved(advice_before, advice_after)],
+            advice=[AdviceRead.model_validate(advice) for advice in worsened(advice_before, advice_after)],
+            advice_gone=[AdviceRead.model_validate(advice) for advice in resolved(advice_before, advice_after)],
         )
 
     def _with_more_work(self, changes: Sequence[schemas.Change]) -> set[UUID]:
@@ -220,7 +222,7 @@ class Reviewer:
 
     def plan(self) -> list[Planned]:
         """Return the milestones as they stand; cues that were cut no longer count."""
-        wanted = [one.milestone_id for one in self.covered.values() if one.cut_at is None]
+        wanted = [contract_cue.milestone_id for contract_cue in self.covered.values() if contract_cue.cut_at is None]
         return [
             Planned(
                 milestone.id,

@@ -42,9 +42,9 @@ def change_order_text(
         if (milestone.amount_before_minor, milestone.due_before) != (milestone.amount_after_minor, milestone.due_after)
     ]
     rows = [
-        f"| {literal(one.name)} | {_on(one.due_before)} | {_on(one.due_after)} "
-        f"| {money(one.amount_before_minor, currency)} | {money(one.amount_after_minor, currency)} |"
-        for one in changed
+        f"| {literal(milestone.name)} | {_on(milestone.due_before)} | {_on(milestone.due_after)} "
+        f"| {money(milestone.amount_before_minor, currency)} | {money(milestone.amount_after_minor, currency)} |"
+        for milestone in changed
     ]
     heads = ["| Milestone | Date | New date | Amount | New amount |", "| --- | --- | --- | --- | --- |"]
     begins = (

@@ -71,12 +71,12 @@ def change_orders(session: Session, actor: Actor, contract_id: UUID) -> schemas.
         ],
         cues=[
             schemas.OrderCue(
-                cue=overview.brief(one.cue, reviewer.prefix),
-                price_minor=one.amount_minor or 0,
-                round_minor=reviewer.round_minor(one),
+                cue=overview.brief(contract_cue.cue, reviewer.prefix),
+                price_minor=contract_cue.amount_minor or 0,
+                round_minor=reviewer.round_minor(contract_cue),
             )
-            for one in reviewer.covered.values()
-            if one.accepted_at is None and one.cut_at is None
+            for contract_cue in reviewer.covered.values()
+            if contract_cue.accepted_at is None and contract_cue.cut_at is None
         ],
         caps=reviewer.caps.read(),
         cues_to_add=[
@@ -307,7 +307,7 @@ def _read(
         blocks=[BlockRead.model_validate(block) for block in blocks_of(order.text)],
         difference=review.difference,
         problems=review.problems,
-        signed=[schemas.SignedRead.model_validate(one) for one in given],
+        signed=[schemas.SignedRead.model_validate(signature) for signature in given],
         signatures_needed=standing.needed,
         may=schemas.ChangeOrderMay(
             agree=is_party and not review.problems and standing.is_my_turn,

@@ -256,7 +256,7 @@ def _read(session: Session, contract: Contract, actor: Actor | None) -> schemas.
         read.statement_sha256 = sha256_of(statement_text(read, contract.project.studio.name))
     if read.statement_sha256 is not None:
         given = queries.acceptances_of(session, contract.id, read.statement_sha256)
-        read.signed = [schemas.SignedRead.model_validate(one) for one in given]
+        read.signed = [schemas.SignedRead.model_validate(signature) for signature in given]
         standing = signatures(session, contract, given, actor.person_id if actor else None, party)
         read.signatures_needed = standing.needed
         read.may.agree &= standing.is_my_turn
@@ -296,11 +296,11 @@ def _open_points(session: Session, contract: Contract, terms: MoneyTerms) -> lis
     days = [
         schemas.OpenPointRead(
             kind="day",
-            text=f"work on {day_in_words(one.worked_on)}",
-            amount_minor=price_of(one.quarters, terms.day_rate_minor),
+            text=f"work on {day_in_words(day.worked_on)}",
+            amount_minor=price_of(day.quarters, terms.day_rate_minor),
         )
-        for one in (money_queries.worked_days_of(session, contract.id) if by_day else ())
-        if one.quarters and one.agreed_at is None and one.refused_at is None
+        for day in (money_queries.worked_days_of(session, contract.id) if by_day else ())
+        if day.quarters and day.agreed_at is None and day.refused_at is None
     ]
     return rounds + days
 

@@ -87,9 +87,11 @@ class Found:
         self._session, self._reviewer, self._settled_offers = session, reviewer, settled
         self._contract = reviewer.contract
         self._running = [
-            one for one in reviewer.covered.values() if one.cut_at is None and one.cue.state is not CueState.CUT
+            contract_cue
+            for contract_cue in reviewer.covered.values()
+            if contract_cue.cut_at is None and contract_cue.cue.state is not CueState.CUT
         ]
-        self._open = [one for one in self._running if one.accepted_at is None]
+        self._open = [contract_cue for contract_cue in self._running if contract_cue.accepted_at is None]
 
     def all(self) -> Iterator[Offer]:
         """Yield offers that no change order or dismissal has settled."""
@@ -128,10 +130,14 @@ class Found:
     def _rounds(self) -> Iterator[Offer]:
         """Yield rounds beyond those included: as Money proposes them, or at a price to name where the text has none."""
         session, contract = self._session, self._contract
-        names = {one.cue_id: self._name(one.cue) for one in self._open}
+        names = {contract_cue.cue_id: self._name(contract_cue.cue) for contract_cue in self._open}
         if self._reviewer.terms.extra_round_bp:
             proposed = money_queries.extra_rounds_of(session, contract.id)
-            waiting = {(one.cue_id, one.number) for one in proposed if one.agreed_at is None and one.dropped_at is None}
+            waiting = {
+                (round_.cue_id, round_.number)
+                for round_ in proposed
+                if round_.agreed_at is None and round_.dropped_at is None
+            }
         elif "rounds_included" in agreed_terms(session, contract):
             waiting = None
         else:
@@ -153,28 +159,30 @@ class Found:
 
     def _of_list(self, agreed_at: datetime) -> Iterator[Offer]:
         """Yield cues that were described differently, are needed earlier, or had a question answered late."""
-        covered = {one.cue_id: one for one in self._running}
+        covered = {covered_cue.cue_id: covered_cue for covered_cue in self._running}
         began = offer_queries.work_began(self._session, self._contract, covered.keys())
         changes: dict[UUID, list[ListChange]] = defaultdict(list)
-        found = offer_queries.list_changes_since(self._session, self._contract.project_id, covered.keys(), agreed_at)
-        for change in found:
+        list_changes = offer_queries.list_changes_since(
+            self._session, self._contract.project_id, covered.keys(), agreed_at
+        )
+        for change in list_changes:
             changes[change.cue_id].append(change)
         answers: dict[UUID, list[str]] = defaultdict(list)
         for question in offer_queries.answered_since(self._session, self._contract, agreed_at):
-            one = covered.get(question.cue_id)
-            if one is None or question.answered_at is None:
+            contract_cue = covered.get(question.cue_id)
+            if contract_cue is None or question.answered_at is None:
                 continue
-            answers[one.cue_id].append(f"{question.text} {question.answer}")
+            answers[contract_cue.cue_id].append(f"{question.text} {question.answer}")
             who = question.answerer.name if question.answerer else ""
-            if one.accepted_at is None:
-                yield from self._answered(one, question.id, question.asked_at, question.answered_at, who)
+            if contract_cue.accepted_at is None:
+                yield from self._answered(contract_cue, question.id, question.asked_at, question.answered_at, who)
         for cue_id, of_cue in changes.items():
-            one = covered[cue_id]
+            contract_cue = covered[cue_id]
             if cue_id in began:
                 of_work = [change for change in of_cue if change.at > began[cue_id]]
-                yield from self._described(one, list(without_answers(of_work, answers[cue_id])))
-            if one.accepted_at is None:
-                yield from self._needed(one, of_cue)
+                yield from self._described(contract_cue, list(without_answers(of_work, answers[cue_id])))
+            if contract_cue.accepted_at is None:
+                yield from self._needed(contract_cue, of_cue)
 
     def _unsettled(
         self, kind: OfferKind, cue_id: UUID, changes: Sequence[ListChange], settlers: frozenset[Settler]
@@ -187,52 +195,57 @@ class Found:
             if change.revision > settled and not self._settled_offers.has_order(settlers, change.at)
         ]
 
-    def _described(self, one: ContractCue, changes: Sequence[ListChange]) -> Iterator[Offer]:
-        settlers: frozenset[Settler] = frozenset({("reprice_cue", one.cue_id), ("cut_cue", one.cue_id)})
-        unsettled = self._unsettled(OfferKind.DESCRIBED, one.cue_id, changes, settlers)
+    def _described(self, contract_cue: ContractCue, changes: Sequence[ListChange]) -> Iterator[Offer]:
+        settlers: frozenset[Settler] = frozenset(
+            {("reprice_cue", contract_cue.cue_id), ("cut_cue", contract_cue.cue_id)}
+        )
+        unsettled = self._unsettled(OfferKind.DESCRIBED, contract_cue.cue_id, changes, settlers)
         differences = net_change(unsettled, list(PRICED_FACTS))
         if not differences:
             return
         last = [each for each in unsettled if any(fact in each.after for fact in differences)][-1]
-        name = self._name(one.cue)
-        is_open = one.accepted_at is None
+        name = self._name(contract_cue.cue)
+        is_open = contract_cue.accepted_at is None
         text = f"{name} changed after work on it began"
         yield Offer(
-            f"{OfferKind.DESCRIBED}:{one.cue_id}:{last.revision}",
+            f"{OfferKind.DESCRIBED}:{contract_cue.cue_id}:{last.revision}",
             OfferKind.DESCRIBED,
             f"{text}{'' if is_open else ' and it was accepted'}: {facts_in_words(differences)}.",
             last.by,
             last.at,
-            schemas.OfferedChange(kind="reprice_cue", cue_id=one.cue_id)
+            schemas.OfferedChange(kind="reprice_cue", cue_id=contract_cue.cue_id)
             if is_open
-            else self._work(f"{name}, as it is described now", one.milestone_id),
+            else self._work(f"{name}, as it is described now", contract_cue.milestone_id),
             settlers,
         )
 
-    def _needed(self, one: ContractCue, changes: Sequence[ListChange]) -> Iterator[Offer]:
-        settlers: frozenset[Settler] = frozenset({("move_date", one.milestone_id), ("cut_cue", one.cue_id)})
-        unsettled = self._unsettled(OfferKind.NEEDED, one.cue_id, changes, settlers)
-        milestone = self._reviewer.milestones[one.milestone_id]
+    def _needed(self, contract_cue: ContractCue, changes: Sequence[ListChange]) -> Iterator[Offer]:
+        settlers: frozenset[Settler] = frozenset(
+            {("move_date", contract_cue.milestone_id), ("cut_cue", contract_cue.cue_id)}
+        )
+        unsettled = self._unsettled(OfferKind.NEEDED, contract_cue.cue_id, changes, settlers)
+        milestone = self._reviewer.milestones[contract_cue.milestone_id]
         moved = earlier_day(unsettled, milestone.due_on)
         if moved is None:
             return
         was_on, is_on = moved
         last = [each for each in unsettled if DUE in each.after][-1]
         yield Offer(
-            f"{OfferKind.NEEDED}:{one.cue_id}:{last.revision}",
+            f"{OfferKind.NEEDED}:{contract_cue.cue_id}:{last.revision}",
             OfferKind.NEEDED,
-            f"{self._name(one.cue)} is needed on {format_long_date(is_on)} instead of {format_long_date(was_on)}.",
+            f"{self._name(contract_cue.cue)} is needed on {format_long_date(is_on)} "
+            f"instead of {format_long_date(was_on)}.",
             last.by,
             last.at,
-            schemas.OfferedChange(kind="move_date", milestone_id=one.milestone_id, due_on=is_on),
+            schemas.OfferedChange(kind="move_date", milestone_id=contract_cue.milestone_id, due_on=is_on),
             settlers,
         )
 
     def _answered(
-        self, one: ContractCue, question_id: UUID, asked_at: datetime, answered_at: datetime, who: str
+        self, contract_cue: ContractCue, question_id: UUID, asked_at: datetime, answered_at: datetime, who: str
     ) -> Iterator[Offer]:
-        milestone = self._reviewer.milestones[one.milestone_id]
-        days = [day for day in (one.cue.due_on, milestone.due_on) if day is not None]
+        milestone = self._reviewer.milestones[contract_cue.milestone_id]
+        days = [day for day in (contract_cue.cue.due_on, milestone.due_on) if day is not None]
         due_on: date | None = min(days, default=None)
         moved = day_after_answer(due_on, asked_at, answered_at) if due_on else None
         if due_on is None or moved is None:
@@ -240,22 +253,25 @@ class Found:
         yield Offer(
             f"{OfferKind.ANSWERED}:{question_id}",
             OfferKind.ANSWERED,
-            f"A question on {self._name(one.cue)} was answered after {format_long_date(due_on)}, when it was due.",
+            f"A question on {self._name(contract_cue.cue)} was answered after {format_long_date(due_on)}, "
+            "when it was due.",
             who,
             answered_at,
-            schemas.OfferedChange(kind="move_date", milestone_id=one.milestone_id, due_on=moved),
-            frozenset({("move_date", one.milestone_id), ("cut_cue", one.cue_id)}),
+            schemas.OfferedChange(kind="move_date", milestone_id=contract_cue.milestone_id, due_on=moved),
+            frozenset({("move_date", contract_cue.milestone_id), ("cut_cue", contract_cue.cue_id)}),
         )
 
     def _specs(self, agreed_at: datetime) -> Iterator[Offer]:
         """Yield the newest delivery spec where it asks something else of open cues than the one that was settled."""
         held, newer = offer_queries.specs_since(self._session, self._contract.project_id, agreed_at)
         settled = self._settled_offers.spec_version()
-        before = next((one for one in reversed(newer) if one.version <= settled), held)
+        before = next((spec for spec in reversed(newer) if spec.version <= settled), held)
         if not newer or before is None or newer[-1].sha256 == before.sha256:
             return
         last = newer[-1]
-        touched = [one.cue for one in self._open if _asks_else(before, last, one.cue.category)]
+        touched = [
+            contract_cue.cue for contract_cue in self._open if _asks_else(before, last, contract_cue.cue.category)
+        ]
         if not touched:
             return
         cues = self._name(touched[0]) if len(touched) == 1 else f"{len(touched)} cues of this contract"
@@ -299,32 +315,32 @@ class Found:
     def _cut(self) -> Iterator[Offer]:
         """Yield cues that were cut in work, where no clause of the contract says what that owes."""
         fees = self._reviewer.terms.kill_fees
-        for one in self._reviewer.covered.values():
-            state = one.cut_in
-            if one.cut_at is None or state is None or state is WorkState.NOT_BEGUN or fees.of(state):
+        for contract_cue in self._reviewer.covered.values():
+            state = contract_cue.cut_in
+            if contract_cue.cut_at is None or state is None or state is WorkState.NOT_BEGUN or fees.of(state):
                 continue
-            name = self._name(one.cue)
+            name = self._name(contract_cue.cue)
             yield Offer(
-                f"{OfferKind.CUT}:{one.cue_id}",
+                f"{OfferKind.CUT}:{contract_cue.cue_id}",
                 OfferKind.CUT,
                 f"{name} was cut after work on it began, and no clause of the contract says what that owes.",
                 "",
-                one.cut_at,
-                self._work(f"Work on {name} until it was cut", one.milestone_id),
+                contract_cue.cut_at,
+                self._work(f"Work on {name} until it was cut", contract_cue.milestone_id),
             )
 
     def _references(self, agreed_at: datetime) -> Iterator[Offer]:
         """Yield references that the studio added for an open cue, or its category, after work on it began."""
         session, contract = self._session, self._contract
-        began = offer_queries.work_began(session, contract, [one.cue_id for one in self._open])
+        began = offer_queries.work_began(session, contract, [contract_cue.cue_id for contract_cue in self._open])
         for version in offer_queries.references_since(session, contract, agreed_at):
             reference = version.reference
             late = [
-                one
-                for one in self._open
-                if one.cue_id in began
-                and began[one.cue_id] < version.added_at
-                and (reference.cue_id == one.cue_id or reference.category == one.cue.category)
+                contract_cue
+                for contract_cue in self._open
+                if contract_cue.cue_id in began
+                and began[contract_cue.cue_id] < version.added_at
+                and (reference.cue_id == contract_cue.cue_id or reference.category == contract_cue.cue.category)
             ]
             if not late:
                 continue
@@ -351,5 +367,5 @@ def _names(change: dict[str, str]) -> Settler | None:
 
 def _asks_else(before: Spec, after: Spec, category: str) -> bool:
     """Whether two versions of a spec differ in what they ask of a category's sounds."""
-    old, new = (read_spec(one.toml).for_category(category).tables for one in (before, after))
+    old, new = (read_spec(spec.toml).for_category(category).tables for spec in (before, after))
     return any(old.get(key) != new.get(key) for key in (old.keys() | new.keys()) - NO_RULE_OF_CATEGORIES)

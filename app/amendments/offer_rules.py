@@ -50,13 +50,13 @@ DUE = "due_on"
 
 def net_change(changes: Sequence[ListChange], facts: Sequence[str]) -> dict[str, tuple[Any, Any]]:
     """Return the facts before the first change and after the last, without those that are the same again."""
-    found: dict[str, tuple[Any, Any]] = {}
+    net: dict[str, tuple[Any, Any]] = {}
     for change in changes:
         for fact in facts:
             if fact in change.after:
-                before = found[fact][0] if fact in found else change.before.get(fact)
-                found[fact] = (before, change.after[fact])
-    return {fact: found[fact] for fact in facts if fact in found and found[fact][0] != found[fact][1]}
+                before = net[fact][0] if fact in net else change.before.get(fact)
+                net[fact] = (before, change.after[fact])
+    return {fact: net[fact] for fact in facts if fact in net and net[fact][0] != net[fact][1]}
 
 
 def facts_in_words(differences: Mapping[str, tuple[Any, Any]]) -> str:

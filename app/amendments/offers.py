@@ -20,18 +20,18 @@ DISMISSED, PROPOSED = "offer_dismissed", "change_proposed"
 def offers(session: Session, reviewer: Reviewer, party: Party) -> list[schemas.ChangeOfferRead]:
     """Return changes since both signed that no change order says yet, the newest first, as one party reads them."""
     settled = _settled_offers(session, reviewer, party)
-    found = sorted(Found(session, reviewer, settled).all(), key=lambda one: (one.at, one.key), reverse=True)
+    open_offers = sorted(Found(session, reviewer, settled).all(), key=lambda offer: (offer.at, offer.key), reverse=True)
     return [
         schemas.ChangeOfferRead(
-            offer=one.key,
-            kind=one.kind,
-            text=one.text,
-            who=one.who,
-            at=one.at,
-            change=one.change,
-            dismissed=settled.dismissed.get(one.key),
+            offer=offer.key,
+            kind=offer.kind,
+            text=offer.text,
+            who=offer.who,
+            at=offer.at,
+            change=offer.change,
+            dismissed=settled.dismissed.get(offer.key),
         )
-        for one in found
+        for offer in open_offers
     ]
 
 
@@ -60,13 +60,13 @@ def _settled_offers(session: Session, reviewer: Reviewer, party: Party) -> Settl
     settled = SettledOffers(queries.change_orders_of(session, contract_id))
     settling = {order.number for order in settled.orders if order.state in SETTLING}
     for event in events_of_kinds(session, contract_id, {DISMISSED, PROPOSED}):
-        said = json.loads(event.payload)
+        facts = json.loads(event.payload)
         if event.kind == PROPOSED:
-            settled.settled.update(said.get("offers", ()) if said["change_order"] in settling else ())
-        elif said["party"] == party.value:
-            settled.settled.add(said["offer"])
+            settled.settled.update(facts.get("offers", ()) if facts["change_order"] in settling else ())
+        elif facts["party"] == party.value:
+            settled.settled.add(facts["offer"])
         else:
-            settled.dismissed[said["offer"]] = schemas.OfferDismissed(
-                party=Party(said["party"]), by=said["by"], at=event.at, reason=said["reason"]
+            settled.dismissed[facts["offer"]] = schemas.OfferDismissed(
+                party=Party(facts["party"]), by=facts["by"], at=event.at, reason=facts["reason"]
             )
     return settled

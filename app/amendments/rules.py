@@ -79,7 +79,7 @@ class Difference:
 
 def changed_plan(plan: Sequence[Planned], differences: Sequence[Difference]) -> list[Planned]:
     """Return a plan with its changes."""
-    after = {one.milestone_id: one for one in plan}
+    after = {planned.milestone_id: planned for planned in plan}
     for difference in differences:
         now = after[difference.milestone_id]
         after[difference.milestone_id] = replace(
@@ -104,13 +104,13 @@ def warnings_of(
 
     `more_work` are the milestones to which it adds work beside their cues.
     """
-    said: list[Advice] = []
+    warnings: list[Advice] = []
     for old, new in zip(before, after, strict=True):
         is_earlier = old.due_on is not None and new.due_on is not None and new.due_on < old.due_on
         has_more = new.cues > old.cues or new.milestone_id in more_work
         is_more = has_more or new.amount_minor > old.amount_minor
         if old.due_on and new.due_on and is_earlier and is_more:
-            said.append(
+            warnings.append(
                 Advice(
                     "earlier-and-more",
                     f"{new.name} moves from {day_in_words(old.due_on)} up to {day_in_words(new.due_on)} "
@@ -119,7 +119,7 @@ def warnings_of(
                 )
             )
         if (has_more or is_earlier) and rush_bp and new.due_on and working_days(today, new.due_on) < rush_days:
-            said.append(
+            warnings.append(
                 Advice(
                     "rush",
                     f"{new.name} is due on {day_in_words(new.due_on)}, "
@@ -127,4 +127,4 @@ def warnings_of(
                     f"By the clause on rates such work costs {percent(rush_bp)} more; say so in its price.",
                 )
             )
-    return said
+    return warnings

@@ -14,5 +14,7 @@ def work_states(session: Session, contract: Contract) -> dict[UUID, WorkState]:
     """Return the progress of its designer's work on each cue of a contract that is not settled."""
     covered = plan_queries.cues_of(session, contract.id)
     return settlement.work_states(
-        session, contract, [one for one in covered if one.accepted_at is None and one.cut_at is None]
+        session,
+        contract,
+        [contract_cue for contract_cue in covered if contract_cue.accepted_at is None and contract_cue.cut_at is None],
     )

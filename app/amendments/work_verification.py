@@ -91,13 +91,13 @@ def _recorded_ids(session: Session, contract: Contract, name: str) -> set[str]:
 
 def _revisions(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
     recorded = [entry.said for entry in entries if entry.kind == "list_revised"]
-    numbers = [said["revision"] for said in recorded]
+    numbers = [facts["revision"] for facts in recorded]
     changes = work_queries.list_changes(session, contract.project_id, numbers)
-    for said in recorded:
-        number = said["revision"]
+    for revision in recorded:
+        number = revision["revision"]
         wrong = [
             cue_id
-            for cue_id, sha256 in said["sha256"].items()
+            for cue_id, sha256 in revision["sha256"].items()
             if (number, cue_id) not in changes or sealed(changes[number, cue_id]) != sha256
         ]
         if wrong:

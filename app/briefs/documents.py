@@ -43,7 +43,7 @@ def document_of(session: Session, access: ProjectAccess) -> BriefDocument:
         differs=bool(differences(version.answers if version else {}, answers)),
         may_answer=access.is_producer or access.is_liaison or access.is_approver,
         may_ask=access.engagement is not None and not access.is_team,
-        follow_ups=[follow_up_read(one, access) for one in queries.follow_ups_of(session, project_id)],
+        follow_ups=[follow_up_read(follow_up, access) for follow_up in queries.follow_ups_of(session, project_id)],
     )
 
 
@@ -61,7 +61,7 @@ def answers_read(session: Session, answers: Answers) -> BriefAnswers:
 
 
 def _topic(key: str, answers: Answers, people: Mapping[UUID, Person]) -> BriefTopicRead:
-    topic = next(one for one in TOPICS if one.key == key)
+    topic = next(candidate for candidate in TOPICS if candidate.key == key)
     own = [question for question in QUESTIONS if question.topic == key]
     asked = [question for question in own if applies(question, answers)]
     return BriefTopicRead(
@@ -112,8 +112,8 @@ def version_brief(version: BriefVersion) -> BriefVersionSummary:
 
 def version_read(session: Session, version: BriefVersion) -> BriefVersionRead:
     """Return a published version with its answers."""
-    said = {**dict(version_brief(version)), **dict(answers_read(session, version.answers))}
-    return BriefVersionRead(**said)
+    fields = {**dict(version_brief(version)), **dict(answers_read(session, version.answers))}
+    return BriefVersionRead(**fields)
 
 
 def markdown_of(name: str, answers: Answers, *, version: int) -> str:
@@ -130,7 +130,7 @@ def _markdown(name: str, answers: Answers, version: int) -> Iterator[str]:
         for question in QUESTIONS:
             if question.topic != topic.key or not applies(question, answers):
                 continue
-            said = in_words(question, answers.get(question.key)) or "Open"
+            answer_text = in_words(question, answers.get(question.key)) or "Open"
             needed = " (needed before signing)" if question.key in figures.open_required else ""
             yield f"\n**{number_of(question)}. {question.text}**{needed}\n"
-            yield from (f"> {line}" if line else ">" for line in said.split("\n"))
+            yield from (f"> {line}" if line else ">" for line in answer_text.split("\n"))

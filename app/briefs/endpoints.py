@@ -74,10 +74,10 @@ def list_brief_versions(
     """Return the published versions of the brief, newest first."""
     project_access(session, actor, project_id)
     below = number_cursor(cursor)
-    found = queries.versions_of(session, project_id, below=below, limit=VERSIONS_AT_ONCE + 1)
-    shown = found[:VERSIONS_AT_ONCE]
+    versions = queries.versions_of(session, project_id, below=below, limit=VERSIONS_AT_ONCE + 1)
+    shown = versions[:VERSIONS_AT_ONCE]
     items = [version_brief(version) for version in shown]
-    return Page(items=items, next=cursor_of(shown[-1].number) if len(found) > VERSIONS_AT_ONCE else None)
+    return Page(items=items, next=cursor_of(shown[-1].number) if len(versions) > VERSIONS_AT_ONCE else None)
 
 
 @router.post(

@@ -30,16 +30,16 @@ def newest_version(session: Session, project_id: UUID) -> int:
 
 def version_of(session: Session, project_id: UUID, number: int) -> BriefVersion | None:
     """Return one published version, with the person who published it."""
-    found = select(BriefVersion).where(BriefVersion.project_id == project_id, BriefVersion.number == number)
-    return session.scalar(found.options(joinedload(BriefVersion.publisher)))
+    query = select(BriefVersion).where(BriefVersion.project_id == project_id, BriefVersion.number == number)
+    return session.scalar(query.options(joinedload(BriefVersion.publisher)))
 
 
 def versions_of(session: Session, project_id: UUID, *, below: int | None, limit: int) -> Sequence[BriefVersion]:
     """Return published versions, newest first."""
-    found = select(BriefVersion).where(BriefVersion.project_id == project_id)
+    query = select(BriefVersion).where(BriefVersion.project_id == project_id)
     if below is not None:
-        found = found.where(BriefVersion.number < below)
-    shown = found.options(joinedload(BriefVersion.publisher)).order_by(BriefVersion.number.desc())
+        query = query.where(BriefVersion.number < below)
+    shown = query.options(joinedload(BriefVersion.publisher)).order_by(BriefVersion.number.desc())
     return session.scalars(shown.limit(limit)).all()
 
 

@@ -109,7 +109,7 @@ def _list(value: Any, longest: int) -> list[Any]:
 def _keys(question: Question, value: Any) -> list[str]:
     known = [choice.key for choice in question.choices]
     picked = _list(value, len(known))
-    if any(one not in known for one in picked):
+    if any(key not in known for key in picked):
         raise _Unfit(f"choose from: {', '.join(known)}")
     return [key for key in known if key in picked]
 
@@ -228,8 +228,8 @@ def in_words(question: Question, answer: Answer | None) -> str:
     """Return an answer as a text of one or more lines; empty where there is none."""
     if answer is None:
         return ""
-    said = UNKNOWN if answer["is_unknown"] else "\n".join(_lines_of(question, answer["value"]))
-    return "\n".join(part for part in (said, answer["note"]) if part)
+    answer_text = UNKNOWN if answer["is_unknown"] else "\n".join(_lines_of(question, answer["value"]))
+    return "\n".join(part for part in (answer_text, answer["note"]) if part)
 
 
 def _lines_of(question: Question, value: Any) -> Iterator[str]:
@@ -264,9 +264,9 @@ def token_in_words(token: Mapping[str, Any]) -> str:
     return f"({named})" if token.get("optional") else f"[{named}]"
 
 
-def is_same(one: Answer | None, other: Answer | None) -> bool:
+def is_same(first: Answer | None, other: Answer | None) -> bool:
     """Whether two answers state the same, no matter who gave them."""
-    stated = [(one["value"], one["is_unknown"], one["note"]) if one else None for one in (one, other)]
+    stated = [(answer["value"], answer["is_unknown"], answer["note"]) if answer else None for answer in (first, other)]
     return stated[0] == stated[1]
 
 

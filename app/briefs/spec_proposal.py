@@ -55,19 +55,19 @@ class _Draft:
         self.tables: Tables = deepcopy(dict(present))
         self.changes: list[SpecChange] = []
 
-    def at(self, *place: str) -> Any:
+    def at(self, *path: str) -> Any:
         """Return the value at a place, None where there is none."""
-        found: Any = self.tables
-        for key in place:
-            found = found.get(key) if isinstance(found, dict) else None
-        return found
+        node: Any = self.tables
+        for key in path:
+            node = node.get(key) if isinstance(node, dict) else None
+        return node
 
-    def put(self, question: str, place: Sequence[str], value: Any) -> None:
+    def put(self, question: str, path: Sequence[str], value: Any) -> None:
         """Write a value, or remove what is there for None; what is equal is not a change."""
-        before = self.at(*place)
+        before = self.at(*path)
         if before == value:
             return
-        *tables, key = place
+        *tables, key = path
         table = self.tables
         for name in tables:
             table = table.setdefault(name, {})
@@ -75,7 +75,7 @@ class _Draft:
             del table[key]
         else:
             table[key] = deepcopy(value)
-        self.changes.append(SpecChange(".".join(place), before, value, question))
+        self.changes.append(SpecChange(".".join(path), before, value, question))
 
 
 def _write_categories(draft: _Draft, value: list[str], _answers: Answers) -> None:
@@ -156,7 +156,7 @@ def lines_of(change: SpecChange) -> Iterator[str]:
     yield from audio_checks.DeliverySpec(tables=_nested(change.place, change.after)).to_toml().strip().splitlines()
 
 
-def _nested(place: str, value: Any) -> Tables:
-    for key in reversed(place.split(".")):
+def _nested(path: str, value: Any) -> Tables:
+    for key in reversed(path.split(".")):
         value = {key: value}
     return dict(value)

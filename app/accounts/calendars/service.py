@@ -27,7 +27,7 @@ def save_calendar(session: Session, actor: Actor, studio_id: UUID, wanted: Calen
         raise TimeZoneUnknown(
             f'there is no time zone "{wanted.time_zone}"', fix="give a name of the IANA list, such as Europe/Berlin"
         )
-    names = {one.day: one.name for one in wanted.holidays}
+    names = {day_off.day: day_off.name for day_off in wanted.holidays}
     if len(names) != len(wanted.holidays):
         raise DayNamedTwice("a day is named twice; name each holiday once")
     studio.time_zone = wanted.time_zone

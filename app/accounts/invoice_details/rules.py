@@ -42,12 +42,12 @@ class PartyDetails:
     @property
     def address(self) -> list[str]:
         """The lines by which the party is named on paper."""
-        place = f"{self.postal_code} {self.city}".strip()
+        city_line = f"{self.postal_code} {self.city}".strip()
         tax = [
             f"VAT ID {self.vat_id}" if self.vat_id else "",
             f"Tax number {self.tax_number}" if self.tax_number else "",
         ]
-        return [line for line in (self.name, self.street, place, self.country_code, *tax) if line]
+        return [line for line in (self.name, self.street, city_line, self.country_code, *tax) if line]
 
 
 def normalised_code(text: str) -> str:
@@ -68,8 +68,8 @@ def faults_of_details(details: PartyDetails) -> Iterator[tuple[str, str]]:
             f"{details.country_code} is not a country code; wanted two letters of ISO 3166, such as DE",
         )
     if details.vat_id:
-        found = VAT_ID.fullmatch(details.vat_id)
-        if found is None or found[1] not in {*COUNTRY_CODES, GREEK_VAT_PREFIX, "XI"}:
+        match = VAT_ID.fullmatch(details.vat_id)
+        if match is None or match[1] not in {*COUNTRY_CODES, GREEK_VAT_PREFIX, "XI"}:
             yield "vat_id", f"{details.vat_id} has no country in front; wanted it as in DE123456789"
     if details.has_iban and not _is_sum_right(details.account_number):
         yield "account_number", "the check digits of this IBAN do not fit; compare it with your bank's"

@@ -59,8 +59,8 @@ def details_as_of(
     history: Sequence[InvoiceDetails], at: datetime, missing_of: Callable[[PartyDetails], Sequence[str]]
 ) -> PartyDetails:
     """Return the details that held at a moment; where they lacked something, the first later ones that do not."""
-    earlier = [one for one in history if one.saved_at <= at]
-    candidates = [party_details(one) for one in [*earlier[-1:], *history[len(earlier) :]]]
+    earlier = [saved for saved in history if saved.saved_at <= at]
+    candidates = [party_details(saved) for saved in [*earlier[-1:], *history[len(earlier) :]]]
     complete = (details for details in candidates if not missing_of(details))
     return next(complete, candidates[-1] if candidates else PartyDetails())
 
