@@ -30,15 +30,15 @@ def brief(
     runtime = opened(read_settings_or_exit())
     try:
         with runtime.database.reading() as session:
-            found = project_by_id(session, project)
-            if found is None:
+            stored_project = project_by_id(session, project)
+            if stored_project is None:
                 raise refusal([f"no project {project}"])
             answers = queries.answers_of(session, project)
             if format_ is DocumentFormat.JSON:
                 typer.echo(documents.answers_read(session, answers).model_dump_json(indent=2))
             else:
                 version = queries.newest_version(session, project)
-                typer.echo(documents.markdown_of(found.name, answers, version=version), nl=False)
+                typer.echo(documents.markdown_of(stored_project.name, answers, version=version), nl=False)
     finally:
         runtime.close()
 
@@ -53,13 +53,13 @@ def postings(project: Annotated[UUID, typer.Argument(help="Id of the project.")]
     runtime = opened(read_settings_or_exit())
     try:
         with runtime.database.reading() as session:
-            found = project_by_id(session, project)
-            if found is None:
+            stored_project = project_by_id(session, project)
+            if stored_project is None:
                 raise refusal([f"no project {project}"])
             shown = [
                 (posting, queries.sent_bids(session, posting.id)) for posting in queries.postings_in(session, project)
             ]
-            typer.echo(documents.markdown_of(found.name, shown), nl=False)
+            typer.echo(documents.markdown_of(stored_project.name, shown), nl=False)
     finally:
         runtime.close()
 
@@ -73,12 +73,15 @@ def kits(
 
     if not kit:
         table = Table("kit", "cues", "usual cues", "usual hours", "usual MB", "about")
-        for one in all_kits():
-            ranges = (f"{low}–{high}" for low, high in (one.usual_cues, one.usual_hours, one.usual_memory_mb))
-            table.add_row(one.key, str(len(one.cues)), *ranges, one.about)
+        for listed_kit in all_kits():
+            ranges = (
+                f"{low}–{high}"
+                for low, high in (listed_kit.usual_cues, listed_kit.usual_hours, listed_kit.usual_memory_mb)
+            )
+            table.add_row(listed_kit.key, str(len(listed_kit.cues)), *ranges, listed_kit.about)
         console.print(table)
         return
-    found = kit_of(kit)
-    if found is None:
-        raise refusal([f'no kit "{kit}"; there are: {", ".join(one.key for one in all_kits())}'])
-    typer.echo(csv_of(found), nl=False)
+    chosen_kit = kit_of(kit)
+    if chosen_kit is None:
+        raise refusal([f'no kit "{kit}"; there are: {", ".join(known_kit.key for known_kit in all_kits())}'])
+    typer.echo(csv_of(chosen_kit), nl=False)

@@ -72,15 +72,15 @@ def _faults_of_copy(session: Session, path: Path) -> list[str]:
 
 def _faults_of_pdf(session: Session, path: Path, content: bytes) -> list[str]:
     read = read_seal(content)
-    found = seals.verify(session, content, read.key_sha256)
-    match found.verdict:
+    verified = seals.verify(session, content, read.key_sha256)
+    match verified.verdict:
         case seals.Verdict.CHANGED:
             return [f"it is not the file that was sealed here; {_broken(read, marks_of(content))}"]
         case seals.Verdict.NOT_OURS:
             return ["it was not sealed by this server"]
-    if found.seal is not None:
-        contract, version = found.seal.contract, found.seal.version
-        names = ", ".join(f"{acceptance.name} for the {acceptance.party}" for acceptance in found.acceptances)
+    if verified.seal is not None:
+        contract, version = verified.seal.contract, verified.seal.version
+        names = ", ".join(f"{acceptance.name} for the {acceptance.party}" for acceptance in verified.acceptances)
         typer.echo(
             f"{path}: untouched. {contract.title}, version {version.number} between {contract.project.studio.name} and "
             f"{contract.designer.name}, SHA-256 of the text {version.text_sha256}, signed by {names}"

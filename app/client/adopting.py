@@ -76,9 +76,9 @@ def _sounds(root: Path) -> Iterator[str]:
                 yield path.relative_to(root).as_posix()
 
 
-def _listed(path: str, place: Path) -> dict[str, Any]:
+def _listed(path: str, file_path: Path) -> dict[str, Any]:
     digest, size = hashlib.sha256(), 0
-    with place.open("rb") as file:
+    with file_path.open("rb") as file:
         head = file.read(HEAD_BYTES)
         block = head
         while block:
@@ -119,16 +119,16 @@ def _print_plan(plan: dict[str, Any]) -> None:
     if (project := plan.get("project")) is not None:
         say(f"{shown(project['name'])} plays {project['played']} of them")
         _print_files("of the project, not read", [(path, "") for path in project["unread"]])
-    _print_files("unusual", [(one["path"], one["message"]) for one in plan["oddities"]])
+    _print_files("unusual", [(oddity["path"], oddity["message"]) for oddity in plan["oddities"]])
     _print_files("the same bytes", [(paths[0], "also " + ", ".join(paths[1:])) for paths in plan["duplicates"]])
-    _print_files("not adopted", [(one["path"], one["message"]) for one in plan["skipped"]])
+    _print_files("not adopted", [(skipped["path"], skipped["message"]) for skipped in plan["skipped"]])
 
 
-def _print_files(head: str, found: list[tuple[str, str]]) -> None:
-    if not found:
+def _print_files(head: str, remarks: list[tuple[str, str]]) -> None:
+    if not remarks:
         return
-    say(f"{head}: {len(found)}")
-    for path, message in found[:SHOWN]:
+    say(f"{head}: {len(remarks)}")
+    for path, message in remarks[:SHOWN]:
         say(f"  {shown(path)}: {shown(message)}")
-    if len(found) > SHOWN:
-        say(f"  and {len(found) - SHOWN} more")
+    if len(remarks) > SHOWN:
+        say(f"  and {len(remarks) - SHOWN} more")

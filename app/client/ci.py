@@ -96,26 +96,26 @@ class _Run:
         """Do everything, in a folder for the while."""
         options = self._options
         with TemporaryDirectory(prefix="soundlist-") as temporary:
-            place = Path(temporary)
+            folder = Path(temporary)
             for name, path in FETCHED.items():
-                (place / name).write_bytes(self._server.file_of_project(path))
-            target = target or _first_target(place / "spec.toml")
-            rules = ["--spec", str(place / "spec.toml"), "--list", str(place / "sounds.csv")]
+                (folder / name).write_bytes(self._server.file_of_project(path))
+            target = target or _first_target(folder / "spec.toml")
+            rules = ["--spec", str(folder / "spec.toml"), "--list", str(folder / "sounds.csv")]
             rules += ["--target", target] if target else []
             rules += ["--fail-level", options.fail_level]
             rules += ["--changed-since", options.changed_since] if options.changed_since else []
-            rules += [part for one in options.format for part in ("--format", one)]
-            code = self._judged("check", rules, place, target)
+            rules += [part for output in options.format for part in ("--format", output)]
+            code = self._judged("check", rules, folder, target)
             if options.no_audit or target is None:
                 return code
-            (place / "manifest.json").write_bytes(self._manifest(target))
-            audit = ["--manifest", str(place / "manifest.json"), "--allow", "unknown"]
-            return max(code, self._judged("audit", audit, place, target))
+            (folder / "manifest.json").write_bytes(self._manifest(target))
+            audit = ["--manifest", str(folder / "manifest.json"), "--allow", "unknown"]
+            return max(code, self._judged("audit", audit, folder, target))
 
-    def _judged(self, command: str, rules: Sequence[str], place: Path, target: str | None) -> int:
+    def _judged(self, command: str, rules: Sequence[str], folder: Path, target: str | None) -> int:
         """Run a command of `audio-checks` over the folder, post its report, and return its exit code."""
-        report = place / f"{command}.json"
-        baseline = ["--baseline", str(place / "baseline.json")]
+        report = folder / f"{command}.json"
+        baseline = ["--baseline", str(folder / "baseline.json")]
         shown_and_kept = ["--format", "text", "--format", f"json:{report}"]
         environment = {name: value for name, value in os.environ.items() if name != TOKEN}
         sys.stdout.flush()

@@ -134,10 +134,10 @@ def _ask(server: DeskServer, pages: int = MAX_PAGES) -> Answer:
     cursor: str | None = None
     try:
         for _ in range(pages):
-            said = asked.of_person("desk", cursor=cursor)
-            answer.person = str(said["person"]["name"])
-            answer.cues += [_cue(server, one) for one in said["items"]]
-            cursor = said["next"]
+            page = asked.of_person("desk", cursor=cursor)
+            answer.person = str(page["person"]["name"])
+            answer.cues += [_cue(server, owed_cue) for owed_cue in page["items"]]
+            cursor = page["next"]
             if cursor is None:
                 break
         answer.is_whole = cursor is None
@@ -150,22 +150,22 @@ def _ask(server: DeskServer, pages: int = MAX_PAGES) -> Answer:
     return answer
 
 
-def _cue(server: DeskServer, said: Any) -> dict[str, Any]:
-    last = said["latest_comment"]
-    if said["due_on"] is not None:
-        date.fromisoformat(said["due_on"])
+def _cue(server: DeskServer, owed_cue: Any) -> dict[str, Any]:
+    last = owed_cue["latest_comment"]
+    if owed_cue["due_on"] is not None:
+        date.fromisoformat(owed_cue["due_on"])
     return {
         "server": server.name,
-        "cue": str(said["cue"]["label"]),
-        "name": str(said["cue"]["name"]),
-        "project": str(said["project_name"]),
-        "studio": str(said["studio_name"]),
-        "state": str(said["status"]),
-        "due_on": said["due_on"],
+        "cue": str(owed_cue["cue"]["label"]),
+        "name": str(owed_cue["cue"]["name"]),
+        "project": str(owed_cue["project_name"]),
+        "studio": str(owed_cue["studio_name"]),
+        "state": str(owed_cue["status"]),
+        "due_on": owed_cue["due_on"],
         "said_last": None if last is None else str(last["text"]),
         "said_by": None if last is None or last["by"] is None else str(last["by"]),
         "said_at": None if last is None else str(last["at"]),
-        "page": f"{server.address}/projects/{quote(str(said['project_id']), safe='')}/desk",
+        "page": f"{server.address}/projects/{quote(str(owed_cue['project_id']), safe='')}/desk",
     }
 
 
@@ -219,21 +219,21 @@ def _is_late(cue: dict[str, Any]) -> bool:
 
 def _row(cue: dict[str, Any]) -> list[str]:
     due = f"{cue['due_on']} late" if _is_late(cue) else cue["due_on"] or "no day"
-    said = " ".join((cue["said_last"] or "").split())
+    comment_text = " ".join((cue["said_last"] or "").split())
     if cue["said_by"]:
-        said = f"{cue['said_by']}: {said}"
+        comment_text = f"{cue['said_by']}: {comment_text}"
     state = STATES.get(cue["state"], cue["state"])
-    row = (due, cue["cue"], cue["name"], state, cue["project"], cue["studio"], cue["server"], said)
-    return [shown(one) for one in row]
+    row = (due, cue["cue"], cue["name"], state, cue["project"], cue["studio"], cue["server"], comment_text)
+    return [shown(cell) for cell in row]
 
 
 def _print_table(rows: list[list[str]]) -> None:
     """Print rows in columns; on a terminal what was said last ends where the line does."""
     table = [list(HEADS), *rows]
-    widths = [max(len(row[place]) for row in table) for place in range(len(HEADS) - 1)]
+    widths = [max(len(row[column]) for row in table) for column in range(len(HEADS) - 1)]
     room = shutil.get_terminal_size().columns - sum(widths) - 2 * len(widths) if sys.stdout.isatty() else None
     for row in table:
-        *known, said = row
-        if room is not None and len(said) > max(room, 20):
-            said = said[: max(room, 20) - 1] + "…"
-        say("  ".join([*(text.ljust(width) for text, width in zip(known, widths, strict=True)), said]).rstrip())
+        *known, comment_text = row
+        if room is not None and len(comment_text) > max(room, 20):
+            comment_text = comment_text[: max(room, 20) - 1] + "…"
+        say("  ".join([*(text.ljust(width) for text, width in zip(known, widths, strict=True)), comment_text]).rstrip())

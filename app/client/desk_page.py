@@ -57,7 +57,7 @@ def html_of(heads: Sequence[str], lines: Sequence[Line], remarks: Sequence[str],
     items = "".join(f"<li>{_text(remark)}</li>" for remark in remarks)
     count = counted(len(lines), "cue")
     if lines:
-        head = "".join(f'<th scope="col">{_text(one)}</th>' for one in heads)
+        head = "".join(f'<th scope="col">{_text(head_text)}</th>' for head_text in heads)
         rows = "\n".join(_row(heads, line) for line in lines)
         body = f"<table><thead><tr>{head}</tr></thead><tbody>\n{rows}\n</tbody></table>"
     else:
@@ -87,12 +87,12 @@ For what is new: soundlist desk --page</p>
 
 def _row(heads: Sequence[str], line: Line) -> str:
     cells = []
-    for place, (head, text) in enumerate(zip(heads, line.texts, strict=True)):
-        said = _text(text)
-        if place == NAME_AT:
-            said = f'<a href="{escape(line.page)}" rel="noopener noreferrer">{said or "open"}</a>'
-        late = ' class="late"' if place == 0 and line.is_late else ""
-        cells.append(f'<td data-head="{_text(head)}"{late}>{said}</td>')
+    for column, (head, text) in enumerate(zip(heads, line.texts, strict=True)):
+        shown_text = _text(text)
+        if column == NAME_AT:
+            shown_text = f'<a href="{escape(line.page)}" rel="noopener noreferrer">{shown_text or "open"}</a>'
+        late = ' class="late"' if column == 0 and line.is_late else ""
+        cells.append(f'<td data-head="{_text(head)}"{late}>{shown_text}</td>')
     return f"<tr>{''.join(cells)}</tr>"
 
 

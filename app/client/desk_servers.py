@@ -51,25 +51,25 @@ def read_servers() -> dict[str, DeskServer]:
     except FileNotFoundError:
         return {}
     try:
-        said = json.loads(content)
-        if said["format"] != FORMAT:
-            raise Refusal(f"{path} has format {said['format']}, and this program reads {FORMAT}; use a newer one")
-        servers = [_server(str(name), one) for name, one in said["servers"].items()]
+        document = json.loads(content)
+        if document["format"] != FORMAT:
+            raise Refusal(f"{path} has format {document['format']}, and this program reads {FORMAT}; use a newer one")
+        servers = [_server(str(name), fields) for name, fields in document["servers"].items()]
     except (ValueError, KeyError, TypeError, AttributeError):
         raise Refusal(f"{path} is damaged; delete it, and add the servers again") from None
     return {server.name: server for server in servers}
 
 
-def _server(name: str, said: Mapping[str, str]) -> DeskServer:
-    ensure_token(said["token"], f"the token of {name}")
-    return DeskServer(name, safe_address(said["address"], allow_http=False), said["token"])
+def _server(name: str, fields: Mapping[str, str]) -> DeskServer:
+    ensure_token(fields["token"], f"the token of {name}")
+    return DeskServer(name, safe_address(fields["address"], allow_http=False), fields["token"])
 
 
 def write_servers(servers: Mapping[str, DeskServer]) -> None:
     """Replace the file, which is never open to others, and never half written."""
     path = file_path()
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    kept = {name: {"address": one.address, "token": one.token} for name, one in sorted(servers.items())}
+    kept = {name: {"address": server.address, "token": server.token} for name, server in sorted(servers.items())}
     handle, beside = tempfile.mkstemp(prefix=f".{FILE_NAME}-", dir=path.parent)  # mode 0600
     try:
         with os.fdopen(handle, "w", encoding="utf-8") as file:

@@ -44,13 +44,13 @@ def import_in_studio(options: argparse.Namespace) -> int:
     script = (project.parent / SCRIPT).read_bytes()
     if len(script) > MOST_SCRIPT_BYTES:
         raise Refusal(f"{SCRIPT} is too large to be the script of a pack")
-    said = answer_of(script.decode("utf-8", "replace"), project, port=options.port)
-    if "error" in said:
-        raise Refusal(f"FMOD Studio stopped the script: {said['error']}")
-    if "shown" not in said:
-        other = said.get("project") or "no project"
+    answer = answer_of(script.decode("utf-8", "replace"), project, port=options.port)
+    if "error" in answer:
+        raise Refusal(f"FMOD Studio stopped the script: {answer['error']}")
+    if "shown" not in answer:
+        other = answer.get("project") or "no project"
         raise Refusal(f"FMOD Studio has {other} open; open {project} there, and run this again")
-    text = str(said["shown"])
+    text = str(answer["shown"])
     say("\n".join(shown(line) for line in text.split("\n")))
     say("Nothing was saved: look at the events in FMOD Studio, assign banks, and save there.")
     return NOT_AS_APPROVED if "not imported" in text.lower() else DONE
@@ -61,8 +61,8 @@ def project_in(folder: Path) -> Path:
     projects = sorted(folder.glob("*.fspro")) if folder.is_dir() else []
     projects = [project for project in projects if not project.name.startswith("._")]
     if len(projects) != 1:
-        found = f"{len(projects)} .fspro files" if projects else "no .fspro file"
-        raise Refusal(f"{folder} has {found}; name the folder of one FMOD Studio project")
+        counted_projects = f"{len(projects)} .fspro files" if projects else "no .fspro file"
+        raise Refusal(f"{folder} has {counted_projects}; name the folder of one FMOD Studio project")
     for path in (SCRIPT, DOCUMENT):
         if not (folder / path).is_file():
             raise Refusal(
@@ -78,7 +78,7 @@ def answer_of(script: str, project: Path, *, port: int, answer_s: float = ANSWER
     """
     nonce = secrets.token_hex(8)
     given = {"PROJECT": project.as_posix(), "SCRIPT": script, "NONCE": nonce}
-    line = re.sub("|".join(given), lambda found: json.dumps(given[found[0]]), LINE)
+    line = re.sub("|".join(given), lambda match: json.dumps(given[match[0]]), LINE)
     mark = re.compile(rb"soundlist-" + nonce.encode() + rb":([A-Za-z0-9%._~!*'()-]*);")
     try:
         with socket.create_connection((HOST, port), CONNECT_S) as studio:
@@ -91,27 +91,27 @@ def answer_of(script: str, project: Path, *, port: int, answer_s: float = ANSWER
 
 
 def _read_answer(studio: socket.socket, mark: re.Pattern[bytes], until: float) -> dict[str, Any]:
-    said = b""
-    while (left_s := until - time.monotonic()) > 0 and len(said) < MOST_ANSWER_BYTES:
+    received = b""
+    while (left_s := until - time.monotonic()) > 0 and len(received) < MOST_ANSWER_BYTES:
         studio.settimeout(left_s)
         try:
             block = studio.recv(BLOCK_BYTES)
         except TimeoutError:
             break
-        said += block
-        if found := mark.search(said):
-            return _parsed(found[1])
+        received += block
+        if match := mark.search(received):
+            return _parsed(match[1])
         if not block:
             break
-    text = said.decode("utf-8", "replace").strip()[-400:]
+    text = received.decode("utf-8", "replace").strip()[-400:]
     raise Refusal(f"what listens there did not answer as FMOD Studio does{': ' + text if text else ''}")
 
 
 def _parsed(content: bytes) -> dict[str, Any]:
     try:
-        found = json.loads(unquote(content.decode("ascii")))
+        answer = json.loads(unquote(content.decode("ascii")))
     except ValueError:
-        found = None
-    if not isinstance(found, dict):
+        answer = None
+    if not isinstance(answer, dict):
         raise Refusal("the answer of FMOD Studio cannot be read; run Scripts, Soundlist, Import pack there")
-    return found
+    return answer

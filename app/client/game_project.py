@@ -22,51 +22,53 @@ WANTED = (
 )
 
 
-def packed_project(place: Path) -> dict[str, str]:
+def packed_project(given_path: Path) -> dict[str, str]:
     """Return a project as the server reads it: its file, and its texts packed; raise Refusal where it is none."""
-    place = _project_at(place)
-    root = place if place.is_dir() else place.parent
-    is_wanted = _wanted_by(place)
+    project_path = _project_at(given_path)
+    root = project_path if project_path.is_dir() else project_path.parent
+    is_wanted = _wanted_by(project_path)
     texts: dict[str, str] = {}
     size = 0
-    for path in _files(root) if place.suffix != ".json" else [place.name]:
+    for path in _files(root) if project_path.suffix != ".json" else [project_path.name]:
         content = (root / path).read_bytes() if is_wanted(path) else b""
-        if not content or (path.endswith(UNITY_HOLDERS) and place.is_dir() and not _names_sounds(content)):
+        if not content or (path.endswith(UNITY_HOLDERS) and project_path.is_dir() and not _names_sounds(content)):
             continue
         size += len(content)
         if size > MAX_BYTES:
-            raise Refusal(f"the texts of {place} have more than {MAX_BYTES >> 20} MiB; adopt without them")
+            raise Refusal(f"the texts of {project_path} have more than {MAX_BYTES >> 20} MiB; adopt without them")
         texts[path] = content.decode("utf-8-sig", "replace")
     packed = gzip.compress(json.dumps(texts).encode())
-    return {"path": "" if place.is_dir() else place.name, "content_base64": b64encode(packed).decode()}
+    return {"path": "" if project_path.is_dir() else project_path.name, "content_base64": b64encode(packed).decode()}
 
 
-def _project_at(place: Path) -> Path:
-    if place.is_dir() and not (place / "ProjectSettings").is_dir():
-        found = [
-            one for one in sorted(place.iterdir()) if one.suffix in (".wproj", ".fspro") or one.name == "project.godot"
+def _project_at(project_path: Path) -> Path:
+    if project_path.is_dir() and not (project_path / "ProjectSettings").is_dir():
+        projects = [
+            candidate
+            for candidate in sorted(project_path.iterdir())
+            if candidate.suffix in (".wproj", ".fspro") or candidate.name == "project.godot"
         ]
-        if len(found) != 1:
-            raise Refusal(f"{place} holds {'more than one project' if found else 'no project'}; {WANTED}")
-        return found[0]
-    known = place.suffix in (".wproj", ".fspro", ".json") or place.name == "project.godot"
-    if not (place.is_dir() or (known and place.is_file())):
-        raise Refusal(f"{place} is not a project that is known; {WANTED}")
-    return place
+        if len(projects) != 1:
+            raise Refusal(f"{project_path} holds {'more than one project' if projects else 'no project'}; {WANTED}")
+        return projects[0]
+    known = project_path.suffix in (".wproj", ".fspro", ".json") or project_path.name == "project.godot"
+    if not (project_path.is_dir() or (known and project_path.is_file())):
+        raise Refusal(f"{project_path} is not a project that is known; {WANTED}")
+    return project_path
 
 
-def _wanted_by(place: Path) -> Callable[[str], bool]:
+def _wanted_by(project_path: Path) -> Callable[[str], bool]:
     """Return the test of paths below the project's root for texts on the playing of sounds."""
-    if place.is_dir():
+    if project_path.is_dir():
         settings = ("ProjectSettings/AudioManager.asset", "ProjectSettings/ProjectVersion.txt")
         return lambda path: path in settings or path.endswith((*UNITY_HOLDERS, *UNITY_METAS, ".mixer"))
-    if place.suffix == ".wproj":
-        return lambda path: path == place.name or path.endswith(".wwu")
-    if place.suffix == ".fspro":
-        return lambda path: path == place.name or (path.startswith("Metadata/") and path.endswith(".xml"))
-    if place.suffix == ".json":
-        return lambda path: path == place.name
-    return lambda path: path == place.name or path.endswith((".import", ".tscn", ".tres", ".gd", ".cs"))
+    if project_path.suffix == ".wproj":
+        return lambda path: path == project_path.name or path.endswith(".wwu")
+    if project_path.suffix == ".fspro":
+        return lambda path: path == project_path.name or (path.startswith("Metadata/") and path.endswith(".xml"))
+    if project_path.suffix == ".json":
+        return lambda path: path == project_path.name
+    return lambda path: path == project_path.name or path.endswith((".import", ".tscn", ".tres", ".gd", ".cs"))
 
 
 def _names_sounds(content: bytes) -> bool:
@@ -77,6 +79,6 @@ def _files(root: Path) -> Iterator[str]:
     for folder, names, files in os.walk(root):
         names[:] = sorted(name for name in names if not name.startswith(".") and name not in SKIPPED)
         for name in sorted(files):
-            place = Path(folder, name)
-            if not name.startswith("._") and not place.is_symlink():
-                yield place.relative_to(root).as_posix()
+            file_path = Path(folder, name)
+            if not name.startswith("._") and not file_path.is_symlink():
+                yield file_path.relative_to(root).as_posix()

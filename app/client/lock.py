@@ -47,7 +47,7 @@ class Lock:
     def text(self) -> str:
         """The content of the lock file."""
         lines = [HEAD, ABOUT, f"project\t{self.project}", f"target\t{self.target}"]
-        entries = sorted(self.entries.values(), key=lambda one: one.path)
+        entries = sorted(self.entries.values(), key=lambda entry: entry.path)
         return "".join(f"{line}\n" for line in [*lines, *(entry.line for entry in entries)])
 
 
@@ -111,7 +111,7 @@ def _entry(fields: list[str]) -> Entry | None:
         return None
     path, sha256, cue, take, sound = fields
     wanted = ((SHA256, sha256), (CUE, cue), (TAKE, take), (SOUND, sound))
-    return Entry(path, sha256, cue, take, sound) if all(one.fullmatch(text) for one, text in wanted) else None
+    return Entry(path, sha256, cue, take, sound) if all(pattern.fullmatch(text) for pattern, text in wanted) else None
 
 
 def _damaged(path: Path, number: int, what: str) -> Refusal:
@@ -140,9 +140,9 @@ def write_lock(root: Path, lock: Lock) -> bool:
 
 def matching(entries: Iterable[Entry], name: str) -> list[Entry]:
     """Return the entries that a path, a file name, its stem or a cue's number names."""
-    found = []
+    matches = []
     for entry in entries:
         file_name = entry.path.rpartition("/")[2]
         if name in (entry.path, file_name, file_name.rpartition(".")[0], entry.cue):
-            found.append(entry)
-    return sorted(found, key=lambda one: one.path)
+            matches.append(entry)
+    return sorted(matches, key=lambda match: match.path)

@@ -81,20 +81,20 @@ def folded(path: str) -> str:
 
 def place_of(root: Path, path: str) -> Path:
     """Return the place of a game file; raise Refusal where a link on the way leads out of the folder."""
-    place = root.joinpath(*path.split("/"))
-    inside, folder = root.resolve(), place.parent
+    target = root.joinpath(*path.split("/"))
+    inside, folder = root.resolve(), target.parent
     while not os.path.lexists(folder):
         folder = folder.parent
     if folder.resolve() != inside and inside not in folder.resolve().parents:
         raise Refusal(f"{path!r} leads out of {root} by a link")
     if not folder.is_dir():
         raise Refusal(f"{folder} is a file, where the folder of {path!r} should be")
-    return place
+    return target
 
 
-def part_of(place: Path, path: str, sha256: str) -> Path:
+def part_of(target: Path, path: str, sha256: str) -> Path:
     """Return the place of an unfinished download: beside its final place, so that it is moved by a rename."""
-    return place.with_name(f".soundlist-{hashlib.sha256(path.encode()).hexdigest()[:8]}-{sha256[:24]}.part")
+    return target.with_name(f".soundlist-{hashlib.sha256(path.encode()).hexdigest()[:8]}-{sha256[:24]}.part")
 
 
 def sha256_of(path: Path) -> str:
@@ -112,12 +112,12 @@ def content_sha256(path: Path) -> str | None:
     A link, a folder or a device gives an empty text, which is the hash of nothing.
     """
     try:
-        found = path.lstat()
+        status = path.lstat()
     except FileNotFoundError:
         return None
-    if not stat.S_ISREG(found.st_mode):
+    if not stat.S_ISREG(status.st_mode):
         return ""
-    if found.st_size <= LFS_POINTER_BYTES and (pointed := LFS_POINTER.fullmatch(path.read_bytes())):
+    if status.st_size <= LFS_POINTER_BYTES and (pointed := LFS_POINTER.fullmatch(path.read_bytes())):
         return pointed[1].decode()
     return sha256_of(path)
 

@@ -101,18 +101,22 @@ class Plan:
     same: int = 0
 
 
-def listing_of(said: Any) -> Listing:
+def listing_of(answer: Any) -> Listing:
     """Return the server's answer; raise Refusal for anything that is not a list of game files."""
     try:
-        files = [_wanted(one) for one in said["files"]]
+        files = [_wanted(entry) for entry in answer["files"]]
         listing = Listing(
-            project_id=_matched(PROJECT, said["project_id"]),
-            project=str(said["project"]),
-            target=_matched(TARGET, said["target"]),
+            project_id=_matched(PROJECT, answer["project_id"]),
+            project=str(answer["project"]),
+            target=_matched(TARGET, answer["target"]),
             files=files,
-            missing=[Lacking(str(one["path"]), str(one["cue"]), str(one["reason"])) for one in said["missing"]],
+            missing=[
+                Lacking(str(missing["path"]), str(missing["cue"]), str(missing["reason"]))
+                for missing in answer["missing"]
+            ],
             placeholders=[
-                Lacking(str(one["path"]), str(one["cue"]), str(one["reason"])) for one in said["placeholders"]
+                Lacking(str(placeholder["path"]), str(placeholder["cue"]), str(placeholder["reason"]))
+                for placeholder in answer["placeholders"]
             ],
         )
     except (KeyError, TypeError, ValueError) as error:
@@ -125,25 +129,25 @@ def listing_of(said: Any) -> Listing:
     return listing
 
 
-def _wanted(said: Any) -> Wanted:
-    size_bytes = said["bytes"]
+def _wanted(fields: Any) -> Wanted:
+    size_bytes = fields["bytes"]
     if type(size_bytes) is not int or not 0 <= size_bytes <= MAX_FILE_BYTES:
         raise ValueError(f"a size of {size_bytes!r}")
     entry = Entry(
-        path=ensure_harmless(str(said["path"])),
-        sha256=_matched(SHA256, said["sha256"]),
-        cue=_matched(CUE, said["cue"]),
-        take=_matched(TAKE, said["take_id"]),
-        sound=_matched(SOUND, said["sound"]),
+        path=ensure_harmless(str(fields["path"])),
+        sha256=_matched(SHA256, fields["sha256"]),
+        cue=_matched(CUE, fields["cue"]),
+        take=_matched(TAKE, fields["take_id"]),
+        sound=_matched(SOUND, fields["sound"]),
     )
-    adopted_sha256 = said.get("adopted_sha256")
+    adopted_sha256 = fields.get("adopted_sha256")
     return Wanted(
         entry,
         size_bytes,
-        str(said["cue_name"]),
-        _matched(URL, said["url"]),
+        str(fields["cue_name"]),
+        _matched(URL, fields["url"]),
         adopted_sha256=None if adopted_sha256 is None else _matched(SHA256, adopted_sha256),
-        is_adopted_sound=said.get("is_adopted_sound") is True,
+        is_adopted_sound=fields.get("is_adopted_sound") is True,
     )
 
 
@@ -161,11 +165,11 @@ def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, ope
     plan = Plan()
     known = lock.entries if lock else {}
     places = {path: place_of(root, path) for path in {*known, *(file.path for file in listing.files)}}
-    found = {path: content_sha256(place) for path, place in places.items()}
-    there = {sha256: places[path] for path, sha256 in found.items() if sha256 and path in known}
+    hashes = {path: content_sha256(local_path) for path, local_path in places.items()}
+    there = {sha256: places[path] for path, sha256 in hashes.items() if sha256 and path in known}
     for wanted in listing.files:
-        entry, before, content = wanted.entry, known.get(wanted.path), found[wanted.path]
-        place = places[wanted.path]
+        entry, before, content = wanted.entry, known.get(wanted.path), hashes[wanted.path]
+        target = places[wanted.path]
         if before is None and wanted.adopted and content == wanted.adopted.sha256:
             before = wanted.adopted
         if content == entry.sha256:
@@ -178,7 +182,7 @@ def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, ope
             plan.same += 1
             continue
         reason = _why_kept(content, before, is_pulled=is_pulled, force=force)
-        if not reason and content is not None and not opens_read_only and is_read_only(place):
+        if not reason and content is not None and not opens_read_only and is_read_only(target):
             reason = "it is read-only; --p4 or --lfs-lock opens it"
         if reason:
             plan.kept.append(Kept(wanted.path, reason))
@@ -188,10 +192,10 @@ def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, ope
         copy_of = there.get(entry.sha256)
         if copy_of is not None and copy_of.stat().st_size != wanted.size_bytes:  # a pointer of Git LFS
             copy_of = None
-        plan.writes.append(Write(wanted, place, is_new=content is None, copy_of=copy_of))
+        plan.writes.append(Write(wanted, target, is_new=content is None, copy_of=copy_of))
         if before:
             plan.entries[wanted.path] = before
-    _add_gone(plan, listing, known, places, found)
+    _add_gone(plan, listing, known, places, hashes)
     return plan
 
 
@@ -208,18 +212,18 @@ def _why_kept(content: str | None, before: Entry | None, *, is_pulled: bool, for
 
 
 def _add_gone(
-    plan: Plan, listing: Listing, known: dict[str, Entry], places: dict[str, Path], found: dict[str, str | None]
+    plan: Plan, listing: Listing, known: dict[str, Entry], places: dict[str, Path], hashes: dict[str, str | None]
 ) -> None:
     approved = {file.path for file in listing.files}
     respelled = {folded(path): places[path] for path in approved}
-    waiting = {one.path: one.reason for one in listing.missing}
+    waiting = {lacking.path: lacking.reason for lacking in listing.missing}
     for path, entry in sorted(known.items()):
-        if path in approved or found[path] is None:
+        if path in approved or hashes[path] is None:
             continue
         if (same := respelled.get(folded(path))) and same.exists() and same.samefile(places[path]):
             continue  # only the case of its name changed, on a system that ignores case
         plan.entries[path] = entry
         if path not in waiting:
-            is_edited = found[path] != entry.sha256
+            is_edited = hashes[path] != entry.sha256
             plan.gone.append(Gone(entry, places[path], is_edited, is_read_only(places[path])))
-    plan.waiting = [Kept(one.path, one.reason) for one in listing.missing]
+    plan.waiting = [Kept(lacking.path, lacking.reason) for lacking in listing.missing]

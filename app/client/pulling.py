@@ -46,7 +46,11 @@ def pull(options: argparse.Namespace) -> int:
 def _gate(listing: Listing, plan: Plan, *, prune: bool) -> int:
     """Print the obstacles to a game's release; return 0 where there are none."""
     open_files: list[Lacking] = [*listing.placeholders, *listing.missing]
-    left = [] if prune else [Lacking(one.entry.path, one.entry.cue, "no longer approved") for one in plan.gone]
+    left = (
+        []
+        if prune
+        else [Lacking(gone_file.entry.path, gone_file.entry.cue, "no longer approved") for gone_file in plan.gone]
+    )
     open_files += left
     if not open_files:
         return DONE
@@ -62,7 +66,7 @@ def _gate(listing: Listing, plan: Plan, *, prune: bool) -> int:
 def _without_server(root: Path, lock: Lock | None, reason: str) -> int:
     """Compare a folder with its lock alone, and print what could not be renewed."""
     warn(f"The server cannot be reached: {shown(reason)}")
-    entries = sorted(lock.entries.values(), key=lambda one: one.path) if lock else []
+    entries = sorted(lock.entries.values(), key=lambda locked: locked.path) if lock else []
     whole = 0
     for entry in entries:
         content = content_sha256(place_of(root, entry.path))
@@ -85,7 +89,7 @@ class _Pull:
         self, root: Path, lock: Lock | None, listing: Listing, plan: Plan, options: argparse.Namespace
     ) -> None:
         self._root, self._lock, self._listing, self._plan, self._options = root, lock, listing, plan, options
-        self._removed = [one for one in plan.gone if self._is_removed(one)] if options.prune else []
+        self._removed = [gone_file for gone_file in plan.gone if self._is_removed(gone_file)] if options.prune else []
 
     def rehearse(self) -> int:
         """Print the planned actions."""
@@ -104,7 +108,7 @@ class _Pull:
         if not (perforce or lfs) and (self._root / LOCK_NAME) in changed and is_read_only(self._root / LOCK_NAME):
             raise Refusal(f"{LOCK_NAME} is read-only; --p4 or --lfs-lock opens it. Nothing was written")
         if lfs:
-            lfs.lock([*changed, *(one.place for one in self._removed)])
+            lfs.lock([*changed, *(gone_file.place for gone_file in self._removed)])
         added = self._opened_in(perforce, changed) if perforce else []
         progress = Progress(len(writes), sum(write.wanted.size_bytes for write in writes))
         failed: list[Exception] = []
@@ -181,8 +185,8 @@ class _Pull:
             elif self._options.prune:
                 why = "it is read-only; --p4 or --lfs-lock opens it"
             say(f"{self._line('left', gone.entry)}: no longer approved; {why}")
-        for one in self._plan.waiting:
-            say(f"waiting  {shown(one.path)}: {shown(one.reason)}")
+        for kept_file in self._plan.waiting:
+            say(f"waiting  {shown(kept_file.path)}: {shown(kept_file.reason)}")
 
     def _report_description(self) -> None:
         if self._options.changelist and (self._plan.writes or self._removed):

@@ -171,8 +171,8 @@ class RangeRefused(Refusal):
 def _problem(error: urllib.error.HTTPError) -> str:
     """Return the server's words on a refusal, in one sentence; empty where it is not an answer of Soundlist."""
     try:
-        said = json.loads(error.read(1 << 20))
-        detail, fix = str(said["detail"]), said.get("fix")
+        document = json.loads(error.read(1 << 20))
+        detail, fix = str(document["detail"]), document.get("fix")
     except (ValueError, KeyError, TypeError, *CUT):
         return ""
     return f"{detail}; {fix}" if fix else detail

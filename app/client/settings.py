@@ -33,10 +33,10 @@ def read_source(
     folder: Path, lock: Lock | None, *, server: str | None, project: str | None, target: str | None, allow_http: bool
 ) -> Source:
     """Return the origin of a folder's sounds; raise Refusal where something is not known, or is not safe."""
-    path, said = _settings_file(folder)
-    address = server or said.get("server", "")
-    project = (project or said.get("project") or (lock.project if lock else "")).lower()
-    target = target or said.get("target") or (lock.target if lock else None)
+    path, stored = _settings_file(folder)
+    address = server or stored.get("server", "")
+    project = (project or stored.get("project") or (lock.project if lock else "")).lower()
+    target = target or stored.get("target") or (lock.target if lock else None)
     if not address or not project:
         lacking = " and ".join(name for name, value in (("server", address), ("project", project)) if not value)
         raise Refusal(
@@ -69,8 +69,8 @@ def ensure_fits(lock: Lock | None, source: Source) -> None:
 
 
 def _settings_file(folder: Path) -> tuple[Path | None, dict[str, str]]:
-    for place in (folder.resolve(), *folder.resolve().parents):
-        path = place / FILE_NAME
+    for parent in (folder.resolve(), *folder.resolve().parents):
+        path = parent / FILE_NAME
         if path.is_file():
             return path, _read(path)
     return None, {}
@@ -79,13 +79,13 @@ def _settings_file(folder: Path) -> tuple[Path | None, dict[str, str]]:
 def _read(path: Path) -> dict[str, str]:
     try:
         with path.open("rb") as file:
-            said = tomllib.loads(file.read(MAX_BYTES).decode())
+            stored = tomllib.loads(file.read(MAX_BYTES).decode())
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise Refusal(f"{path} cannot be read: {error}") from None
-    for key, value in said.items():
+    for key, value in stored.items():
         if key not in KEYS or not isinstance(value, str):
             raise Refusal(f'{path}: "{key}" is none of the settings {", ".join(KEYS)}, each a text')
-    return {key: value.strip() for key, value in said.items()}
+    return {key: value.strip() for key, value in stored.items()}
 
 
 def ensure_token(token: str, named: str) -> None:

@@ -20,10 +20,10 @@ def program(name: str) -> str:
     """Return the absolute path of a program on PATH, never one of the working directory; raise Refusal without it."""
     folders = [folder for folder in os.environ.get("PATH", os.defpath).split(os.pathsep) if os.path.isabs(folder)]
     os.environ["NoDefaultCurrentDirectoryInExePath"] = "1"  # noqa: SIM112 - Windows spells it so
-    found = shutil.which(name, path=os.pathsep.join(folders))
-    if found is None or not os.path.isabs(found):
+    path = shutil.which(name, path=os.pathsep.join(folders))
+    if path is None or not os.path.isabs(path):
         raise Refusal(f"{name} is not on PATH; install it, or leave its option out. Nothing was written")
-    return found
+    return path
 
 
 def _run(command: Sequence[str], folder: Path, *, given: str = "") -> tuple[str, str]:
@@ -35,8 +35,10 @@ def _run(command: Sequence[str], folder: Path, *, given: str = "") -> tuple[str,
     except (OSError, subprocess.TimeoutExpired, UnicodeDecodeError) as error:
         raise Refusal(f"{' '.join(command[:2])}: {error}") from None
     if done.returncode != 0:
-        said = shown((done.stderr.strip() or done.stdout.strip() or f"it ended with {done.returncode}").splitlines()[0])
-        raise Refusal(f"{Path(command[0]).name} {command[1] if len(command) > 1 else ''}: {said}")
+        output = shown(
+            (done.stderr.strip() or done.stdout.strip() or f"it ended with {done.returncode}").splitlines()[0]
+        )
+        raise Refusal(f"{Path(command[0]).name} {command[1] if len(command) > 1 else ''}: {output}")
     return done.stdout, done.stderr
 
 
@@ -50,19 +52,19 @@ class Perforce:
     def new_change(self, description: str) -> str:
         """Make a changelist with a description; return its number."""
         lines = "".join(f"\t{line}\n" for line in description.splitlines())
-        said, _ = _run([self._p4, "change", "-i"], self._folder, given=f"Change:\tnew\n\nDescription:\n{lines}")
-        found = CHANGE_CREATED.search(said)
-        if found is None:
-            raise Refusal(f"p4 change: made no changelist: {shown(said.strip())}")
-        self.change = found[1]
+        output, _ = _run([self._p4, "change", "-i"], self._folder, given=f"Change:\tnew\n\nDescription:\n{lines}")
+        match = CHANGE_CREATED.search(output)
+        if match is None:
+            raise Refusal(f"p4 change: made no changelist: {shown(output.strip())}")
+        self.change = match[1]
         return self.change
 
     def edit(self, paths: Sequence[Path]) -> list[Path]:
         """Open files for edit; return those that the client does not have, which are to be added."""
         if not paths:
             return []
-        said = "\n".join(self._over("edit", paths))
-        unknown = set(NOT_ON_CLIENT.findall(said))
+        output = "\n".join(self._over("edit", paths))
+        unknown = set(NOT_ON_CLIENT.findall(output))
         return [path for path in paths if {str(path), _escaped(path)} & unknown]
 
     def add(self, paths: Sequence[Path]) -> None:

@@ -37,7 +37,7 @@ IN_FOLDER = {None: "not in the folder", True: "as it was pulled", False: "change
 def why(options: argparse.Namespace) -> int:
     """Print the origin of a file; return the exit code."""
     folder, name = _folder_and_name(options.folder, options.name)
-    root = next((place for place in (folder, *folder.parents) if (place / LOCK_NAME).is_file()), None)
+    root = next((parent for parent in (folder, *folder.parents) if (parent / LOCK_NAME).is_file()), None)
     lock = read_lock(root) if root else None
     entries = _entries(root, lock, name)
     items = [_from_lock(root, lock, entry) for entry in entries] if root and lock else []
@@ -45,7 +45,7 @@ def why(options: argparse.Namespace) -> int:
     if isinstance(known, Refusal):
         raise known
     if items and known:
-        items = [item | found for item, found in zip(items, known, strict=True)]
+        items = [item | origin for item, origin in zip(items, known, strict=True)]
     items = items or known
     if not items and not problem:
         raise Refusal(f'no approved file is called "{name}"')
@@ -96,15 +96,15 @@ def _ask(
         server = Server(source)
         asked: list[tuple[str, str | None]] = [(entry.path, entry.take) for entry in entries]
         asked = asked or [(Path(name).name, None)]
-        found: list[Any] = []
-        for one, take in asked:
+        origins: list[Any] = []
+        for asked_name, take in asked:
             target = lock.target if lock and take else source.target
-            said = server.of_project("game-files/origins", name=one, take=take, target=target)
-            if not isinstance(said, list) or not all(isinstance(row, dict) for row in said):
+            answer = server.of_project("game-files/origins", name=asked_name, take=take, target=target)
+            if not isinstance(answer, list) or not all(isinstance(row, dict) for row in answer):
                 raise Refusal("the server's answer is not understood; is this program too old?")
-            rows = [_checked(row) for row in said]
-            found += (rows or [{}])[:1] if take else rows
-        return found, ""
+            rows = [_checked(row) for row in answer]
+            origins += (rows or [{}])[:1] if take else rows
+        return origins, ""
     except ServerUnreachable as error:
         return [], f"the server cannot be reached: {error}"
     except Refusal as refusal:
@@ -121,8 +121,8 @@ def _report(items: list[dict[str, Any]], problem: str, *, as_json: bool) -> None
         unknown = [{**item, "only_online": [key for key in ONLINE if key not in item]} for item in items]
         say(json.dumps({"format_version": FORMAT, "problem": problem or None, "files": unknown}, indent=2))
         return
-    for place, item in enumerate(items):
-        if place:
+    for index, item in enumerate(items):
+        if index:
             say()
         say(shown(str(item["path"])))
         rows = [("cue", f"{item['cue']} {item.get('cue_name', '')}".rstrip()), ("target", item["target"])]
@@ -130,8 +130,8 @@ def _report(items: list[dict[str, Any]], problem: str, *, as_json: bool) -> None
         if "in_folder" in item:
             rows.append(("in this folder", IN_FOLDER[item["in_folder"]]))
         for word, value in rows:
-            said = "yes" if value is True else "no" if value is False else value
-            say(f"  {word:<24}{shown(str(said)) if said not in ('', None) else 'not stated'}")
+            shown_value = "yes" if value is True else "no" if value is False else value
+            say(f"  {word:<24}{shown(str(shown_value)) if shown_value not in ('', None) else 'not stated'}")
         if lacking := [word for key, word in ONLINE.items() if key not in item]:
             say(f"  {'known online only':<24}{', '.join(lacking)}")
     if problem:

@@ -46,8 +46,8 @@ def _unpack(opened: zipfile.ZipFile, entries: list[zipfile.ZipInfo], root: Path,
         raise Refusal(f"the ZIP unpacks to {total >> 30} GiB; unpack it yourself, and adopt its folders one by one")
     ensure_distinct(ensure_harmless(entry.filename) for entry in entries)
     for entry in entries:
-        place = root.joinpath(*entry.filename.split("/"))
-        place.parent.mkdir(parents=True, exist_ok=True)
-        with opened.open(entry) as source, place.open("wb") as target:  # stops at the size that was announced
+        out_path = root.joinpath(*entry.filename.split("/"))
+        out_path.parent.mkdir(parents=True, exist_ok=True)
+        with opened.open(entry) as source, out_path.open("wb") as target:  # stops at the size that was announced
             while block := source.read(BLOCK_BYTES):
                 target.write(block)
