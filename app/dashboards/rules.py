@@ -67,7 +67,7 @@ class NextStepKind(StrEnum):
     IMPLEMENT = "implement"
 
 
-STEP_ORDER = {kind: place for place, kind in enumerate(NextStepKind)}
+STEP_ORDER = {kind: rank for rank, kind in enumerate(NextStepKind)}
 
 
 class AwaitedKind(StrEnum):

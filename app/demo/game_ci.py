@@ -62,7 +62,7 @@ class GameCi:
                     self._post("audit", label, audit_game(manifest, project))
 
     def _posted(self, what: str, ask: Ask) -> set[str]:
-        return {one["label"] for one in ask("GET", f"{self._path}/{what}s")["items"]}
+        return {posted["label"] for posted in ask("GET", f"{self._path}/{what}s")["items"]}
 
     def _post(self, what: str, label: str, report: Mapping[str, Any]) -> None:
         body = {"label": label, "commit": "", "target": "game", "report": report}

@@ -78,7 +78,7 @@ class Hiring:
 
     def _invite(self, posting_id: str, address: str) -> None:
         path = f"/postings/{posting_id}"
-        if address not in {one["email"] for one in self._producer.ask("GET", path)["candidates"]}:
+        if address not in {candidate["email"] for candidate in self._producer.ask("GET", path)["candidates"]}:
             self._producer.ask("POST", f"{path}/candidates", json={"email": address})
 
     def _bid(self, posting: dict[str, Any], designer: Visitor, address: str, at: int) -> None:

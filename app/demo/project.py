@@ -183,7 +183,11 @@ class _Maker:
             "cue_prefix": "SW",
             "preset": "44k1",
         }
-        there = (one for one in producer.ask("GET", "/projects")["items"] if one["name"] == PROJECT_NAME)
+        there = (
+            listed_project
+            for listed_project in producer.ask("GET", "/projects")["items"]
+            if listed_project["name"] == PROJECT_NAME
+        )
         project = next(there, None) or producer.ask("POST", "/projects", json=body)
         self._project = project["id"]
         director = self._people["Audio director"]
@@ -239,10 +243,10 @@ class _Maker:
 
     def _add_references(self) -> None:
         path = f"/projects/{self._project}/references"
-        there = {one["version"]["file_name"] for one in self._producer.ask("GET", path)["items"]}
+        there = {reference["version"]["file_name"] for reference in self._producer.ask("GET", path)["items"]}
         for demo_reference in demo_references():
             if demo_reference.file_name not in there:
-                said = {
+                facts = {
                     "caption": demo_reference.caption,
                     "terms": demo_reference.terms,
                     "start_s": demo_reference.start_s,
@@ -252,14 +256,18 @@ class _Maker:
                     "upload_id": self._producer.send_reference(self._project, demo_reference),
                     "cue_id": self._cues[demo_reference.cue],
                 }
-                self._producer.ask("POST", path, json=body | said)
+                self._producer.ask("POST", path, json=body | facts)
 
     def _deliver(self, note: str, sounds: list[DemoSound]) -> None:
         path = f"/projects/{self._project}/deliveries"
-        there_already = (one for one in self._designer.ask("GET", path)["items"] if one["note"] == note)
+        there_already = (
+            listed_delivery
+            for listed_delivery in self._designer.ask("GET", path)["items"]
+            if listed_delivery["note"] == note
+        )
         delivery = next(there_already, None) or self._designer.ask("POST", path, json={"note": note})
         known = self._designer.ask("GET", f"/deliveries/{delivery['id']}")
-        there = {one["file_name"] for one in [*known["takes"], *known["dry_stems"]]}
+        there = {file["file_name"] for file in [*known["takes"], *known["dry_stems"]]}
         for sound in sounds:
             if sound.file_name not in there:
                 self._ensure_not_stopped()
@@ -268,8 +276,8 @@ class _Maker:
         self._await(self._queue_is_empty)
 
     def _upload(self, delivery_id: str, sound: DemoSound) -> None:
-        place = {"delivery_id": delivery_id, "file_name": sound.file_name}
-        upload = self._designer.ask("PUT", "/uploads", params=place, content=sound.wav_bytes())
+        destination = {"delivery_id": delivery_id, "file_name": sound.file_name}
+        upload = self._designer.ask("PUT", "/uploads", params=destination, content=sound.wav_bytes())
         body = {"upload_id": upload["upload_id"], "file_name": sound.file_name}
         self._designer.ask("POST", f"/deliveries/{delivery_id}/takes", json=body)
 
@@ -310,7 +318,7 @@ class _Maker:
 
     def _asked(self) -> set[str]:
         path, params = f"/projects/{self._project}/change-requests", {"state": "sent"}
-        return {one["text"] for one in self._approver.ask("GET", path, params=params)["items"]}
+        return {question["text"] for question in self._approver.ask("GET", path, params=params)["items"]}
 
     def _agree_on_contract(self) -> None:
         """Award the work, send the draft, answer a redline, and have both accept the same text."""
@@ -387,8 +395,8 @@ class _Maker:
         deadline = time.monotonic() + CHECKED_WITHIN_S
         while time.monotonic() < deadline:
             self._ensure_not_stopped()
-            if found := condition():
-                return found
+            if value := condition():
+                return value
             time.sleep(POLL_EVERY_S)
         raise RuntimeError(f"the demo's files were not checked within {CHECKED_WITHIN_S:.0f} s; is the worker running?")
 

@@ -109,9 +109,9 @@ def bridge(clock: Clock) -> Signal:
         (1.9, 1_180, 2, -0.6, -13), (4.6, 1_570, 3, 0.5, -16), (7.2, 940, 2, 0.1, -15), (10.8, 1_400, 4, -0.4, -17),
         (13.1, 1_180, 2, -0.6, -14), (16.7, 1_870, 3, 0.7, -18), (19.4, 1_050, 4, 0.3, -15), (22.9, 1_570, 2, 0.5, -14),
     ]  # fmt: skip
-    for start_s, hz, notes, place, level_db in calls:
+    for start_s, hz, notes, pan, level_db in calls:
         call = around(chirp(hz, notes), start_s, clock)
-        samples += gain(level_db + 16) * (panned(call, place) + 0.35 * panned(around(call, 0.173, clock), -place))
+        samples += gain(level_db + 16) * (panned(call, pan) + 0.35 * panned(around(call, 0.173, clock), -pan))
     relay = metal(clock, 70, 0.0, [(310, -9, 0.12), (752, -14, 0.08), (1_420, -20, 0.05)])
     samples += panned(around(relay, 11.9, clock), -0.8) * 0.8
     return at_rms(samples, -33.0)
@@ -139,7 +139,7 @@ def hull_impact(clock: Clock, variation: int) -> Signal:
         start_s = 0.06 + 0.5 * draws.random() ** 1.4
         level_db = -17 - 14 * draws.random() - 12 * start_s
         modes = [
-            (hz * (0.8 + 0.5 * draws.random()), -6.0 * place, 0.014) for place, hz in enumerate((1_900, 3_300, 5_600))
+            (hz * (0.8 + 0.5 * draws.random()), -6.0 * mode, 0.014) for mode, hz in enumerate((1_900, 3_300, 5_600))
         ]
         crumbs += gain(level_db) * metal(clock, 60 + number, start_s, modes)
         crumbs += (

@@ -34,7 +34,7 @@ def add_script(ask: Ask, path: str) -> None:
     if ask("GET", f"{path}/voice-script")["lines"]:
         return
     ask("POST", f"{path}/voice-lines/import", json={"format": "csv", "text": SCRIPT, "dry_run": False})
-    characters = {one["name"]: one["id"] for one in ask("GET", f"{path}/voice-script")["characters"]}
+    characters = {character["name"]: character["id"] for character in ask("GET", f"{path}/voice-script")["characters"]}
     for name, language, performer, directed_by, cast_by in CASTINGS:
         body = {"performer": performer, "directed_by": directed_by, "cast_by": cast_by}
         ask("PUT", f"/voice-characters/{characters[name]}/castings/{language}", json=body)
@@ -44,7 +44,7 @@ def change_text(ask: Ask, path: str) -> None:
     """Change a text after its take was approved, once, so that the next session has a line to record again."""
     key, language, text = CHANGED
     lines = ask("GET", f"{path}/voice-lines", params={"language": language})["lines"]
-    line = next(one for one in lines if one["key"] == key)
+    line = next(candidate for candidate in lines if candidate["key"] == key)
     if line["text_version"] == 1:
         ask("PUT", f"/voice-lines/{line['id']}/texts/{language}", json={"text": text, "text_version": 1})
 

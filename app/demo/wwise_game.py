@@ -27,9 +27,9 @@ GIT = (
 def write_game(root: Path, sounds: Mapping[str, bytes], volumes_db: Mapping[str, float]) -> Path:
     """Write the project: a container for each set with its volume, an event that plays it, one bus; return its file."""
     for name, content in sounds.items():
-        place = root / "Originals" / "SFX" / name
-        place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_bytes(content)
+        path = root / "Originals" / "SFX" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
     sets: dict[str, list[str]] = defaultdict(list)
     for name in sorted(sounds):
         sets[re.sub(r"_\d\d$", "", Path(name).stem)].append(name)
@@ -106,9 +106,9 @@ def _reference(name: str, id_: str, what: str) -> str:
 
 def _put(root: Path, folder: str, category: str, body: str) -> None:
     id_ = _id("unit", category)
-    place = root / folder / "Default Work Unit.wwu"
-    place.parent.mkdir(parents=True, exist_ok=True)
-    place.write_text(
+    path = root / folder / "Default Work Unit.wwu"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(
         f'<?xml version="1.0" encoding="utf-8"?>\n<WwiseDocument Type="WorkUnit" ID="{id_}" SchemaVersion="110">\n'
         f'<{category}>\n<WorkUnit Name="Default Work Unit" ID="{id_}" PersistMode="Standalone">\n<ChildrenList>\n'
         f"{body}</ChildrenList>\n</WorkUnit>\n</{category}>\n</WwiseDocument>\n"

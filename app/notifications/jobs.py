@@ -79,10 +79,10 @@ def _by_approver(session: Session, project: Project, waiting: Mapping[str, Seque
 
 
 def _why_returned(run: CheckRun) -> str:
-    found = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
+    lines = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
     if run.verdict == "unjudged":
-        found = ["The check failed. That is our fault: your file is kept, and no round is counted."]
-    return "".join(f"\n  {each}" for each in found)
+        lines = ["The check failed. That is our fault: your file is kept, and no round is counted."]
+    return "".join(f"\n  {each}" for each in lines)
 
 
 @job("notifications.notify_changes")
@@ -99,8 +99,8 @@ def notify_changes(runtime: Runtime, payload: Payload) -> None:
             by_designer.setdefault(take.designer_id, []).append(line)
         for designer_id, lines in by_designer.items():
             subject = f"{counted(len(lines), 'change', 'changes')} requested"
-            said = [sending.note, *lines] if sending.note else lines
-            notifier.notify(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, *said)
+            message_lines = [sending.note, *lines] if sending.note else lines
+            notifier.notify(queries.address_of(session, designer_id), f"changes:{sending.id}", subject, *message_lines)
 
 
 def _version(project: Project, take: Take, cue: Cue | None) -> str:
@@ -136,17 +136,17 @@ def notify_reply(runtime: Runtime, payload: Payload) -> None:
 def notify_mention(runtime: Runtime, payload: Payload) -> None:
     """Notify a person who is mentioned in a comment, a reply or a change request, while they work on the project."""
     with runtime.database.writing() as session:
-        said = queries.note_by_id(session, UUID(payload["said_id"]), is_comment=payload["kind"] == "comment")
-        take, project, cue = queries.take_with_place(session, said.take_id)
-        author = session.get_one(Person, said.written_by)
+        note = queries.note_by_id(session, UUID(payload["said_id"]), is_comment=payload["kind"] == "comment")
+        take, project, cue = queries.take_with_place(session, note.take_id)
+        author = session.get_one(Person, note.written_by)
         person_id = UUID(payload["person_id"])
         if not queries.works_on(session, project, person_id):
             return
         version = _version(project, take, cue)
         reviewed_id = None if person_id == take.designer_id or cue is None else cue.id
         page = f"review/{reviewed_id}" if reviewed_id else None
-        spot = spot_of(take.id, version, said.start_s, project_id=project.id, reviewed_cue_id=reviewed_id)
-        line = SpotLine(f"{version}{_at(said.start_s)}: {author.name} wrote: {said.text}", spot)
+        spot = spot_of(take.id, version, note.start_s, project_id=project.id, reviewed_cue_id=reviewed_id)
+        line = SpotLine(f"{version}{_at(note.start_s)}: {author.name} wrote: {note.text}", spot)
         Notifier(runtime, session, project, payload["event_id"]).notify(
             queries.address_of(session, person_id), "mentions", f"{author.name} mentions you", line, page=page
         )
@@ -205,7 +205,9 @@ def notify_list_revised(runtime: Runtime, payload: Payload) -> None:
     with runtime.database.writing() as session:
         project = session.get_one(Project, UUID(payload["project_id"]))
         counts = (("added", "cue added", "cues added"), ("changed", "cue changed", "cues changed"))
-        changes = [counted(int(payload[key]), one, many) for key, one, many in counts if int(payload.get(key) or 0)]
+        changes = [
+            counted(int(payload[key]), singular, many) for key, singular, many in counts if int(payload.get(key) or 0)
+        ]
         if not changes:
             return
         notifier = Notifier(runtime, session, project, payload["event_id"])

@@ -200,8 +200,8 @@ def designer_addresses(session: Session, project_id: UUID) -> Sequence[str]:
 def approver_addresses(session: Session, project: Project, category: str = "") -> list[str]:
     """Return the addresses of those who may approve in a category today: its approver, then their deputies."""
     people = approval_rights(session, project).people_for(category)
-    found = dict(session.execute(select(Person.id, Person.email).where(Person.id.in_(people))).all())
-    return [found[person_id] for person_id in people]
+    addresses = dict(session.execute(select(Person.id, Person.email).where(Person.id.in_(people))).all())
+    return [addresses[person_id] for person_id in people]
 
 
 def spokesperson_addresses(session: Session, project: Project) -> set[str]:
@@ -287,8 +287,8 @@ def contracts_with_new_heads(session: Session, today: date) -> Sequence[UUID]:
 
 def take_with_place(session: Session, take_id: UUID) -> tuple[Take, Project, Cue | None]:
     """Return a take with its project and its cue, None while it is unmatched."""
-    found = select(Take, Project, Cue).join(Project, Project.id == Take.project_id)
-    take, project, cue = session.execute(found.outerjoin(Cue, Cue.id == Take.cue_id).where(Take.id == take_id)).one()
+    query = select(Take, Project, Cue).join(Project, Project.id == Take.project_id)
+    take, project, cue = session.execute(query.outerjoin(Cue, Cue.id == Take.cue_id).where(Take.id == take_id)).one()
     return take, project, cue
 
 

@@ -90,7 +90,7 @@ def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead
     studios = select(Studio.id, Studio.name)
     if studio_id is not None:
         studios = studios.where(Studio.id == studio_id)
-    found = [
+    reads = [
         StorageRead(
             studio_id=id_,
             studio_name=name,
@@ -99,7 +99,7 @@ def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead
         )
         for id_, name in session.execute(studios)
     ]
-    return sorted(found, key=lambda each: (-each.size_bytes, each.studio_name))
+    return sorted(reads, key=lambda each: (-each.size_bytes, each.studio_name))
 
 
 def _summed(source: Source, studio_id: UUID | None) -> Sums:

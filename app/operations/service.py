@@ -140,11 +140,9 @@ def _page(
         if (begun_ms := number_in(instant_ms, LARGEST_INTEGER)) is None or not job_id:
             raise bad_cursor(cursor)
         after = (begun_ms, job_id)
-    found = queue.unfinished(
-        state=state.value if state else None, studio_id=studio_id, after=after, limit=PAGE_JOBS + 1
-    )
-    page = found[:PAGE_JOBS]
-    return page, page[-1].cursor if len(found) > PAGE_JOBS else None
+    jobs = queue.unfinished(state=state.value if state else None, studio_id=studio_id, after=after, limit=PAGE_JOBS + 1)
+    page = jobs[:PAGE_JOBS]
+    return page, page[-1].cursor if len(jobs) > PAGE_JOBS else None
 
 
 def _parked(queue: JobQueue, job_id: str, studio_id: UUID | None) -> UnfinishedJob:

@@ -19,7 +19,7 @@ class CreditRole(StrEnum):
     PRODUCTION = "Production"
 
 
-ORDER = {role.value: place for place, role in enumerate(CreditRole)}
+ORDER = {role.value: rank for rank, role in enumerate(CreditRole)}
 
 
 @dataclass(frozen=True)
@@ -35,16 +35,20 @@ class Credit:
 
 def in_order(listed: Iterable[Credit]) -> list[Credit]:
     """Return credits by role, and by name within a role; roles added by hand come last, by their names."""
-    return sorted(listed, key=lambda one: (ORDER.get(one.role, len(ORDER)), one.role.casefold(), one.name.casefold()))
+    return sorted(
+        listed, key=lambda credit: (ORDER.get(credit.role, len(ORDER)), credit.role.casefold(), credit.name.casefold())
+    )
 
 
 def text_of(listed: Sequence[Credit]) -> str:
     """Return credits as text: each role with its names, then the lines that contracts name to the letter."""
     names_by_role: dict[str, list[str]] = {}
-    for one in listed:
-        names_by_role.setdefault(one.role, []).append(one.name)
+    for credit in listed:
+        names_by_role.setdefault(credit.role, []).append(credit.name)
     blocks = ["\n".join([role, *names]) for role, names in names_by_role.items()]
-    if agreed := list(dict.fromkeys(one.agreed_line for one in listed if one.agreed_line)):
+    if agreed := list(
+        dict.fromkeys(agreed_credit.agreed_line for agreed_credit in listed if agreed_credit.agreed_line)
+    ):
         blocks.append("\n".join(["Lines agreed in contracts", *agreed]))
     return "\n\n".join(blocks) + "\n" if blocks else ""
 
@@ -54,6 +58,6 @@ def csv_of(listed: Sequence[Credit]) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\r\n")
     writer.writerow(("role", "name", "agreed_line"))
-    for one in listed:
-        writer.writerow([spreadsheet_safe(cell) for cell in (one.role, one.name, one.agreed_line)])
+    for credit in listed:
+        writer.writerow([spreadsheet_safe(cell) for cell in (credit.role, credit.name, credit.agreed_line)])
     return out.getvalue()

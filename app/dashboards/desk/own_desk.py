@@ -25,7 +25,7 @@ def own_desk(session: Session, actor: Actor, cursor: str | None) -> OwnDesk:
     """Return a page of the cues that wait for the caller in all projects, what is due soonest first."""
     projects = {project.id: project for project in queries.engaged_projects(session, actor.person)}
     pairs = queries.kept_facts(session, projects, actor.person)
-    found = queries.owed_cues(
+    rows = queries.owed_cues(
         session,
         projects,
         actor.person,
@@ -33,13 +33,13 @@ def own_desk(session: Session, actor: Actor, cursor: str | None) -> OwnDesk:
         after=day_cursor(cursor),
         limit=CUES + 1,
     )
-    page = found[:CUES]
-    said = _latest_comments(session, [row.id for row in page], actor.person)
+    page = rows[:CUES]
+    comments_by_cue = _latest_comments(session, [row.id for row in page], actor.person)
     return OwnDesk(
         person=PersonBrief.model_validate(session.get_one(Person, actor.person)),
         projects=len(projects),
-        items=[_owed(projects[row.project_id], row, said.get(row.id)) for row in page],
-        next=cursor_of((page[-1].due_on or NO_DAY).isoformat(), page[-1].id) if len(found) > CUES else None,
+        items=[_owed(projects[row.project_id], row, comments_by_cue.get(row.id)) for row in page],
+        next=cursor_of((page[-1].due_on or NO_DAY).isoformat(), page[-1].id) if len(rows) > CUES else None,
     )
 
 
@@ -48,7 +48,7 @@ def _is_owed(facts: str, variations: int) -> bool:
     return cue_status(CueState.LOCKED, statuses, is_asked=False, placeholder=False) in OWED
 
 
-def _owed(project: Project, row: OwedRow, said: Said | None) -> OwedCue:
+def _owed(project: Project, row: OwedRow, comment: Said | None) -> OwedCue:
     statuses = statuses_of(row.facts, row.variations)
     return OwedCue(
         cue=CueBrief(id=row.id, label=label(project.cue_prefix, row.number), name=row.name),
@@ -57,19 +57,19 @@ def _owed(project: Project, row: OwedRow, said: Said | None) -> OwedCue:
         studio_name=project.studio.name,
         status=cue_status(row.state, statuses, is_asked=row.is_asked, placeholder=row.placeholder),
         due_on=row.due_on,
-        latest_comment=LatestComment(text=said.text, by=said.by, at=said.at) if said else None,
+        latest_comment=LatestComment(text=comment.text, by=comment.by, at=comment.at) if comment else None,
     )
 
 
 def _latest_comments(session: Session, cue_ids: Sequence[UUID], designer_id: UUID) -> dict[UUID, Said]:
     """Return the last words on each cue: a comment, a change request, an answer, or the check's first finding."""
-    said = [
+    comments = [
         *queries.comments(session, cue_ids, designer_id),
         *queries.changes(session, cue_ids, designer_id),
         *queries.answers(session, cue_ids, designer_id),
     ]
     for take, run in queries.returned(session, cue_ids, designer_id):
-        errors = [one["message"] for one in run.report.get("findings", []) if one["severity"] == "error"]
+        errors = [finding["message"] for finding in run.report.get("findings", []) if finding["severity"] == "error"]
         if take.cue_id is not None and errors:
-            said.append(Said(take.cue_id, take.state_since, errors[0], None))
-    return {each.cue_id: each for each in sorted(said, key=lambda each: each.at)}
+            comments.append(Said(take.cue_id, take.state_since, errors[0], None))
+    return {each.cue_id: each for each in sorted(comments, key=lambda each: each.at)}

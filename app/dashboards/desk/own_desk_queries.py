@@ -69,15 +69,15 @@ def owed_cues(
     asked = (Question.project_id == Cue.project_id, Question.cue_id == Cue.id, Question.answered_at.is_(None))
     due_on: ColumnElement[date] = func.coalesce(Cue.due_on, NO_DAY, type_=Cue.due_on.type)
     columns = (Cue.id, Cue.project_id, Cue.number, Cue.name, Cue.state, Cue.variations, Cue.placeholder, Cue.due_on)
-    found = (
+    query = (
         select(*columns, exists().where(*asked), CueSums.facts)
         .join(CueSums, of_designer, isouter=True)
         .where(in_array(Cue.project_id, project_ids), Cue.state != CueState.CUT)
         .where(or_(CueSums.cue_id.is_(None), is_owed))
     )
     if after is not None:
-        found = found.where(tuple_(due_on, Cue.id) > tuple_(*after))
-    return [OwedRow._make(row) for row in session.execute(found.order_by(due_on, Cue.id).limit(limit))]
+        query = query.where(tuple_(due_on, Cue.id) > tuple_(*after))
+    return [OwedRow._make(row) for row in session.execute(query.order_by(due_on, Cue.id).limit(limit))]
 
 
 class Said(NamedTuple):
@@ -92,9 +92,9 @@ class Said(NamedTuple):
 def comments(session: Session, cue_ids: Collection[UUID], designer_id: UUID) -> list[Said]:
     """Return the newest comment on a designer's takes of each cue."""
     by = func.coalesce(Person.name, Comment.guest_name)
-    place = func.row_number().over(partition_by=Take.cue_id, order_by=(Comment.created_at.desc(), Comment.id.desc()))
+    rank = func.row_number().over(partition_by=Take.cue_id, order_by=(Comment.created_at.desc(), Comment.id.desc()))
     each = (
-        select(Take.cue_id, Comment.created_at, Comment.text, by.label("by"), place.label("place"))
+        select(Take.cue_id, Comment.created_at, Comment.text, by.label("by"), rank.label("place"))
         .select_from(Comment)
         .join(Take, Take.id == Comment.take_id)
         .join(Person, Person.id == Comment.written_by, isouter=True)

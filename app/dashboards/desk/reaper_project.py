@@ -39,7 +39,7 @@ def reaper_project_of(session: Session, actor: Actor, project_id: UUID) -> str:
     }  # of one variation the last that came back
     notes = _notes(session, list(back.values()))
     pictures = progress_queries.pictures(
-        session, access.project.studio_id, [one.master_sha256 for one in back.values()]
+        session, access.project.studio_id, [back_take.master_sha256 for back_take in back.values()]
     )
     files = []
     for row in rows:

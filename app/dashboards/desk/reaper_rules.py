@@ -87,7 +87,7 @@ def _wave_format(bit_depth: int) -> str:
 
 
 def _one_line(text: str) -> str:
-    kept = "".join(one if one.isprintable() else " " for one in text)
+    kept = "".join(character if character.isprintable() else " " for character in text)
     return " ".join(kept.split())[:SHOWN_CHARS]
 
 

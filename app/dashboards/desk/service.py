@@ -78,14 +78,14 @@ class Desk:
 
     def came_back(self, cursor: str | None) -> Page[schemas.CameBack]:
         """Return the takes that are with the designer again, by cue, those that wait longest first."""
-        found = desk_queries.back_cues(
+        cues = desk_queries.back_cues(
             self._session, self._project.id, self._designer_id, after=instant_cursor(cursor), limit=BACK_CUES + 1
         )
-        page = found[:BACK_CUES]
+        page = cues[:BACK_CUES]
         wanted = [cue.id for cue in page if not _is_accepted(cue.facts, cue.variations)]
         return Page(
             items=self._takes_back(wanted),
-            next=cursor_of(page[-1].since.isoformat(), page[-1].id) if len(found) > BACK_CUES else None,
+            next=cursor_of(page[-1].since.isoformat(), page[-1].id) if len(cues) > BACK_CUES else None,
         )
 
     def to_make(self, cursor: str | None) -> Page[schemas.ToMake]:
@@ -114,18 +114,18 @@ class Desk:
         self, cursor: str | None, wanted: frozenset[CueStatus], only: ColumnElement[bool] | None = None
     ) -> tuple[list[ListRow], str | None]:
         """Walk the list from a place in it until a page of cues is found that stand so."""
-        found: list[ListRow] = []
+        walked: list[ListRow] = []
         after = place_cursor(cursor)
-        while len(found) <= CUES:
+        while len(walked) <= CUES:
             stretch = progress_queries.list_rows(
                 self._session, self._project.id, self._designer_id, after=after, limit=STRETCH, only=only
             )
-            found += [row for row in stretch if status_of(row) in wanted]
+            walked += [row for row in stretch if status_of(row) in wanted]
             if len(stretch) < STRETCH:
                 break
             after = stretch[-1].position, stretch[-1].number
-        page = found[:CUES]
-        return page, cursor_of(page[-1].position, page[-1].number) if len(found) > CUES else None
+        page = walked[:CUES]
+        return page, cursor_of(page[-1].position, page[-1].number) if len(walked) > CUES else None
 
     def _takes_back(self, cue_ids: Sequence[UUID]) -> list[schemas.CameBack]:
         session, project = self._session, self._project
@@ -143,9 +143,9 @@ class Desk:
                 {"id": str(change.id), "text": change.text, "start_s": change.start_s, "end_s": change.end_s}
             )
             rounds[change.take_id] = number
-        said: dict[UUID, list[CommentRead]] = defaultdict(list)
+        comments_by_take: dict[UUID, list[CommentRead]] = defaultdict(list)
         for comment in queries.comments_of_takes(session, ids):
-            said[comment.take_id].append(comment_read(comment))
+            comments_by_take[comment.take_id].append(comment_read(comment))
         spec = audio_checks.parse_spec(current_spec(session, project.id).toml)
         return [
             schemas.CameBack(
@@ -162,7 +162,7 @@ class Desk:
                 peaks_url=f"/v1/sounds/{picture.id}/peaks.json" if picture else None,
                 findings=runs[take.id].report.get("findings", []) if take.id in runs else [],
                 changes=changes[take.id],
-                comments=said[take.id],
+                comments=comments_by_take[take.id],
                 round=rounds.get(take.id),
                 limit_dbfs=_peak_limit(spec, cue.category),
             )

@@ -61,10 +61,12 @@ def summed(works: Iterable[OpenWork]) -> Sum:
 
 def by_category(works: Iterable[OpenWork]) -> list[tuple[str, Sum]]:
     """Return the hours of each category, the most hours first."""
-    found: dict[str, list[OpenWork]] = defaultdict(list)
+    works_by_category: dict[str, list[OpenWork]] = defaultdict(list)
     for work in works:
-        found[work.category].append(work)
-    return sorted(((name, summed(own)) for name, own in found.items()), key=lambda one: (-one[1].left_h, one[0]))
+        works_by_category[work.category].append(work)
+    return sorted(
+        ((name, summed(own)) for name, own in works_by_category.items()), key=lambda pair: (-pair[1].left_h, pair[0])
+    )
 
 
 def outlook(
@@ -77,12 +79,12 @@ def outlook(
     """
     wanted = there = 0.0
     weeks = []
-    for place, days in enumerate(free_days):
-        monday = first_monday + place * WEEK
+    for week, days in enumerate(free_days):
+        monday = first_monday + week * WEEK
         due = sum(
             left_hours(work)
             for work in works
-            if work.due_on is not None and work.due_on < monday + WEEK and (place == 0 or work.due_on >= monday)
+            if work.due_on is not None and work.due_on < monday + WEEK and (week == 0 or work.due_on >= monday)
         )
         wanted += due
         there += days / 5 * (weekly_hours or 0.0)

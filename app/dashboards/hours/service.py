@@ -37,7 +37,7 @@ def project_hours(session: Session, actor: Actor, project_id: UUID) -> ProjectHo
     on_file = entries_of_bidders(session, actor, access.project.studio_id, proven)
     designers = [
         _of_designer(person, by_designer[person.id], *on_file.get(person.email, (None, [])))
-        for person in sorted(people.values(), key=lambda one: (one.name, one.id))
+        for person in sorted(people.values(), key=lambda person: (person.name, person.id))
     ]
     return ProjectHours(
         total=HoursSum.model_validate(summed(every)),

@@ -240,10 +240,10 @@ def current_findings(
 
     A returned take stands until a newer one of its variation came, as a fix or from the session.
     """
-    found: dict[UUID, list[dict[str, Any]]] = defaultdict(list)
+    findings_by_cue: dict[UUID, list[dict[str, Any]]] = defaultdict(list)
     for cue_id, each in session.execute(_current_findings(designer_id is not None), _given(cue_ids, designer_id)):
-        found[cue_id] += each
-    return found
+        findings_by_cue[cue_id] += each
+    return findings_by_cue
 
 
 @cache
@@ -302,10 +302,10 @@ def _review_facts(is_own: bool) -> Select[UUID, int | None, bool, bool]:
 
 def unheard_takes(session: Session, person_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, list[UUID]]:
     """Return the takes of some cues that wait or are approved and that a person has not heard, by cue."""
-    found: dict[UUID, list[UUID]] = defaultdict(list)
+    takes_by_cue: dict[UUID, list[UUID]] = defaultdict(list)
     for cue_id, take_id in session.execute(_unheard_takes(), {"cue_ids": cue_ids, "person_id": person_id}):
-        found[cue_id].append(take_id)
-    return found
+        takes_by_cue[cue_id].append(take_id)
+    return takes_by_cue
 
 
 @cache

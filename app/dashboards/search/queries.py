@@ -22,25 +22,25 @@ CUE_TEXTS = (Cue.name, Cue.use, Cue.description, Cue.category)
 
 def find_cues(session: Session, project_id: UUID, words: Sequence[str]) -> Sequence[Cue]:
     """Return the cues whose name, use or description holds every word."""
-    found = select(Cue).where(Cue.project_id == project_id)
+    query = select(Cue).where(Cue.project_id == project_id)
     for word in words:
-        found = found.where(or_(*(icontains(text, word) for text in CUE_TEXTS)))
-    return session.scalars(found.order_by(Cue.number).limit(HITS)).all()
+        query = query.where(or_(*(icontains(text, word) for text in CUE_TEXTS)))
+    return session.scalars(query.order_by(Cue.number).limit(HITS)).all()
 
 
 def find_files(
     session: Session, project_id: UUID, designer_id: UUID | None, words: Sequence[str], *, limit: int
 ) -> Sequence[Row[Take, Cue | None]]:
     """Return the newest takes whose file name holds every word, with their cue; of one designer where one is given."""
-    found = (
+    query = (
         select(Take, Cue)
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
         .where(Take.project_id == project_id, Take.discarded_at.is_(None))
         .where(*(icontains(Take.file_name, word) for word in words))
     )
     if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
-    return session.execute(found.order_by(Take.id.desc()).limit(limit)).all()
+        query = query.where(Take.designer_id == designer_id)
+    return session.execute(query.order_by(Take.id.desc()).limit(limit)).all()
 
 
 def projects_elsewhere(session: Session, actor: Actor, *, except_in: UUID | None) -> Sequence[UUID]:
@@ -55,13 +55,13 @@ def find_cues_elsewhere(
     session: Session, project_ids: Sequence[UUID], words: Sequence[str]
 ) -> Sequence[Row[Cue, Project]]:
     """Return cues of some projects that have every word in their texts, those of the newest project first."""
-    found = (
+    query = (
         select(Cue, Project)
         .join(Project, Project.id == Cue.project_id)
         .where(in_array(Cue.project_id, project_ids))
         .where(*(or_(*(icontains(text, word) for text in CUE_TEXTS)) for word in words))
     )
-    return session.execute(found.order_by(Cue.project_id.desc(), Cue.number).limit(HITS)).all()
+    return session.execute(query.order_by(Cue.project_id.desc(), Cue.number).limit(HITS)).all()
 
 
 def find_files_elsewhere(
@@ -69,14 +69,14 @@ def find_files_elsewhere(
 ) -> Sequence[Row[Take, Cue | None, Project]]:
     """Return the newest takes of some projects that have every word in their file name, as far as the caller sees."""
     is_visible = visible_work(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
-    found = (
+    query = (
         select(Take, Cue, Project)
         .join(Project, Project.id == Take.project_id)
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
         .where(in_array(Take.project_id, project_ids), is_visible, Take.discarded_at.is_(None))
         .where(*(icontains(Take.file_name, word) for word in words))
     )
-    return session.execute(found.order_by(Take.id.desc()).limit(limit)).all()
+    return session.execute(query.order_by(Take.id.desc()).limit(limit)).all()
 
 
 def find_people(session: Session, studio_id: UUID, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Person]:
@@ -96,15 +96,15 @@ def find_comments(
     session: Session, project_id: UUID, designer_id: UUID | None, phrase: str, *, limit: int
 ) -> Sequence[Row[Comment, Cue]]:
     """Return the newest comments that hold a phrase, with their cue; on takes of one designer where one is given."""
-    found = (
+    query = (
         select(Comment, Cue)
         .join(Take, Take.id == Comment.take_id)
         .join(Cue, Cue.id == Take.cue_id)
         .where(Comment.project_id == project_id, icontains(Comment.text, phrase))
     )
     if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
-    return session.execute(found.order_by(Comment.id.desc()).limit(limit)).all()
+        query = query.where(Take.designer_id == designer_id)
+    return session.execute(query.order_by(Comment.id.desc()).limit(limit)).all()
 
 
 def find_questions(session: Session, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Row[Question, Cue]]:

@@ -59,9 +59,13 @@ def find_elsewhere(
         _elsewhere(project, _cue(project, cue))
         for cue, project in queries.find_cues_elsewhere(session, projects, words)
     ]
-    said = _reasons_and_labels(session, Elsewhere(actor, projects), words)
+    reasons_and_labels = _reasons_and_labels(session, Elsewhere(actor, projects), words)
     return schemas.FindElsewhereResult(
-        hits=[*cues[: queries.HITS - len(files)], *files, *(_elsewhere(project, hit) for project, hit in said)]
+        hits=[
+            *cues[: queries.HITS - len(files)],
+            *files,
+            *(_elsewhere(project, hit) for project, hit in reasons_and_labels),
+        ]
     )
 
 
@@ -85,11 +89,11 @@ def _file(project: Project, take: Take, cue: Cue | None) -> schemas.Found:
 
 def _cues(session: Session, access: ProjectAccess, words: Sequence[str], phrase: str) -> list[schemas.Found]:
     project = access.project
-    found = _by_nearness(queries.find_cues(session, project.id, words), phrase)
+    nearest = _by_nearness(queries.find_cues(session, project.id, words), phrase)
     number = number_in(phrase.upper().removeprefix(f"{project.cue_prefix.upper()}-"))
     if number is not None and (cue := queries.cue_by_number(session, project.id, number)):
-        found = [cue, *(other for other in found if other.id != cue.id)]
-    return [_cue(project, cue) for cue in found]
+        nearest = [cue, *(other for other in nearest if other.id != cue.id)]
+    return [_cue(project, cue) for cue in nearest]
 
 
 def _by_nearness(cues: Sequence[Cue], phrase: str) -> list[Cue]:
@@ -129,18 +133,18 @@ def _reasons_and_labels(
     ]
 
 
-def _reason(found: FoundReason) -> schemas.Found:
-    verdict = found.verdict
+def _reason(reason: FoundReason) -> schemas.Found:
+    verdict = reason.verdict
     return schemas.Found(
-        kind="change_reason" if found.kind is ReasonKind.CHANGE else "pick_reason",
-        title=found.cue.name,
+        kind="change_reason" if reason.kind is ReasonKind.CHANGE else "pick_reason",
+        title=reason.cue.name,
         text=", ".join(verdict.reasons),
-        cue=brief(found.project, found.cue),
-        take_id=found.take.id,
-        start_s=found.start_s,
+        cue=brief(reason.project, reason.cue),
+        take_id=reason.take.id,
+        start_s=reason.start_s,
         said=schemas.SaidOfVersion(
-            variation=found.take.variation,
-            number=found.take.number,
+            variation=reason.take.variation,
+            number=reason.take.number,
             by=verdict.author and PersonBrief.model_validate(verdict.author),
             on_behalf_of=verdict.represented and PersonBrief.model_validate(verdict.represented),
             at=verdict.created_at,
@@ -148,18 +152,18 @@ def _reason(found: FoundReason) -> schemas.Found:
     )
 
 
-def _label(found: FoundLabel) -> schemas.Found:
-    take = found.take
+def _label(label: FoundLabel) -> schemas.Found:
+    take = label.take
     return schemas.Found(
         kind="label",
-        title=found.cue.name,
+        title=label.cue.name,
         text=take.label or "",
-        cue=brief(found.project, found.cue),
+        cue=brief(label.project, label.cue),
         take_id=take.id,
         said=schemas.SaidOfVersion(
             variation=take.variation,
             number=take.number,
-            by=found.by and PersonBrief.model_validate(found.by),
+            by=label.by and PersonBrief.model_validate(label.by),
             on_behalf_of=None,
             at=take.labelled_at,
         ),

@@ -52,14 +52,14 @@ STEP_OF_AMENDMENT = {
 def next_steps(session: Session, actor: Actor, project_id: UUID) -> NextSteps:
     """Return the caller's next steps in a project, the first thing first, and the people they wait for."""
     access = project_access(session, actor, project_id, before_nda=True)
-    found = _Steps(session, access)
+    steps = _Steps(session, access)
     if access.is_team:
-        found.of_team()
+        steps.of_team()
     else:
-        found.of_designer()
+        steps.of_designer()
     return NextSteps(
-        steps=sorted(found.steps, key=lambda step: STEP_ORDER[step.kind]),
-        awaited=sorted(found.awaited, key=lambda one: one.since or clock.now()),
+        steps=sorted(steps.steps, key=lambda step: STEP_ORDER[step.kind]),
+        awaited=sorted(steps.awaited, key=lambda awaited: awaited.since or clock.now()),
     )
 
 
@@ -119,13 +119,13 @@ class _Steps:
         asked = queries.questions_open_since(session, project.id, asked_by=designer_id)
         self._await(AwaitedKind.ANSWER, project.name, asked)
 
-    def _counted(self, kind: NextStepKind, found: tuple[int, datetime | None]) -> None:
-        count, since = found
+    def _counted(self, kind: NextStepKind, count_and_since: tuple[int, datetime | None]) -> None:
+        count, since = count_and_since
         if count:
             self.steps.append(NextStep(kind=kind, count=count, since=since))
 
-    def _await(self, kind: AwaitedKind, who: Person | str, found: tuple[int, datetime | None]) -> None:
-        count, since = found
+    def _await(self, kind: AwaitedKind, who: Person | str, count_and_since: tuple[int, datetime | None]) -> None:
+        count, since = count_and_since
         if not count:
             return
         if isinstance(who, str):
@@ -157,8 +157,8 @@ class _Steps:
     def _waiting(self, scope: ApprovalScope, *of_takes: ColumnElement[bool]) -> tuple[int, datetime | None]:
         """Return the number of cues of a scope awaiting a verdict, and the first wait's start."""
         reach = and_(queue_queries.in_scope(self._project.id, scope), *of_takes)
-        found = queue_queries.waiting_cues(self._session, reach, after=None, limit=COUNTED_CUES)
-        return len(found), found[0].since if found else None
+        waiting = queue_queries.waiting_cues(self._session, reach, after=None, limit=COUNTED_CUES)
+        return len(waiting), waiting[0].since if waiting else None
 
     def _await_verdicts(self, rights: ApprovalRights, *of_takes: ColumnElement[bool]) -> None:
         """Add each approver for whom cues wait, except those that the caller may approve."""
@@ -195,8 +195,12 @@ class _Steps:
             if briefs.brief_of(session, project.id) is None:
                 self.steps.append(NextStep(kind=NextStepKind.WRITE_BRIEF, since=project.created_at))
         engaged = [engagement for engagement in engagements_of(session, [project.id]) if engagement.ended_at is None]
-        invited = [one for one in invitations(session, project.id) if one.accepted_at is None]
-        pending = [one for one in invited if one.expires_at > clock.now()]
+        invited = [
+            listed_invitation
+            for listed_invitation in invitations(session, project.id)
+            if listed_invitation.accepted_at is None
+        ]
+        pending = [invited_person for invited_person in invited if invited_person.expires_at > clock.now()]
         for invitation in pending:
             self.awaited.append(Awaited(kind=AwaitedKind.JOIN, who=invitation.email, since=invitation.created_at))
         if has_cues and not engaged and not pending and not is_posted:
@@ -207,7 +211,7 @@ class _Steps:
             and not queries.has_verdicts(session, project.id)
         ):
             self.steps.append(NextStep(kind=NextStepKind.NAME_APPROVER))
-        self._ndas([one for one in engaged if nda_is_pending(project, one)])
+        self._ndas([engagement for engagement in engaged if nda_is_pending(project, engagement)])
 
     def _ndas(self, pending: list[Engagement]) -> None:
         if not pending:
@@ -218,16 +222,16 @@ class _Steps:
             if contract.kind is ContractKind.NDA and contract.state is ContractState.SENT
         }
         self.steps += [
-            NextStep(kind=NextStepKind.SEND_NDA, who=one.designer.name, since=one.created_at)
-            for one in pending
-            if one.designer_id not in sent
+            NextStep(kind=NextStepKind.SEND_NDA, who=engagement.designer.name, since=engagement.created_at)
+            for engagement in pending
+            if engagement.designer_id not in sent
         ]
 
     def _contracts(self) -> None:
         session, actor = self._session, self._access.actor
-        found = agreements.contracts_in(session, actor, self._project.id)
-        turns = agreements.turns_to_sign(session, found)
-        for contract in found:
+        contracts = agreements.contracts_in(session, actor, self._project.id)
+        turns = agreements.turns_to_sign(session, contracts)
+        for contract in contracts:
             party = party_of(actor, contract)
             if party is None:
                 continue
@@ -243,7 +247,7 @@ class _Steps:
                     self._money(contract, party)
                     self._amendments(contract, party)
 
-        self._days([contract for contract in found if party_of(actor, contract) is not None])
+        self._days([contract for contract in contracts if party_of(actor, contract) is not None])
 
     def _days(self, contracts: Sequence[Contract]) -> None:
         for contract, named in near_days(self._session, contracts, clock.now().date()):

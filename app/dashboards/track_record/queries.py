@@ -45,13 +45,13 @@ def studios_of(session: Session, designer_id: UUID) -> Sequence[Row[UUID, str]]:
 def contracts_of(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[Contract]:
     """Return the contracts of a studio with a designer that were agreed, those that ended since too."""
     states = (ContractState.AGREED, ContractState.ENDED)
-    found = select(Contract).where(
+    query = select(Contract).where(
         Contract.studio_id == studio_id,
         Contract.designer_id == designer_id,
         Contract.state.in_(states),
         Contract.agreed_at.is_not(None),
     )
-    return session.scalars(found.order_by(Contract.id)).all()
+    return session.scalars(query.order_by(Contract.id)).all()
 
 
 def revision_times(session: Session, studio_id: UUID, designer_id: UUID) -> Sequence[tuple[datetime, datetime | None]]:

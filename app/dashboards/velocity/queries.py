@@ -21,12 +21,12 @@ def cues(
     session: Session, project_id: UUID, designer_id: UUID | None
 ) -> Sequence[Row[UUID, int, str, int, date | None]]:
     """Return the cues that are not cut; of a designer, those that she sent something for."""
-    found = select(Cue.id, Cue.number, Cue.name, Cue.variations, Cue.due_on).where(
+    query = select(Cue.id, Cue.number, Cue.name, Cue.variations, Cue.due_on).where(
         Cue.project_id == project_id, Cue.state != CueState.CUT
     )
     if designer_id is not None:
-        found = found.where(exists().where(Take.cue_id == Cue.id, Take.designer_id == designer_id))
-    return session.execute(found.order_by(Cue.position, Cue.number)).all()
+        query = query.where(exists().where(Take.cue_id == Cue.id, Take.designer_id == designer_id))
+    return session.execute(query.order_by(Cue.position, Cue.number)).all()
 
 
 def rounds(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, datetime]]:
@@ -40,7 +40,7 @@ def rounds(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, dateti
 
 def approvals(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[UUID, int, datetime, bool]]:
     """Return the variations whose approval stands: cue, variation, since when, and whether only an adoption gave it."""
-    found = (
+    query = (
         select(
             *(Verdict.cue_id, Take.variation, func.min(Verdict.created_at)),
             func.count(Verdict.adoption_id) == func.count(),
@@ -49,12 +49,12 @@ def approvals(session: Session, project_id: UUID, designer_id: UUID | None) -> S
         .where(Verdict.project_id == project_id, Verdict.kind == VerdictKind.APPROVE, *_stands(designer_id))
         .group_by(Verdict.cue_id, Take.variation)
     )
-    return session.execute(found).all()
+    return session.execute(query).all()
 
 
 def review_times(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[datetime, datetime]]:
     """Return since when a version had waited for its verdict, and when a review gave it; the newest."""
-    found = (
+    query = (
         select(Verdict.since_before, Verdict.created_at)
         .join(Take, Take.id == Verdict.take_id)
         .where(
@@ -67,7 +67,7 @@ def review_times(session: Session, project_id: UUID, designer_id: UUID | None) -
         .order_by(Verdict.id.desc())
         .limit(NEWEST)
     )
-    return session.execute(found).all()
+    return session.execute(query).all()
 
 
 def review_waits(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[datetime]:
@@ -86,10 +86,10 @@ def answer_times(
     session: Session, project_id: UUID, designer_id: UUID | None
 ) -> Sequence[Row[datetime, datetime | None]]:
     """Return the times of questions and of their answers; the newest."""
-    found = select(Question.asked_at, Question.answered_at).where(Question.project_id == project_id)
+    query = select(Question.asked_at, Question.answered_at).where(Question.project_id == project_id)
     if designer_id is not None:
-        found = found.where(Question.asked_by == designer_id)
-    return session.execute(found.order_by(Question.id.desc()).limit(NEWEST)).all()
+        query = query.where(Question.asked_by == designer_id)
+    return session.execute(query.order_by(Question.id.desc()).limit(NEWEST)).all()
 
 
 def _stands(designer_id: UUID | None) -> tuple[ColumnElement[bool], ...]:

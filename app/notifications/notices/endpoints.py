@@ -17,10 +17,10 @@ def list_my_notices(
     session: DbSession, cursor: str | None = None, actor: Actor = allows(Audience.PERSON)
 ) -> Page[InAppNoticeRead]:
     """Return the caller's notices, newest first; read ones are kept for 90 days."""
-    found = notices.page(session, actor, before=uuid_cursor(cursor), limit=PAGE + 1)
-    shown = found[:PAGE]
-    following = cursor_of(shown[-1].id) if len(found) > PAGE else None
-    return Page(items=[InAppNoticeRead.model_validate(one) for one in shown], next=following)
+    notice_rows = notices.page(session, actor, before=uuid_cursor(cursor), limit=PAGE + 1)
+    shown = notice_rows[:PAGE]
+    following = cursor_of(shown[-1].id) if len(notice_rows) > PAGE else None
+    return Page(items=[InAppNoticeRead.model_validate(notice) for notice in shown], next=following)
 
 
 @router.get("/me/notices/unread")

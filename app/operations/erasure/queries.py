@@ -134,13 +134,15 @@ def kept_of_person(session: Session, person_id: UUID) -> list[Kept]:
 def deleted_counts(session: Session, scope: scopes.Scope) -> list[str]:
     """Return the kinds of rows within a scope that people know by name, each with its number."""
     counts = []
-    for place, (model, _, _) in enumerate(COUNTED):
+    for index, (model, _, _) in enumerate(COUNTED):
         table = Base.metadata.tables[model.__tablename__]
         where = scope(table)
         if where is not None:
-            counts.append(select(literal(place), func.count()).select_from(table).where(where))
+            counts.append(select(literal(index), func.count()).select_from(table).where(where))
     rows = session.execute(union_all(*counts)) if counts else ()
-    return [counted(count, COUNTED[place][1], COUNTED[place][2]) for place, count in sorted(rows) if count]
+    return [
+        counted(count, COUNTED[model_index][1], COUNTED[model_index][2]) for model_index, count in sorted(rows) if count
+    ]
 
 
 def pending_erasure(session: Session, studio_id: UUID, project_id: UUID | None) -> Erasure | None:
