@@ -100,10 +100,10 @@ def list_projects(
     actor: Actor = allows(Audience.PERSON),
 ) -> Page[schemas.ProjectRead]:
     """Return the projects of the caller's studios and engagements, newest first."""
-    found = queries.projects_seen(session, actor, before=uuid_cursor(cursor), limit=PAGE_ROWS + 1, archived=archived)
-    shown = found[:PAGE_ROWS]
+    projects = queries.projects_seen(session, actor, before=uuid_cursor(cursor), limit=PAGE_ROWS + 1, archived=archived)
+    shown = projects[:PAGE_ROWS]
     items = [project_read(view) for view in overviews.overviews(session, actor, shown)]
-    return Page(items=items, next=cursor_of(shown[-1].id) if len(found) > PAGE_ROWS else None)
+    return Page(items=items, next=cursor_of(shown[-1].id) if len(projects) > PAGE_ROWS else None)
 
 
 @router.post("/projects", status_code=201, responses=problems(StudioNotFound, ProducerNeeded))

@@ -62,7 +62,9 @@ def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> li
     ids = [project.id for project in projects]
     approvers = queries.approvers_of(session, projects)
     rights = approval_rights_of(session, {project_id: person.id for project_id, person in approvers.items()})
-    people = people_by_id(session, {one for of_project in rights.values() for one in of_project.by_category.values()})
+    people = people_by_id(
+        session, {person_id for of_project in rights.values() for person_id in of_project.by_category.values()}
+    )
     versions = queries.spec_versions_of(session, ids)
     liaisons: defaultdict[UUID, list[Person]] = defaultdict(list)
     for liaison in queries.liaisons_of(session, ids):
@@ -75,7 +77,7 @@ def overviews(session: Session, actor: Actor, projects: Sequence[Project]) -> li
             project=project,
             approver=approvers[project.id],
             rights=rights[project.id],
-            category_approvers={name: people[one] for name, one in rights[project.id].by_category.items()},
+            category_approvers={name: people[person_id] for name, person_id in rights[project.id].by_category.items()},
             liaisons=liaisons[project.id],
             engagements=[
                 engagement

@@ -133,5 +133,5 @@ def ensure_deputy(person_id: UUID, deputy_id: UUID, *, from_on: date, until_on: 
 
 def stated(tables: Mapping[str, Any]) -> dict[str, Any]:
     """Return the statements of a form: a field left empty is a key left out."""
-    said = {key: stated(value) if isinstance(value, Mapping) else value for key, value in tables.items()}
-    return {key: value for key, value in said.items() if value is not None}
+    filled = {key: stated(value) if isinstance(value, Mapping) else value for key, value in tables.items()}
+    return {key: value for key, value in filled.items() if value is not None}

@@ -233,10 +233,10 @@ def name_approver(session: Session, actor: Actor, project_id: UUID, *, person_id
     access.ensure_producer()
     project = access.project
     studio_locked(session, project.studio_id)  # nobody leaves between the look and the naming
-    place = membership(session, project.studio_id, person_id)
+    member = membership(session, project.studio_id, person_id)
     ensure_can_approve(
-        is_liaison=place is not None and queries.is_liaison(session, project_id, person_id),
-        is_producer=place is not None and Role.PRODUCER in place.roles,
+        is_liaison=member is not None and queries.is_liaison(session, project_id, person_id),
+        is_producer=member is not None and Role.PRODUCER in member.roles,
     )
     session.add(
         ApproverChange(

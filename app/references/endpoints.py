@@ -46,11 +46,11 @@ def list_references(
     actor: Actor = MAY_SEE,
 ) -> Page[ReferenceRead]:
     """Return the references of a project, the one added last first."""
-    access, found = service.on_board(
+    access, versions = service.on_board(
         session, actor, project_id, cue_id=cue_id, before=uuid_cursor(cursor), limit=PAGE + 1
     )
-    shown = found[:PAGE]
-    following = cursor_of(shown[-1].reference_id) if len(found) > PAGE else None
+    shown = versions[:PAGE]
+    following = cursor_of(shown[-1].reference_id) if len(versions) > PAGE else None
     return Page(items=read_references(session, access, shown), next=following)
 
 
@@ -124,11 +124,11 @@ def list_reference_openings(
     actor: Actor = TEAM,
 ) -> Page[ReferenceOpeningRead]:
     """Return the openings: person, version and time, newest first."""
-    found = service.openings_of(
+    openings = service.openings_of(
         session, actor, project_id, reference_id=reference, before=uuid_cursor(cursor), limit=PAGE + 1
     )
-    shown = found[:PAGE]
-    following = cursor_of(shown[-1].id) if len(found) > PAGE else None
+    shown = openings[:PAGE]
+    following = cursor_of(shown[-1].id) if len(openings) > PAGE else None
     return Page(items=[read_opening(opening) for opening in shown], next=following)
 
 

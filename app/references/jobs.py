@@ -34,13 +34,17 @@ def draw_preview(runtime: Runtime, payload: Payload) -> None:
         drawn.mkdir()
         try:
             with _sandbox().child(reads=[path], writes=[drawn]) as child:
-                found = child.call(drawing.draw_previews, str(path), str(drawn))
+                outcome = child.call(drawing.draw_previews, str(path), str(drawn))
         except SandboxFailed as error:
             log.warning("a picture could not be drawn", version_id=str(version_id), error=str(error))
             message = f"this picture takes more than {TIMEOUT_S:g} s or {MEMORY_BYTES >> 20:,} MiB to draw"
-            found = {"width": 0, "height": 0, "problem": message}
-        made = {"problem": found["problem"], "width_px": found["width"] or None, "height_px": found["height"] or None}
-        if found["problem"]:
+            outcome = {"width": 0, "height": 0, "problem": message}
+        made = {
+            "problem": outcome["problem"],
+            "width_px": outcome["width"] or None,
+            "height_px": outcome["height"] or None,
+        }
+        if outcome["problem"]:
             made["preview"] = PreviewState.REFUSED
         else:
             made["preview"] = PreviewState.MADE

@@ -24,13 +24,13 @@ def newest_versions(
     session: Session, project_id: UUID, *, pinned_to: PinnedTo | None, before: UUID | None, limit: int
 ) -> Sequence[ReferenceVersion]:
     """Return the newest version of each reference on the board, the reference added last first."""
-    found = _newest().where(Reference.project_id == project_id)
+    query = _newest().where(Reference.project_id == project_id)
     if pinned_to is not None:
         # A cue without a category has an empty one, which no reference is pinned to.
-        found = found.where(or_(Reference.cue_id == pinned_to.cue_id, Reference.category == pinned_to.category))
+        query = query.where(or_(Reference.cue_id == pinned_to.cue_id, Reference.category == pinned_to.category))
     if before is not None:
-        found = found.where(Reference.id < before)
-    return session.scalars(found.order_by(Reference.id.desc()).limit(limit)).all()
+        query = query.where(Reference.id < before)
+    return session.scalars(query.order_by(Reference.id.desc()).limit(limit)).all()
 
 
 def newest_version(session: Session, reference_id: UUID) -> ReferenceVersion | None:
@@ -124,7 +124,7 @@ def openings(
     session: Session, project_id: UUID, *, reference_id: UUID | None, before: UUID | None, limit: int
 ) -> Sequence[ReferenceOpening]:
     """Return the openings, newest first; references that were removed since are included."""
-    found = (
+    query = (
         select(ReferenceOpening)
         .join(ReferenceOpening.version)
         .where(ReferenceOpening.project_id == project_id)
@@ -134,10 +134,10 @@ def openings(
         )
     )
     if reference_id is not None:
-        found = found.where(ReferenceVersion.reference_id == reference_id)
+        query = query.where(ReferenceVersion.reference_id == reference_id)
     if before is not None:
-        found = found.where(ReferenceOpening.id < before)
-    return session.scalars(found.order_by(ReferenceOpening.id.desc()).limit(limit)).all()
+        query = query.where(ReferenceOpening.id < before)
+    return session.scalars(query.order_by(ReferenceOpening.id.desc()).limit(limit)).all()
 
 
 kept_reference_bytes = Usage(

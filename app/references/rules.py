@@ -83,9 +83,9 @@ def type_of(head: bytes) -> FoundType:
 
     What a browser might run (HTML, SVG, XML) is a file for download, as is all that is not known.
     """
-    for beginning, found in _BEGINNINGS:
+    for beginning, file_type in _BEGINNINGS:
         if head.startswith(beginning):
-            return found
+            return file_type
     if head[:4] in (b"RIFF", b"RF64"):
         return _RIFF.get(head[8:12], UNKNOWN)
     if head[4:8] == b"ftyp":

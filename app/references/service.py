@@ -260,17 +260,17 @@ def _version_of(
 def _version_of_file(of_both: Mapping[str, Any], upload: FinishedUpload, head: bytes) -> ReferenceVersion:
     if not upload.size_bytes:
         raise _invalid("upload_id", "this file is empty")
-    found = type_of(head)
-    is_picture = found.kind is ReferenceKind.PICTURE
+    file_type = type_of(head)
+    is_picture = file_type.kind is ReferenceKind.PICTURE
     return ReferenceVersion(
         **of_both,
         number=1,
-        kind=found.kind,
-        media_type=found.media_type,
+        kind=file_type.kind,
+        media_type=file_type.media_type,
         file_name=upload.file_name,
         sha256=upload.sha256,
         file_bytes=upload.size_bytes,
-        excerpt=(text_in(head) or "")[:EXCERPT_CHARS] if found.kind is ReferenceKind.TEXT else "",
+        excerpt=(text_in(head) or "")[:EXCERPT_CHARS] if file_type.kind is ReferenceKind.TEXT else "",
         preview=PreviewState.PENDING if is_picture else PreviewState.NONE,
     )
 

@@ -125,21 +125,21 @@ def _power(scene: Scene, lane: Lane, level_db: float) -> np.ndarray:
     )
 
 
-def _read_masking(found: Masking, others: Sequence[Lane], missing: str) -> MaskingRead:
+def _read_masking(comparison: Masking, others: Sequence[Lane], missing: str) -> MaskingRead:
     bands, words = [], []
-    for place, hz in enumerate(CENTRES_HZ.tolist()):
-        covers = int(found.covers[place])
+    for band, hz in enumerate(CENTRES_HZ.tolist()):
+        covers = int(comparison.covers[band])
         lane = others[covers] if covers >= 0 else None
-        is_part, is_heard = bool(found.is_part[place]), bool(found.is_heard[place])
-        margin = float(found.margin_db[place])
+        is_part, is_heard = bool(comparison.is_part[band]), bool(comparison.is_heard[band])
+        margin = float(comparison.margin_db[band])
         words.append(CoveredBand(hz, is_part, is_heard, margin, lane.name if lane else ""))
         bands.append(
             MaskedBand(
                 hz=round(hz, 1),
                 is_part=is_part,
                 is_heard=is_heard,
-                sound_db=_finite(float(found.sound_db[place])),
-                cover_db=_finite(float(found.cover_db[place])),
+                sound_db=_finite(float(comparison.sound_db[band])),
+                cover_db=_finite(float(comparison.cover_db[band])),
                 margin_db=_finite(margin),
                 covered_by=lane.id if lane else None,
             )
@@ -149,10 +149,10 @@ def _read_masking(found: Masking, others: Sequence[Lane], missing: str) -> Maski
         is_compared=True,
         missing=missing,
         bands=bands,
-        part_bands=int(found.is_part.sum()),
-        heard_bands=int(found.is_heard.sum()),
-        energy_share=round(found.energy_share, 4),
-        time_share=round(found.time_share, 4),
+        part_bands=int(comparison.is_part.sum()),
+        heard_bands=int(comparison.is_heard.sum()),
+        energy_share=round(comparison.energy_share, 4),
+        time_share=round(comparison.time_share, 4),
         in_words=" ".join(filter(None, [masking_words(words), missing])),
     )
 

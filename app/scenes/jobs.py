@@ -49,15 +49,15 @@ def _measured(runtime: Runtime, studio_id: UUID, sha256: str, part: str) -> dict
         written.mkdir()
         with _sandbox().child(reads=[path], writes=[written]) as child:
             if part:
-                found = child.call(listening.prepare_part, str(path), str(written), *part_bounds(part))
+                measured = child.call(listening.prepare_part, str(path), str(written), *part_bounds(part))
             else:
-                found = child.call(listening.measure_preview, str(path))
-        if found["problem"]:
-            return {"problem": found["problem"]}
+                measured = child.call(listening.measure_preview, str(path))
+        if measured["problem"]:
+            return {"problem": measured["problem"]}
         made: dict[str, Any] = {
-            "duration_s": found["duration_s"],
-            "excitation": as_text(found["excitation"]),
-            "thumb": dict(found["thumb"]),
+            "duration_s": measured["duration_s"],
+            "excitation": as_text(measured["excitation"]),
+            "thumb": dict(measured["thumb"]),
         }
         if part:
             blob = runtime.store.put_file(studio_id, written / listening.PREVIEW)

@@ -100,8 +100,8 @@ def compare(path: str, against_path: str, folder: str) -> Compared:
     difference = sound - gain * moved
     _write(Path(folder, DIFFERENCE), difference, rate_hz)
     whole, left = float(np.square(sound).sum()), float(np.square(difference).sum())
-    bands = [average_spectrum(one) for one in (path, against_path, Path(folder, DIFFERENCE))]
-    longest = max(bands, key=lambda one: len(one.centres_hz))
+    bands = [average_spectrum(part_path) for part_path in (path, against_path, Path(folder, DIFFERENCE))]
+    longest = max(bands, key=lambda spectrum: len(spectrum.centres_hz))
     levels = [_levels(band.levels_dbfs, len(longest.centres_hz)) for band in bands]
     return {
         "lag_s": lag / rate_hz,
@@ -120,8 +120,8 @@ def lag_frames(sound: Samples, against: Samples, *, farthest: int) -> int:
     Both have the shape (frames, channels); a turned polarity agrees too.
     """
     length = 1 << (len(sound) + len(against)).bit_length()
-    one, other = np.fft.rfft(sound.mean(axis=1), length), np.fft.rfft(against.mean(axis=1), length)
-    agreement = np.abs(np.fft.irfft(one * np.conj(other), length))
+    spectrum, other = np.fft.rfft(sound.mean(axis=1), length), np.fft.rfft(against.mean(axis=1), length)
+    agreement = np.abs(np.fft.irfft(spectrum * np.conj(other), length))
     near = min(farthest, length // 2 - 1)
     lags = np.arange(-near, near + 1)
     return int(lags[np.argmax(agreement[lags])])
@@ -136,20 +136,20 @@ def resampled(samples: Samples, from_hz: int, to_hz: int) -> Samples:
     length = len(padded) * to_hz // from_hz
     spectrum = np.fft.rfft(padded, axis=0)
     spectrum = spectrum[: length // 2 + 1] if length < len(padded) else spectrum
-    found = np.fft.irfft(spectrum, length, axis=0) * (to_hz / from_hz)
-    return np.asarray(found[: round(len(samples) * to_hz / from_hz)])
+    converted = np.fft.irfft(spectrum, length, axis=0) * (to_hz / from_hz)
+    return np.asarray(converted[: round(len(samples) * to_hz / from_hz)])
 
 
 def _moved(samples: Samples, lag: int, frames: int) -> Samples:
-    found = np.zeros((frames, samples.shape[1]))
+    moved = np.zeros((frames, samples.shape[1]))
     part = samples[max(0, -lag) : max(0, frames - lag)]
-    found[max(0, lag) : max(0, lag) + len(part)] = part
-    return found
+    moved[max(0, lag) : max(0, lag) + len(part)] = part
+    return moved
 
 
 def _levels(levels: Samples, count: int) -> list[float | None]:
-    found = [round(float(level), 1) if np.isfinite(level) else None for level in levels]
-    return found + [None] * (count - len(found))
+    rounded = [round(float(level), 1) if np.isfinite(level) else None for level in levels]
+    return rounded + [None] * (count - len(rounded))
 
 
 def _read(path: str) -> tuple[Samples, int]:

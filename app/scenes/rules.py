@@ -68,23 +68,30 @@ def likeliest_neighbours(of: Candidate, candidates: Sequence[Candidate]) -> list
     louder, then what stands nearer in the list.
     """
 
-    def order(one: Candidate) -> tuple[float, ...]:
-        nearness = 0 if of.scene and one.scene == of.scene else 1 if one.category == of.category else 2
-        level = UNMEASURED_LUFS if one.level_lufs is None else one.level_lufs
-        frequency = 0 if one.loops else -one.variations
-        return nearness, not one.loops, frequency, -level, abs(one.position - of.position), one.position
+    def order(candidate: Candidate) -> tuple[float, ...]:
+        nearness = 0 if of.scene and candidate.scene == of.scene else 1 if candidate.category == of.category else 2
+        level = UNMEASURED_LUFS if candidate.level_lufs is None else candidate.level_lufs
+        frequency = 0 if candidate.loops else -candidate.variations
+        return (
+            nearness,
+            not candidate.loops,
+            frequency,
+            -level,
+            abs(candidate.position - of.position),
+            candidate.position,
+        )
 
     return sorted((candidate for candidate in candidates if candidate.cue_id != of.cue_id), key=order)[:MOST_NEIGHBOURS]
 
 
 def spots_in(text: str) -> list[float]:
     """Return the times that a text names, in seconds, rising: "1.5, 3.05" or "0:01.5; 1:02"; others are left out."""
-    found: set[float] = set()
+    spots: set[float] = set()
     for word in re.split(r"[,;\s]+", text):
         named = _SPOT.fullmatch(word)
         if named:
-            found.add(round(60 * int(named[1] or 0) + float(named[2]), 3))
-    return sorted(found)[:MOST_SPOTS]
+            spots.add(round(60 * int(named[1] or 0) + float(named[2]), 3))
+    return sorted(spots)[:MOST_SPOTS]
 
 
 def scene_length_s(*, duration_s: float, spots: Sequence[float], clip_s: float | None) -> float:
@@ -149,17 +156,17 @@ def missing_words(*, neighbours: bool, bed: bool, any_on: bool) -> str:
 
 def _covered(bands: Sequence[CoveredBand]) -> dict[str, list[str]]:
     """Return the ranges of frequency in which each sound covers, by its name."""
-    found: dict[str, list[str]] = {}
+    ranges: dict[str, list[str]] = {}
     run: list[CoveredBand] = []
     for band in (*bands, None):
         covers = band is not None and band.is_part and not band.is_heard
         if run and not (covers and band is not None and band.covered_by == run[0].covered_by):
             ends = dict.fromkeys((_in_hz(run[0].hz), _in_hz(run[-1].hz)))
-            found.setdefault(run[0].covered_by, []).append("–".join(ends))
+            ranges.setdefault(run[0].covered_by, []).append("–".join(ends))
             run = []
         if covers and band is not None:
             run.append(band)
-    return found
+    return ranges
 
 
 def _in_hz(hz: float) -> str:

@@ -30,13 +30,18 @@ def copy_key(take: Take, picture: Picture, *, has_beeps: bool) -> str | None:
 
 def request_copies(session: Session, studio_id: UUID, shared: Iterable[SharedTake], *, has_beeps: bool) -> None:
     """Have the copies made that guests of a link need and that nobody asked for yet."""
-    for one in shared:
-        if one.picture is None or one.picture.preview_sha256 is None:
+    for shared_take in shared:
+        if shared_take.picture is None or shared_take.picture.preview_sha256 is None:
             continue
-        key = copy_key(one.take, one.picture, has_beeps=has_beeps)
+        key = copy_key(shared_take.take, shared_take.picture, has_beeps=has_beeps)
         if key is None:
             continue
-        row = {"studio_id": studio_id, "key": key, "preview_sha256": one.picture.preview_sha256, "has_beeps": has_beeps}
+        row = {
+            "studio_id": studio_id,
+            "key": key,
+            "preview_sha256": shared_take.picture.preview_sha256,
+            "has_beeps": has_beeps,
+        }
         if insert_if_absent(session, GuestCopy, row, unique=("studio_id", "key")):
             publish(session, "guest_copy.asked", studio_id=studio_id, key=key)
 
@@ -50,16 +55,22 @@ class Playable(NamedTuple):
 
 def playable(session: Session, shared: Collection[SharedTake], *, has_beeps: bool) -> dict[int, Playable]:
     """Return the guests' file of each sound, by its place."""
-    keys = {one.place: copy_key(one.take, one.picture, has_beeps=has_beeps) for one in shared if one.picture}
-    copies = queries.copies_of(session, {one.take.studio_id for one in shared}, [key for key in keys.values() if key])
-    found = {}
-    for one in shared:
-        key = keys.get(one.place)
-        if one.picture is None or one.picture.preview_sha256 is None:
-            found[one.place] = Playable(None, None)
+    keys = {
+        shared_sound.place: copy_key(shared_sound.take, shared_sound.picture, has_beeps=has_beeps)
+        for shared_sound in shared
+        if shared_sound.picture
+    }
+    copies = queries.copies_of(
+        session, {shared_sound.take.studio_id for shared_sound in shared}, [key for key in keys.values() if key]
+    )
+    by_place = {}
+    for shared_take in shared:
+        key = keys.get(shared_take.place)
+        if shared_take.picture is None or shared_take.picture.preview_sha256 is None:
+            by_place[shared_take.place] = Playable(None, None)
         elif key is None:
-            found[one.place] = Playable(one.picture.preview_sha256, None)
+            by_place[shared_take.place] = Playable(shared_take.picture.preview_sha256, None)
         else:
             copy = copies.get(key)
-            found[one.place] = Playable(copy.sha256, copy.refusal) if copy else Playable(None, None)
-    return found
+            by_place[shared_take.place] = Playable(copy.sha256, copy.refusal) if copy else Playable(None, None)
+    return by_place

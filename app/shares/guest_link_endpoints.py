@@ -33,8 +33,8 @@ def list_guest_links(
     project_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = TEAM
 ) -> Page[GuestLinkRead]:
     """Return the guest links of a project, those that open nothing any more included, newest first."""
-    found = guest_links.links_of(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
-    return Page(items=found[:PAGE], next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None)
+    links = guest_links.links_of(session, actor, project_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    return Page(items=links[:PAGE], next=cursor_of(links[PAGE - 1].id) if len(links) > PAGE else None)
 
 
 @_unsaved_router.post(
@@ -90,8 +90,8 @@ def list_guest_visits(
     guest_link_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = TEAM
 ) -> Page[GuestVisitRead]:
     """Return the visits by a link: person, time, and plays of each sound, newest first."""
-    found = guest_links.visits_of(session, actor, guest_link_id, before=uuid_cursor(cursor), limit=PAGE + 1)
-    return Page(items=found[:PAGE], next=cursor_of(found[PAGE - 1].id) if len(found) > PAGE else None)
+    visits = guest_links.visits_of(session, actor, guest_link_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    return Page(items=visits[:PAGE], next=cursor_of(visits[PAGE - 1].id) if len(visits) > PAGE else None)
 
 
 def _key(runtime: Runtime) -> str:

@@ -56,7 +56,8 @@ def make_link(
     session.add(link)
     session.flush()
     session.add_all(
-        GuestSound(**of, link_id=link_id, place=place, take_id=take_id) for place, take_id in enumerate(take_ids, 1)
+        GuestSound(**of, link_id=link_id, place=position, take_id=take_id)
+        for position, take_id in enumerate(take_ids, 1)
     )
     session.flush()
     request_copies(session, link.studio_id, queries.shared_takes(session, link_id), has_beeps=link.has_beeps)

@@ -83,18 +83,18 @@ def room_of(session: Session, visit_secret: str) -> GuestRoom:
         return _room(session, visit.link, visit)
 
 
-def record_play(session: Session, visit_secret: str, place: int) -> None:
+def record_play(session: Session, visit_secret: str, position: int) -> None:
     """Count one playing of a sound."""
     with bypass_row_policies(session):  # nobody is signed in
         visit = _visit(session, visit_secret)
-        one = _sound(session, visit, place)
+        shared_take = _sound(session, visit, position)
         request_copies(
-            session, visit.studio_id, [one], has_beeps=visit.link.has_beeps
+            session, visit.studio_id, [shared_take], has_beeps=visit.link.has_beeps
         )  # a preview drawn again has none
-        play = queries.play_in(session, visit.id, place)
+        play = queries.play_in(session, visit.id, position)
         if play is None:
             play = GuestPlay(
-                visit_id=visit.id, place=place, studio_id=visit.studio_id, project_id=visit.project_id, plays=0
+                visit_id=visit.id, place=position, studio_id=visit.studio_id, project_id=visit.project_id, plays=0
             )
             session.add(play)
         play.plays += 1
@@ -102,38 +102,47 @@ def record_play(session: Session, visit_secret: str, place: int) -> None:
         session.flush()
 
 
-def played_sha256(session: Session, visit_secret: str, place: int) -> tuple[UUID, str]:
+def played_sha256(session: Session, visit_secret: str, position: int) -> tuple[UUID, str]:
     """Return studio and hash of what a guest plays, whose playing is on record."""
     with bypass_row_policies(session):  # nobody is signed in
         visit = _visit(session, visit_secret)
-        one = _sound(session, visit, place)
-        if queries.play_in(session, visit.id, place) is None:
+        shared_take = _sound(session, visit, position)
+        if queries.play_in(session, visit.id, position) is None:
             raise GuestSoundUnplayed(
                 "each playing is recorded first, and this was not",
-                fix=f"send POST /v1/guest-visits/…/sounds/{place}/plays, then ask again",
+                fix=f"send POST /v1/guest-visits/…/sounds/{position}/plays, then ask again",
             )
-        sha256, refusal = playable(session, [one], has_beeps=visit.link.has_beeps)[place]
+        sha256, refusal = playable(session, [shared_take], has_beeps=visit.link.has_beeps)[position]
         if sha256 is None:
             raise GuestSoundNotMade(refusal or "this sound is still being made ready", fix="try again in a moment")
         return visit.studio_id, sha256
 
 
 def comment(
-    session: Session, visit_secret: str, place: int, *, text: str, start_s: float | None, end_s: float | None
+    session: Session, visit_secret: str, position: int, *, text: str, start_s: float | None, end_s: float | None
 ) -> GuestCommentRead:
     """Write a guest's advice on a sound, for those who see its take."""
     with bypass_row_policies(session):  # nobody is signed in
         visit = _visit(session, visit_secret)
-        one = _sound(session, visit, place)
+        shared_take = _sound(session, visit, position)
         if not visit.link.may_comment:
             raise CommentsClosed("this link is for listening only", fix="write to the person who sent it")
-        said = add_guest_comment(session, one.take, visit.guest_name, text=text, start_s=start_s, end_s=end_s)
-        return GuestCommentRead(text=said.text, start_s=said.start_s, end_s=said.end_s, created_at=said.created_at)
+        comment_added = add_guest_comment(
+            session, shared_take.take, visit.guest_name, text=text, start_s=start_s, end_s=end_s
+        )
+        return GuestCommentRead(
+            text=comment_added.text,
+            start_s=comment_added.start_s,
+            end_s=comment_added.end_s,
+            created_at=comment_added.created_at,
+        )
 
 
 def plain_name(typed: str) -> str:
     """Return a typed name on one line, without signs that do not print; some words where nothing is left."""
-    printed = "".join(" " if one.isspace() else one for one in typed if one.isspace() or _prints(one))
+    printed = "".join(
+        " " if character.isspace() else character for character in typed if character.isspace() or _prints(character)
+    )
     return " ".join(printed.split()) or "without a name"
 
 
@@ -166,16 +175,16 @@ def _visit(session: Session, visit_secret: str) -> GuestVisit:
     return visit
 
 
-def _sound(session: Session, visit: GuestVisit, place: int) -> SharedTake:
-    found = queries.shared_takes(session, visit.link_id, place=place)
-    if not found:
-        raise GuestSoundNotFound(f"this link has no sound {place}")
-    return found[0]
+def _sound(session: Session, visit: GuestVisit, position: int) -> SharedTake:
+    shared = queries.shared_takes(session, visit.link_id, place=position)
+    if not shared:
+        raise GuestSoundNotFound(f"this link has no sound {position}")
+    return shared[0]
 
 
 def _room(session: Session, link: GuestLink, visit: GuestVisit) -> GuestRoom:
     shared = queries.shared_takes(session, link.id)
-    drawn = thumbs(session, [one.picture.id for one in shared if one.picture])
+    drawn = thumbs(session, [shared_take.picture.id for shared_take in shared if shared_take.picture])
     ready = playable(session, shared, has_beeps=link.has_beeps)
     return GuestRoom(
         title=link.title,
@@ -184,13 +193,13 @@ def _room(session: Session, link: GuestLink, visit: GuestVisit) -> GuestRoom:
         has_beeps=link.has_beeps,
         sounds=[
             GuestSoundRead(
-                place=one.place,
-                name=one.cue.name,
-                variation=one.take.variation if one.cue.variations > 1 else None,
-                duration_s=one.picture.duration_s if one.picture else None,
-                thumb=(drawn.get(one.picture.id) or None) if one.picture else None,
-                is_ready=ready[one.place].sha256 is not None,
+                place=shared_take.place,
+                name=shared_take.cue.name,
+                variation=shared_take.take.variation if shared_take.cue.variations > 1 else None,
+                duration_s=shared_take.picture.duration_s if shared_take.picture else None,
+                thumb=(drawn.get(shared_take.picture.id) or None) if shared_take.picture else None,
+                is_ready=ready[shared_take.place].sha256 is not None,
             )
-            for one in shared
+            for shared_take in shared
         ],
     )

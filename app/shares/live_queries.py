@@ -21,13 +21,15 @@ def live_session(session: Session, playlist_id: UUID, *, locked: bool = False) -
 def listeners_of(session: Session, playlist_id: UUID) -> Sequence[LiveListener]:
     """Return the people ever in the session of a playlist who did not leave it, in order of their names."""
     query = select(LiveListener).where(LiveListener.playlist_id == playlist_id).options(joinedload(LiveListener.person))
-    return sorted(session.scalars(query.execution_options(populate_existing=True)), key=lambda one: one.person.name)
+    return sorted(
+        session.scalars(query.execution_options(populate_existing=True)), key=lambda listener: listener.person.name
+    )
 
 
 def listener(session: Session, playlist_id: UUID, person_id: UUID) -> LiveListener | None:
     """Return a person's place in a session, locked."""
-    found = select(LiveListener).where(_is_place_of(playlist_id, person_id))
-    return session.scalar(found.with_for_update().execution_options(populate_existing=True))
+    query = select(LiveListener).where(_is_place_of(playlist_id, person_id))
+    return session.scalar(query.with_for_update().execution_options(populate_existing=True))
 
 
 def report(session: Session, playlist_id: UUID, person_id: UUID, page_id: UUID | None, now: datetime) -> None:

@@ -35,10 +35,10 @@ def playlists_of(session: Session, actor: Actor, project_id: UUID) -> list[Playl
     """Return the playlists of a project, newest first; designers see those that hold sounds of theirs."""
     access = project_access(session, actor, project_id)
     if access.only_designer_id is None:
-        found = queries.playlists_in(session, project_id)
+        playlists = queries.playlists_in(session, project_id)
     else:
         own, heard = queries.has_sound_of(access.only_designer_id), queries.heard_by(actor)
-        found = queries.playlists_in(session, project_id, own, heard=[heard])
+        playlists = queries.playlists_in(session, project_id, own, heard=[heard])
     return [
         PlaylistBrief(
             id=playlist.id,
@@ -47,7 +47,7 @@ def playlists_of(session: Session, actor: Actor, project_id: UUID) -> list[Playl
             made_by=PersonBrief.model_validate(playlist.maker),
             created_at=playlist.created_at,
         )
-        for playlist, takes in found
+        for playlist, takes in playlists
     ]
 
 
@@ -108,7 +108,7 @@ def remove_playlist(session: Session, actor: Actor, playlist_id: UUID) -> None:
 def save_position(session: Session, actor: Actor, playlist_id: UUID, body: PositionSet) -> None:
     """Keep the caller's stopping place."""
     access, playlist = playlist_for(session, actor, playlist_id)
-    if body.take_id not in {one.take.id for one in _takes_heard(session, access, playlist)}:
+    if body.take_id not in {take_heard.take.id for take_heard in _takes_heard(session, access, playlist)}:
         raise _invalid("take_id", "this version is not in the playlist")
     position = queries.position_of(session, playlist.id, actor.person)
     if position is None:
@@ -217,12 +217,12 @@ def _put_entries(session: Session, playlist: Playlist, take_ids: Sequence[UUID])
     session.add_all(
         PlaylistEntry(
             playlist_id=playlist.id,
-            place=place,
+            place=position,
             studio_id=playlist.studio_id,
             project_id=playlist.project_id,
             take_id=take_id,
         )
-        for place, take_id in enumerate(take_ids, 1)
+        for position, take_id in enumerate(take_ids, 1)
     )
     session.flush()
 

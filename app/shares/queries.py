@@ -155,9 +155,9 @@ def plays_of_visits(session: Session, link_id: UUID, visit_ids: Collection[UUID]
     ).all()
 
 
-def play_in(session: Session, visit_id: UUID, place: int) -> GuestPlay | None:
+def play_in(session: Session, visit_id: UUID, position: int) -> GuestPlay | None:
     """Return the count of a sound's plays in a visit."""
-    return session.get(GuestPlay, (visit_id, place))
+    return session.get(GuestPlay, (visit_id, position))
 
 
 def copies_of(session: Session, studio_ids: Collection[UUID], keys: Collection[str]) -> dict[str, GuestCopy]:

@@ -89,7 +89,7 @@ def heard_takes(candidates: Iterable[Candidate]) -> list[UUID]:
             known.number,
         ):
             best[candidate.cue_id, candidate.variation] = candidate
-    return [one.take_id for one in best.values()]
+    return [best_candidate.take_id for best_candidate in best.values()]
 
 
 def holder_now(now: datetime, holder_id: UUID | None, seen: Sequence[tuple[UUID, datetime]]) -> UUID | None:

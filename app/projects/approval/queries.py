@@ -81,5 +81,5 @@ def deputy_by_id(session: Session, project_id: UUID, deputy_id: UUID) -> Deputy 
 def is_deputy_until(session: Session, project_id: UUID, person_id: UUID, *, until: date) -> bool:
     """Whether a person is a deputy, or has one, on a day or later."""
     named = or_(Deputy.deputy_id == person_id, Deputy.person_id == person_id)
-    found = select(Deputy.id).where(Deputy.project_id == project_id, named)
-    return session.scalar(found.where(Deputy.withdrawn_at.is_(None), Deputy.until_on >= until).limit(1)) is not None
+    query = select(Deputy.id).where(Deputy.project_id == project_id, named)
+    return session.scalar(query.where(Deputy.withdrawn_at.is_(None), Deputy.until_on >= until).limit(1)) is not None

@@ -32,17 +32,17 @@ def approval_rights_of(session: Session, approver_ids: Mapping[UUID, UUID]) -> d
     """Return today's approval rights in each project, given their approvers."""
     by_category: defaultdict[UUID, dict[str, UUID]] = defaultdict(dict)
     named = approval_queries.category_approvers(session, approver_ids)
-    found = _deputies(session, approver_ids)
-    in_studio = _members(session, named, [one for one, _ in found])
+    deputies_and_zones = _deputies(session, approver_ids)
+    in_studio = _members(session, named, [named_deputy for named_deputy, _ in deputies_and_zones])
     for category in named:
         if category.person_id is not None and (category.studio_id, category.person_id) in in_studio:
             by_category[category.project_id][category.category] = category.person_id
     deputies: defaultdict[UUID, defaultdict[UUID, list[UUID]]] = defaultdict(lambda: defaultdict(list))
-    for one, time_zone in found:
-        is_today = one.from_on <= today_in(time_zone) <= one.until_on
-        of_person = deputies[one.project_id][one.person_id]
-        if is_today and _are_members(one, in_studio) and one.deputy_id not in of_person:
-            of_person.append(one.deputy_id)
+    for deputy, time_zone in deputies_and_zones:
+        is_today = deputy.from_on <= today_in(time_zone) <= deputy.until_on
+        of_person = deputies[deputy.project_id][deputy.person_id]
+        if is_today and _are_members(deputy, in_studio) and deputy.deputy_id not in of_person:
+            of_person.append(deputy.deputy_id)
     return {
         project_id: ApprovalRights(approver_id, by_category[project_id], deputies[project_id])
         for project_id, approver_id in approver_ids.items()
@@ -51,14 +51,14 @@ def approval_rights_of(session: Session, approver_ids: Mapping[UUID, UUID]) -> d
 
 def _deputies(session: Session, project_ids: Collection[UUID]) -> list[tuple[Deputy, str]]:
     earliest = clock.now().date() - EARLIEST
-    return [(one, zone) for one, zone in approval_queries.deputies(session, project_ids, until=earliest)]
+    return [(deputy, zone) for deputy, zone in approval_queries.deputies(session, project_ids, until=earliest)]
 
 
 def _members(
     session: Session, named: Sequence[CategoryApprover], deputies: Sequence[Deputy]
 ) -> Collection[tuple[UUID, UUID]]:
     """Return studio and person of those who are named and may approve with the roles they have in their studio."""
-    people = {one.person_id for one in named if one.person_id is not None}
+    people = {approver.person_id for approver in named if approver.person_id is not None}
     people |= {person_id for deputy in deputies for person_id in (deputy.person_id, deputy.deputy_id)}
     if not people:
         return ()
@@ -67,8 +67,8 @@ def _members(
         return approval_queries.leads(session, studios, people)
 
 
-def _are_members(one: Deputy, in_studio: Collection[tuple[UUID, UUID]]) -> bool:
-    return (one.studio_id, one.deputy_id) in in_studio and (one.studio_id, one.person_id) in in_studio
+def _are_members(deputy: Deputy, in_studio: Collection[tuple[UUID, UUID]]) -> bool:
+    return (deputy.studio_id, deputy.deputy_id) in in_studio and (deputy.studio_id, deputy.person_id) in in_studio
 
 
 def today_in(time_zone: str) -> date:
@@ -88,7 +88,7 @@ def approval_scopes(session: Session, actor: Actor) -> dict[UUID, ApprovalScope]
     projects = queries.running_projects(session, actor.roles)
     approver_ids = {project_id: person.id for project_id, person in queries.approvers_of(session, projects).items()}
     rights = approval_rights_of(session, approver_ids)
-    return {project_id: one.scope_of(actor.person) for project_id, one in rights.items()}
+    return {project_id: project_rights.scope_of(actor.person) for project_id, project_rights in rights.items()}
 
 
 def ensure_may_approve(session: Session, access: ProjectAccess, category: str) -> UUID | None:
@@ -125,10 +125,10 @@ def name_category_approver(
 
 def _ensure_can_approve(session: Session, project: Project, person_id: UUID, *, where: str) -> None:
     studio_locked(session, project.studio_id)  # nobody leaves between the look and the naming
-    place = membership(session, project.studio_id, person_id)
+    member = membership(session, project.studio_id, person_id)
     ensure_can_approve(
-        is_liaison=place is not None and queries.is_liaison(session, project.id, person_id),
-        is_producer=place is not None and Role.PRODUCER in place.roles,
+        is_liaison=member is not None and queries.is_liaison(session, project.id, person_id),
+        is_producer=member is not None and Role.PRODUCER in member.roles,
         where=where,
     )
 
@@ -139,9 +139,9 @@ def deputies_named(session: Session, actor: Actor, project_id: UUID) -> tuple[st
     access.ensure_team()
     time_zone = _time_zone(session, access.project)
     today = today_in(time_zone)
-    found = [one for one, _ in _deputies(session, [project_id]) if one.until_on >= today]
-    in_studio = _members(session, (), found)
-    return time_zone, [one for one in found if _are_members(one, in_studio)]
+    named_deputies = [deputy for deputy, _ in _deputies(session, [project_id]) if deputy.until_on >= today]
+    in_studio = _members(session, (), named_deputies)
+    return time_zone, [deputy for deputy in named_deputies if _are_members(deputy, in_studio)]
 
 
 def name_deputy(

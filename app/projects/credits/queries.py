@@ -11,8 +11,8 @@ from app.projects.models import CreditLine, CreditName
 
 def credit_names(session: Session, project_id: UUID) -> dict[UUID, CreditName]:
     """Return people's statements on their own name in a project, by person."""
-    found = session.scalars(select(CreditName).where(CreditName.project_id == project_id))
-    return {one.person_id: one for one in found}
+    names = session.scalars(select(CreditName).where(CreditName.project_id == project_id))
+    return {credit_name.person_id: credit_name for credit_name in names}
 
 
 def credit_lines(session: Session, project_id: UUID) -> Sequence[CreditLine]:

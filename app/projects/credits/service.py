@@ -16,11 +16,11 @@ MAX_LINES = 500
 def save_credit_name(session: Session, actor: Actor, project_id: UUID, *, name: str, is_left_out: bool) -> None:
     """Name the caller in a project's credits, or note that they are left out; else as in their account."""
     access = project_access(session, actor, project_id)
-    found = credit_queries.credit_names(session, project_id).get(actor.person)
-    if found is None:
-        found = CreditName(project_id=project_id, person_id=actor.person, studio_id=access.project.studio_id)
-        session.add(found)
-    found.name, found.is_left_out = name, is_left_out
+    credit_name = credit_queries.credit_names(session, project_id).get(actor.person)
+    if credit_name is None:
+        credit_name = CreditName(project_id=project_id, person_id=actor.person, studio_id=access.project.studio_id)
+        session.add(credit_name)
+    credit_name.name, credit_name.is_left_out = name, is_left_out
     session.flush()
 
 

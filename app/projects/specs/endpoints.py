@@ -98,10 +98,10 @@ def list_spec_versions(
 ) -> Page[schemas.SpecBrief]:
     """Return the versions of the spec, newest first."""
     below = number_cursor(cursor)
-    found = service.spec_versions(session, actor, project_id, below=below, limit=PAGE_ROWS + 1)
-    shown = found[:PAGE_ROWS]
+    versions = service.spec_versions(session, actor, project_id, below=below, limit=PAGE_ROWS + 1)
+    shown = versions[:PAGE_ROWS]
     items = [schemas.SpecBrief.model_validate(spec) for spec in shown]
-    return Page(items=items, next=cursor_of(shown[-1].version) if len(found) > PAGE_ROWS else None)
+    return Page(items=items, next=cursor_of(shown[-1].version) if len(versions) > PAGE_ROWS else None)
 
 
 @router.get("/projects/{project_id}/spec/versions/{version}", responses=problems(ProjectNotFound, SpecVersionNotFound))

@@ -120,7 +120,7 @@ def _value(value: Any, unit: str) -> str:
         ]
         return f"{', '.join(word for word in words if word)} {unit}".strip()
     if isinstance(value, list | tuple):
-        *before, last = [_number(one) for one in value] or [""]
+        *before, last = [_number(number) for number in value] or [""]
         return f"{', '.join(before)}{' or ' if before else ''}{last} {unit}".strip()
     return f"{_number(value)} {unit}".strip()
 
