@@ -124,31 +124,35 @@ def _plan(
 def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) -> list[RowFault]:
     """Give each new text the cue that owns its name, or a cue to add; return what is wrong with names."""
     new = [text for plan in plans for text in plan.new_texts]
-    stems = {id(one): stem_in_language(one.language, one.plan.spoken.file_name) for one in new}
+    stems = {
+        id(text_added): stem_in_language(text_added.language, text_added.plan.spoken.file_name) for text_added in new
+    }
     owners = stem_owners(session, project.id, {folded(stem) for stem in stems.values()}) if new else {}
     pinned = {text.cue_id for text in queries.texts_of(session, project.id)}
     rows: dict[int, NewText] = {}
     faults = []
-    for place, one in enumerate(new, start=1):
-        stem, row = stems[id(one)], one.plan.spoken.row
+    for number, new_text in enumerate(new, start=1):
+        stem, row = stems[id(new_text)], new_text.plan.spoken.row
         owner = owners.get(folded(stem))
         if owner is not None and owner[0] in pinned:
             faults.append(RowFault(row, "file_name", f'the file name "{stem}" belongs to another voice line already'))
         elif owner is not None:
-            one.cue_id = owner[0]
+            new_text.cue_id = owner[0]
             pinned.add(owner[0])
         else:
-            one.edit = Edit(place, whole_facts(_cue_facts(one, stem), NEW_CUE))
-            rows[place] = one
-    of_cues = row_faults(session, project, [one.edit for one in rows.values() if one.edit])
+            new_text.edit = Edit(number, whole_facts(_cue_facts(new_text, stem), NEW_CUE))
+            rows[number] = new_text
+    of_cues = row_faults(session, project, [text_added.edit for text_added in rows.values() if text_added.edit])
     faults += [RowFault(rows[fault.row].plan.spoken.row, "file_name", fault.message) for fault in of_cues]
     by_row = {fault.row: fault for fault in reversed(faults)}  # one a row, and not one for each language
     return list(by_row.values())
 
 
-def _cue_facts(one: NewText, stem: str) -> dict[str, str]:
-    spoken = one.plan.spoken
-    description = f"Voice line {spoken.key} of {spoken.character}, {one.language}: its text is with the voice lines."
+def _cue_facts(new_text: NewText, stem: str) -> dict[str, str]:
+    spoken = new_text.plan.spoken
+    description = (
+        f"Voice line {spoken.key} of {spoken.character}, {new_text.language}: its text is with the voice lines."
+    )
     return {
         "name": stem,
         "file_name": stem,
@@ -180,7 +184,7 @@ class _Writer:
         for plan, line in placed:
             self._change_line(line, plan.spoken)
         ordered = merged_order([line.id for line in lines], [line.id for _, line in placed])
-        places = {line_id: place for place, line_id in enumerate(ordered, start=1)}
+        places = {line_id: position for position, line_id in enumerate(ordered, start=1)}
         for line in (*lines, *(line for _, line in placed)):
             line.position = places[line.id]
         self._session.flush()
@@ -213,16 +217,18 @@ class _Writer:
             line.direction = spoken.direction
 
     def _add_cues(self, new: Sequence[NewText]) -> None:
-        edits = [one.edit for one in new if one.edit]
-        for one, cue in zip(new, save(self._session, self._project, self._person_id, edits), strict=True):
-            one.cue_id = cue.id
+        edits = [text_added.edit for text_added in new if text_added.edit]
+        for new_text, cue in zip(new, save(self._session, self._project, self._person_id, edits), strict=True):
+            new_text.cue_id = cue.id
 
     def _write_texts(self, plan: LinePlan, line: VoiceLine) -> None:
-        for one in plan.new_texts:
-            if one.cue_id is None:
+        for new_text in plan.new_texts:
+            if new_text.cue_id is None:
                 raise LookupError("a text without a cue")
-            of_it = {"line_id": line.id, "language": one.language, "cue_id": one.cue_id}
-            text = VoiceText(**self._of, **of_it, id=new_id(), text=plan.spoken.texts[one.language], newest_number=1)
+            of_it = {"line_id": line.id, "language": new_text.language, "cue_id": new_text.cue_id}
+            text = VoiceText(
+                **self._of, **of_it, id=new_id(), text=plan.spoken.texts[new_text.language], newest_number=1
+            )
             self._session.add_all([text, _version(text, self._person_id)])
         for known, words in plan.changed_texts:
             self._session.add(new_version(known, words, self._person_id))
@@ -272,8 +278,8 @@ def _answer(
         ],
         rows=rows,
         errors=[
-            ScriptFault(row=one.row, column=names.get(one.field or "", one.field), message=one.message)
-            for one in sorted(faults, key=lambda fault: fault.row)
+            ScriptFault(row=fault.row, column=names.get(fault.field or "", fault.field), message=fault.message)
+            for fault in sorted(faults, key=lambda fault: fault.row)
         ],
         added=sum(row.action == "add" for row in rows),
         changed=sum(row.action == "change" for row in rows),

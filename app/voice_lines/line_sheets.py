@@ -21,7 +21,7 @@ MADE_AT = datetime(2000, 1, 1)  # noqa: DTZ001  a workbook has no zone; the same
 def script_csv(lines: Mapping[str, Sequence[VoiceLineRead]]) -> str:
     """Return the script as CSV that our own import reads: a column for each language."""
     first = next(iter(lines.values()), ())
-    texts = {language: {line.id: line.text or "" for line in said} for language, said in lines.items()}
+    texts = {language: {line.id: line.text or "" for line in reads} for language, reads in lines.items()}
     head = ("key", "character", "scene", "direction", "file_name", *lines)
     rows = (
         (
@@ -47,12 +47,12 @@ def pick_up_xlsx(lines: Sequence[VoiceLineRead]) -> bytes:
     sheet = workbook.add_worksheet("Pick-ups")
     head = workbook.add_format({"bold": True})
     wrapped = workbook.add_format({"text_wrap": True, "valign": "top"})
-    for place, (column, width) in enumerate(zip(PICK_UP_COLUMNS, WIDTHS, strict=True)):
-        sheet.set_column(place, place, width, wrapped)
-        sheet.write_string(0, place, column, head)
+    for index, (column, width) in enumerate(zip(PICK_UP_COLUMNS, WIDTHS, strict=True)):
+        sheet.set_column(index, index, width, wrapped)
+        sheet.write_string(0, index, column, head)
     for row, line in enumerate(lines, start=1):
-        for place, cell in enumerate(_pick_up(line)):
-            sheet.write_string(row, place, spreadsheet_safe(cell))
+        for index, cell in enumerate(_pick_up(line)):
+            sheet.write_string(row, index, spreadsheet_safe(cell))
     sheet.freeze_panes(1, 0)
     sheet.repeat_rows(0)
     sheet.set_landscape()
@@ -62,7 +62,9 @@ def pick_up_xlsx(lines: Sequence[VoiceLineRead]) -> bytes:
 
 
 def _pick_up(line: VoiceLineRead) -> tuple[str, ...]:
-    before, after = (f"{one.character}: {one.text}" if one else "" for one in (line.before, line.after))
+    before, after = (
+        f"{neighbour.character}: {neighbour.text}" if neighbour else "" for neighbour in (line.before, line.after)
+    )
     who = (line.language, line.character.name, line.performer or "", line.directed_by, line.scene, line.key)
     return (*who, before, line.text or "", after, line.direction, line.reason, line.path)
 

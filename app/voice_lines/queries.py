@@ -67,15 +67,17 @@ def lines_of(session: Session, project_id: UUID) -> Sequence[VoiceLine]:
 
 def lines_around(session: Session, line: VoiceLine) -> Sequence[VoiceLine]:
     """Return a line with the one before and the one after it in the script, with their characters."""
-    place = tuple_(VoiceLine.position, VoiceLine.id)
+    sort_key = tuple_(VoiceLine.position, VoiceLine.id)
     of_project = (
         select(VoiceLine)
         .where(VoiceLine.project_id == line.project_id)
         .options(joinedload(VoiceLine.character))
         .limit(1)
     )
-    before = of_project.where(place < (line.position, line.id)).order_by(VoiceLine.position.desc(), VoiceLine.id.desc())
-    after = of_project.where(place > (line.position, line.id)).order_by(VoiceLine.position, VoiceLine.id)
+    before = of_project.where(sort_key < (line.position, line.id)).order_by(
+        VoiceLine.position.desc(), VoiceLine.id.desc()
+    )
+    after = of_project.where(sort_key > (line.position, line.id)).order_by(VoiceLine.position, VoiceLine.id)
     return [*session.scalars(before), line, *session.scalars(after)]
 
 
@@ -92,12 +94,12 @@ def texts_of(
 ) -> Sequence[VoiceText]:
     """Return the texts of a project with their cues: of all lines and languages, or of those named."""
     of_cue = joinedload(VoiceText.cue).load_only(Cue.number, Cue.name, Cue.state)  # a cue has much that no line shows
-    found = select(VoiceText).where(VoiceText.project_id == project_id).options(of_cue)
+    query = select(VoiceText).where(VoiceText.project_id == project_id).options(of_cue)
     if languages is not None:
-        found = found.where(VoiceText.language.in_(languages))
+        query = query.where(VoiceText.language.in_(languages))
     if line_ids is not None:
-        found = found.where(VoiceText.line_id.in_(line_ids))
-    return session.scalars(found.order_by(VoiceText.language, VoiceText.id)).all()
+        query = query.where(VoiceText.line_id.in_(line_ids))
+    return session.scalars(query.order_by(VoiceText.language, VoiceText.id)).all()
 
 
 def text_locked(session: Session, line_id: UUID, language: str) -> VoiceText | None:
@@ -132,12 +134,12 @@ def newest_version(session: Session, text: VoiceText) -> VoiceTextVersion:
 def versions_of(session: Session, text_ids: Collection[UUID]) -> dict[UUID, list[TextFrom]]:
     """Return versions of texts with their starts, the oldest first."""
     version = VoiceTextVersion
-    said = select(version.text_id, version.text, version.written_at, version.takes_fit_at.is_not(None))
-    found: dict[UUID, list[TextFrom]] = defaultdict(list)
-    ordered = said.where(in_array(version.text_id, "text_ids")).order_by(version.number)
+    query = select(version.text_id, version.text, version.written_at, version.takes_fit_at.is_not(None))
+    by_text: dict[UUID, list[TextFrom]] = defaultdict(list)
+    ordered = query.where(in_array(version.text_id, "text_ids")).order_by(version.number)
     for text_id, text, written_at, takes_fit in session.execute(ordered, {"text_ids": list(text_ids)}):
-        found[text_id].append(TextFrom(text, written_at, bool(takes_fit)))
-    return found
+        by_text[text_id].append(TextFrom(text, written_at, bool(takes_fit)))
+    return by_text
 
 
 def takes_of(
@@ -146,11 +148,11 @@ def takes_of(
     """Return the takes of cues with their lengths, those of one designer where one is given."""
     drawn = (Picture.studio_id == Take.studio_id) & (Picture.sound_sha256 == Take.master_sha256)
     facts = select(Take.cue_id, Take.id, Take.number, Take.state, Take.received_at, Picture.duration_s)
-    found = facts.outerjoin(Picture, drawn).where(Take.project_id == project_id, in_array(Take.cue_id, "cue_ids"))
+    query = facts.outerjoin(Picture, drawn).where(Take.project_id == project_id, in_array(Take.cue_id, "cue_ids"))
     if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
+        query = query.where(Take.designer_id == designer_id)
     takes: dict[UUID, list[TakeFacts]] = defaultdict(list)
-    for cue_id, take_id, number, state, received_at, duration_s in session.execute(found, {"cue_ids": list(cue_ids)}):
+    for cue_id, take_id, number, state, received_at, duration_s in session.execute(query, {"cue_ids": list(cue_ids)}):
         if cue_id is not None and number is not None:
             takes[cue_id].append(TakeFacts(take_id, number, state, received_at, duration_s))
     return takes
@@ -177,8 +179,8 @@ def first_errors(session: Session, take_ids: Collection[UUID]) -> dict[UUID, str
         in_array(CheckRun.take_id, "take_ids"), CheckRun.is_current
     )
     return {
-        take_id: next((one["message"] for one in found or () if one["severity"] == "error"), "")
-        for take_id, found in session.execute(findings, {"take_ids": list(take_ids)})
+        take_id: next((finding["message"] for finding in run_findings or () if finding["severity"] == "error"), "")
+        for take_id, run_findings in session.execute(findings, {"take_ids": list(take_ids)})
     }
 
 

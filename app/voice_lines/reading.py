@@ -80,16 +80,16 @@ class ScriptReader:
     @cached_property
     def languages(self) -> list[str]:
         """The languages that the script has texts in, the original first."""
-        found = queries.languages_of(self._session, self._project.id)
-        return sorted(found, key=lambda language: (language != self.original_language, language))
+        languages = queries.languages_of(self._session, self._project.id)
+        return sorted(languages, key=lambda language: (language != self.original_language, language))
 
     def in_language(self, language: str) -> list[VoiceLineRead]:
         """Return every line in one language."""
         return self._reads(language, self._said(language), self.lines)
 
-    def _reads(self, language: str, said: LanguageTexts, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
+    def _reads(self, language: str, language_texts: LanguageTexts, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
         """Return some lines in one language."""
-        statuses = [said.statuses.get(line.id, NOT_TRANSLATED) for line in lines]
+        statuses = [language_texts.statuses.get(line.id, NOT_TRANSLATED) for line in lines]
         requested = queries.requested_changes(self._session, [one.take.id for one in statuses if one.take])
         returned = [one.take.id for one in statuses if one.take and one.state is LineState.RETURNED]
         errors = queries.first_errors(self._session, returned)
@@ -103,7 +103,9 @@ class ScriptReader:
             )
             before, after = self._neighbours[line.id]
             reads.append(
-                self._read(line, language, said.texts.get(line.id), status, reason, before=before, after=after)
+                self._read(
+                    line, language, language_texts.texts.get(line.id), status, reason, before=before, after=after
+                )
             )
         return reads
 
@@ -111,29 +113,31 @@ class ScriptReader:
         self, language: str, *, state: LineState | None, character_id: UUID | None, search: str, start: int
     ) -> VoiceLines:
         """Return the lines of one language that fit a filter, from a place on."""
-        said = self._said(language)
-        states = {line.id: said.statuses.get(line.id, NOT_TRANSLATED).state for line in self.lines}
+        language_texts = self._said(language)
+        states = {line.id: language_texts.statuses.get(line.id, NOT_TRANSLATED).state for line in self.lines}
         counts = Counter(states.values())
         words = search.casefold().split()
-        found = [
+        matching = [
             line
             for line in self.lines
             if (state is None or states[line.id] is state)
             and (character_id is None or line.character_id == character_id)
-            and (not words or self._has_words(line, said.texts.get(line.id), words))
+            and (not words or self._has_words(line, language_texts.texts.get(line.id), words))
         ]
         return VoiceLines(
             language=language,
-            lines=self._reads(language, said, found[start : start + PAGE]),
-            next=start + PAGE if len(found) > start + PAGE else None,
-            total=len(found),
-            counts=[StateCount(state=one, lines=counts[one]) for one in LineState if counts[one]],
+            lines=self._reads(language, language_texts, matching[start : start + PAGE]),
+            next=start + PAGE if len(matching) > start + PAGE else None,
+            total=len(matching),
+            counts=[
+                StateCount(state=line_state, lines=counts[line_state]) for line_state in LineState if counts[line_state]
+            ],
             may_change=may_change(self._access),
         )
 
     def _has_words(self, line: VoiceLine, text: VoiceText | None, words: Sequence[str]) -> bool:
         original = self._original.get(line.id)
-        said = (
+        texts = (
             line.key,
             line.character.name,
             line.scene,
@@ -141,35 +145,37 @@ class ScriptReader:
             original and original.text,
             line.direction,
         )
-        searched = " ".join(part for part in said if part).casefold()
+        searched = " ".join(part for part in texts if part).casefold()
         return all(word in searched for word in words)
 
     def pick_ups(self, language: str | None, character_id: UUID | None) -> PickUpsRead:
         """Return the pick-ups of the next session: by language, then character, in the order of the script."""
         languages = [language] if language else self.languages
-        found: list[VoiceLineRead] = []
+        reads: list[VoiceLineRead] = []
         for each in languages:
-            said = self._said(each)
+            language_texts = self._said(each)
             wanted = [
                 line
                 for line in self.lines
-                if said.statuses.get(line.id, NOT_TRANSLATED).state in PICK_UPS
+                if language_texts.statuses.get(line.id, NOT_TRANSLATED).state in PICK_UPS
                 and (character_id is None or line.character_id == character_id)
             ]
-            found += self._reads(each, said, wanted)
-        order = {language: place for place, language in enumerate(languages)}
-        found.sort(key=lambda one: (order[one.language], one.character.name.casefold()))  # stable: keeps the script's
-        return PickUpsRead(lines=found, languages=list(dict.fromkeys(one.language for one in found)))
+            reads += self._reads(each, language_texts, wanted)
+        order = {language: rank for rank, language in enumerate(languages)}
+        reads.sort(
+            key=lambda read: (order[read.language], read.character.name.casefold())
+        )  # stable: keeps the script's
+        return PickUpsRead(lines=reads, languages=list(dict.fromkeys(read.language for read in reads)))
 
     @cached_property
     def _neighbours(self) -> dict[UUID, tuple[VoiceLine | None, VoiceLine | None]]:
         """The lines before and after each line, where they are in its scene."""
-        found: dict[UUID, tuple[VoiceLine | None, VoiceLine | None]] = {}
-        for place, line in enumerate(self.lines):
-            before = self.lines[place - 1] if place and self.lines[place - 1].scene == line.scene else None
-            after = self.lines[place + 1] if place + 1 < len(self.lines) else None
-            found[line.id] = (before, after if after and after.scene == line.scene else None)
-        return found
+        neighbours: dict[UUID, tuple[VoiceLine | None, VoiceLine | None]] = {}
+        for index, line in enumerate(self.lines):
+            before = self.lines[index - 1] if index and self.lines[index - 1].scene == line.scene else None
+            after = self.lines[index + 1] if index + 1 < len(self.lines) else None
+            neighbours[line.id] = (before, after if after and after.scene == line.scene else None)
+        return neighbours
 
     @cached_property
     def _original(self) -> dict[UUID, VoiceText]:
@@ -257,7 +263,7 @@ def line_of_cue(session: Session, access: ProjectAccess, cue_id: UUID) -> VoiceL
     if text is None:
         return None
     reader = ScriptReader(session, access, around=text.line)
-    return next(one for one in reader.in_language(text.language) if one.id == text.line_id)
+    return next(candidate for candidate in reader.in_language(text.language) if candidate.id == text.line_id)
 
 
 def may_change(access: ProjectAccess) -> bool:

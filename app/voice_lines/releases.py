@@ -90,18 +90,22 @@ def releases_read(session: Session, access: ProjectAccess) -> ReleasesRead:
     performers = []
     for performer in queries.performers_of(session, project_id):
         of_them, own = releases[performer.id], parts[performer.id]
-        lines = sum(approved[one.character_id, one.language] for one in own)
+        lines = sum(approved[part.character_id, part.language] for part in own)
         if of_them or own:
             performers.append(
                 PerformerRead(
                     name=performer.name,
-                    parts=[f"{names[one.character_id]}, {one.language}" for one in own],
+                    parts=[f"{names[part.character_id]}, {part.language}" for part in own],
                     approved_lines=lines,
-                    releases=[_read(one, today) for one in of_them],
+                    releases=[_read(performer_release, today) for performer_release in of_them],
                     warning=_warning(of_them, lines, today),
                 )
             )
-    cast = {(one.character_id, one.language) for one in castings if one.performer_id is not None}
+    cast = {
+        (set_casting.character_id, set_casting.language)
+        for set_casting in castings
+        if set_casting.performer_id is not None
+    }
     return ReleasesRead(
         performers=performers,
         lines_without_performer=sum(lines for part, lines in approved.items() if part not in cast),

@@ -168,7 +168,7 @@ def line_status(takes: Iterable[TakeFacts], texts: Sequence[TextFrom], *, is_cut
         return LineStatus(LineState.NO_TAKE)
     fresh = [take for take in newest_first if not is_stale(texts, take.received_at)]
     of_them = fresh or newest_first
-    take = next((one for one in of_them if one.state is TakeState.APPROVED), of_them[0])
+    take = next((candidate for candidate in of_them if candidate.state is TakeState.APPROVED), of_them[0])
     if not fresh:
         return LineStatus(LineState.STALE, take, text_at(texts, take.received_at))
     return LineStatus(_STATES.get(take.state, LineState.IN_REVIEW), take)
@@ -241,5 +241,5 @@ def merged_order(present: Sequence[Place], script: Sequence[Place]) -> list[Plac
             last = line
         else:
             after.setdefault(last, []).append(line)
-    ordered = [one for line in present for one in (line, *after.get(line, ()))]
+    ordered = [entry for line in present for entry in (line, *after.get(line, ()))]
     return [*ordered, *after.get(None, ())]

@@ -52,9 +52,9 @@ def meaning_of(head: str) -> str | None:
     if is_known_language(given):
         return language_tag(given)
     for pattern in (_AFTER, _BEFORE):
-        found = pattern.fullmatch(given)
-        if found and is_known_language(found[1]):
-            return language_tag(found[1])
+        match = pattern.fullmatch(given)
+        if match and is_known_language(match[1]):
+            return language_tag(match[1])
     return None
 
 

@@ -80,7 +80,7 @@ def columns_of(
     for name, meaning in mapping.items():
         _take(taken, _in_language(_mapped(name, meaning), language), name)
     columns = []
-    for place, name in enumerate(sheet.columns):
+    for index, name in enumerate(sheet.columns):
         if name in mapping:
             meaning = _in_language(_mapped(name, mapping[name]), language)
         elif name in sheet.notes["hidden_columns"]:
@@ -91,7 +91,7 @@ def columns_of(
             if meaning in taken:
                 meaning = ScriptField.IGNORE
             _take(taken, meaning, name)
-        columns.append(Column(place, name, str(meaning)))
+        columns.append(Column(index, name, str(meaning)))
     spoken = [column.meaning for column in columns if column.meaning not in set(ScriptField)]
     if len(spoken) > MAX_LANGUAGES:
         raise ScriptUnreadable(f"a script may have {MAX_LANGUAGES} languages; this one has {len(spoken)}")
@@ -134,13 +134,13 @@ def spoken_rows(
     for row, given in cells_of:
         # A scene is written once, in a merged cell or before its first line, and holds until the next.
         scene = given.get(ScriptField.SCENE) or scene
-        found = list(_faults_of(row, given))
-        if not found:
+        faults_of_row = list(_faults_of(row, given))
+        if not faults_of_row:
             spoken = keys.spoken_row(row, given, scene or None)
-            found = list(keys.faults_of(spoken))
-            if not found:
+            faults_of_row = list(keys.faults_of(spoken))
+            if not faults_of_row:
                 rows.append(spoken)
-        faults += found
+        faults += faults_of_row
     return rows, faults
 
 
@@ -211,9 +211,9 @@ class _Keys:
     def _by_words(self, character: str, scene: str | None, texts: Mapping[str, str]) -> str | None:
         words = (folded(character), scene or "", texts.get(self._language, ""))
         keys = self._known.by_words.get(words, ())
-        place = self._found.get(words, 0)  # the same words may be spoken twice in a scene
-        self._found[words] = place + 1
-        return keys[place] if place < len(keys) else None
+        occurrence = self._found.get(words, 0)  # the same words may be spoken twice in a scene
+        self._found[words] = occurrence + 1
+        return keys[occurrence] if occurrence < len(keys) else None
 
     def _new(self, character: str) -> str:
         slug = folded(character)

@@ -55,8 +55,8 @@ def read_script_text(text: str, is_sheet: bool, is_pasted: bool) -> ParsedSheet:
 def _read_text(text: str) -> ParsedSheet:
     if len(text) > min(MAX_BYTES, MAX_CHARACTERS):
         raise ScriptUnreadable(f"a text may have {MAX_BYTES:,} characters; this one has {len(text):,}")
-    if (place := text.find("\0")) >= 0:
-        line = text.count("\n", 0, place) + 1
+    if (offset := text.find("\0")) >= 0:
+        line = text.count("\n", 0, offset) + 1
         raise ScriptUnreadable(f"line {line}: this is not text: it holds zero bytes; save it as UTF-8")
     rows: Rows = []
     for row in _spoken(_lines_of(text)):
@@ -72,9 +72,9 @@ def _read_text(text: str) -> ParsedSheet:
 
 def _lines_of(text: str) -> list[str]:
     plain = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
-    plain = _BONEYARD.sub(lambda found: "\n" * found[0].count("\n"), plain)
+    plain = _BONEYARD.sub(lambda match: "\n" * match[0].count("\n"), plain)
     lines = [line.strip() or (PAUSE if len(line) > 1 and not line.strip(" ") else "") for line in plain.split("\n")]
-    first = next((place for place, line in enumerate(lines) if line.strip()), 0)
+    first = next((index for index, line in enumerate(lines) if line.strip()), 0)
     if lines and _TITLE_PAGE.match(lines[first]):
         while first < len(lines) and lines[first].strip():
             lines[first] = ""
@@ -84,27 +84,27 @@ def _lines_of(text: str) -> list[str]:
 
 def _spoken(lines: list[str]) -> Iterator[tuple[int, list[str]]]:
     """Yield the number of each line that names a speaker, with the cells of what is spoken."""
-    scene, place = "", 0
-    while place < len(lines):
-        line = lines[place]
-        follows_blank = place == 0 or not lines[place - 1].strip() or _heading_in(lines[place - 1]) is not None
-        place += 1
+    scene, index = "", 0
+    while index < len(lines):
+        line = lines[index]
+        follows_blank = index == 0 or not lines[index - 1].strip() or _heading_in(lines[index - 1]) is not None
+        index += 1
         heading = _heading_in(line) if follows_blank else None
         if heading is not None:
             scene = heading
-        elif follows_blank and place < len(lines) and lines[place].strip() and _names_a_speaker(line):
-            number, block = place, []
-            while place < len(lines) and lines[place] and not _ends_at_pause(lines, place):
-                block.append(lines[place])
-                place += 1
+        elif follows_blank and index < len(lines) and lines[index].strip() and _names_a_speaker(line):
+            number, block = index, []
+            while index < len(lines) and lines[index] and not _ends_at_pause(lines, index):
+                block.append(lines[index])
+                index += 1
             yield number, _cells(line, scene, block)
 
 
-def _ends_at_pause(lines: list[str], place: int) -> bool:
+def _ends_at_pause(lines: list[str], index: int) -> bool:
     """Return whether a line of two spaces ends a speech after all: another speaker or a scene comes next."""
-    if lines[place] != PAUSE:
+    if lines[index] != PAUSE:
         return False
-    after = next((at for at in range(place, len(lines)) if lines[at] != PAUSE), len(lines))
+    after = next((at for at in range(index, len(lines)) if lines[at] != PAUSE), len(lines))
     if after == len(lines) or not lines[after]:
         return True
     has_text = after + 1 < len(lines) and bool(lines[after + 1].strip())
@@ -131,9 +131,13 @@ def _names_a_speaker(line: str) -> bool:
 def _cells(line: str, scene: str, block: list[str]) -> list[str]:
     note = _NOTE.search(line)
     rest = _NOTE.sub("", line).strip(" ^")
-    directions = [one.strip() for one in _EXTENSION.findall(rest) if one and not _CONTINUED.fullmatch(one.strip())]
+    directions = [
+        extension.strip()
+        for extension in _EXTENSION.findall(rest)
+        if extension and not _CONTINUED.fullmatch(extension.strip())
+    ]
     spoken = []
-    for part in (_NOTE.sub("", one).strip() for one in block):
+    for part in (_NOTE.sub("", block_line).strip() for block_line in block):
         if part.startswith("(") and part.endswith(")"):
             directions.append(part[1:-1].strip())
         elif part:

@@ -67,10 +67,10 @@ def change_text(
             f"the text is at version {text.newest_number} now; this change was made from version {number}",
             fix="read the line again, then change it",
         )
-    said = tidy_text(words)
-    if not said:
+    tidied = tidy_text(words)
+    if not tidied:
         raise invalid("text", "enter what is spoken")
-    version = new_version(text, said, actor.person) if said != text.text else queries.newest_version(session, text)
+    version = new_version(text, tidied, actor.person) if tidied != text.text else queries.newest_version(session, text)
     if takes_fit:
         version.takes_fit_at, version.takes_fit_by = clock.now(), actor.person
     session.add(version)

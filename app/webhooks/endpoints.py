@@ -63,9 +63,9 @@ def list_webhooks(
     studio_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = PRODUCER
 ) -> WebhooksRead:
     """Return a studio's webhooks, without their secrets."""
-    found = service.webhooks_of(session, actor, studio_id)
+    webhooks = service.webhooks_of(session, actor, studio_id)
     return WebhooksRead(
-        items=[_read(webhook, clock.now()) for webhook in found],
+        items=[_read(webhook, clock.now()) for webhook in webhooks],
         projects=[WebhookProject.model_validate(project) for project in service.projects_of(session, studio_id)],
         may_be_localhost=runtime.settings.webhook_localhost,
     )
@@ -156,10 +156,10 @@ def list_webhook_calls(
     webhook_id: UUID, session: DbSession, cursor: str | None = None, actor: Actor = PRODUCER
 ) -> Page[WebhookCallRead]:
     """Return the messages to an address with what was answered, newest first; they are kept for 30 days."""
-    found = service.calls_of(session, actor, webhook_id, before=uuid_cursor(cursor), limit=PAGE + 1)
-    shown = found[:PAGE]
-    following = cursor_of(shown[-1].id) if len(found) > PAGE else None
-    return Page(items=[WebhookCallRead.model_validate(one) for one in shown], next=following)
+    calls = service.calls_of(session, actor, webhook_id, before=uuid_cursor(cursor), limit=PAGE + 1)
+    shown = calls[:PAGE]
+    following = cursor_of(shown[-1].id) if len(calls) > PAGE else None
+    return Page(items=[WebhookCallRead.model_validate(call) for call in shown], next=following)
 
 
 @router.post(

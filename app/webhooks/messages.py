@@ -35,11 +35,11 @@ class EventText(NamedTuple):
 
 def message_of(session: Session, base_url: str, payload: Payload) -> tuple[UUID, Message]:
     """Return the project of an event, and what is sent of it."""
-    said = WORDS[payload["event"]](session, payload)
-    project = said.project
-    url = f"{base_url}/projects/{project.id}/{said.page}".rstrip("/")
-    data = {"project": {"id": str(project.id), "name": project.name}, **said.data}
-    return project.id, Message(EVENTS[payload["event"]], f"{project.name}: {said.text}", url, data)
+    event_text = WORDS[payload["event"]](session, payload)
+    project = event_text.project
+    url = f"{base_url}/projects/{project.id}/{event_text.page}".rstrip("/")
+    data = {"project": {"id": str(project.id), "name": project.name}, **event_text.data}
+    return project.id, Message(EVENTS[payload["event"]], f"{project.name}: {event_text.text}", url, data)
 
 
 def _take(session: Session, payload: Payload) -> EventText:

@@ -48,16 +48,16 @@ def webhook_in(
 
 def calls_of(session: Session, webhook_id: UUID, *, before: UUID | None, limit: int) -> Sequence[WebhookCall]:
     """Return a webhook's calls, newest first, with their attempts."""
-    found = select(WebhookCall).where(WebhookCall.webhook_id == webhook_id).options(selectinload(WebhookCall.attempts))
+    query = select(WebhookCall).where(WebhookCall.webhook_id == webhook_id).options(selectinload(WebhookCall.attempts))
     if before is not None:
-        found = found.where(WebhookCall.id < before)
-    return session.scalars(found.order_by(WebhookCall.id.desc()).limit(limit)).all()
+        query = query.where(WebhookCall.id < before)
+    return session.scalars(query.order_by(WebhookCall.id.desc()).limit(limit)).all()
 
 
 def call_in(session: Session, studio_ids: Collection[UUID], call_id: UUID) -> WebhookCall | None:
     """Return a call of a webhook of one of these studios, with its webhook and its attempts."""
-    found = select(WebhookCall).where(WebhookCall.id == call_id, WebhookCall.studio_id.in_(studio_ids))
-    return session.scalar(found.options(joinedload(WebhookCall.webhook), selectinload(WebhookCall.attempts)))
+    query = select(WebhookCall).where(WebhookCall.id == call_id, WebhookCall.studio_id.in_(studio_ids))
+    return session.scalar(query.options(joinedload(WebhookCall.webhook), selectinload(WebhookCall.attempts)))
 
 
 def is_attempt_at(condition: ColumnElement[bool]) -> ColumnElement[bool]:
@@ -74,5 +74,5 @@ def call_to_send(session: Session, call_id: UUID, attempt: UUID, *, locked: bool
 
 def projects_of(session: Session, studio_id: UUID) -> Sequence[Project]:
     """Return the projects of a studio that are not archived, by name."""
-    found = select(Project).where(Project.studio_id == studio_id, Project.archived_at.is_(None))
-    return session.scalars(found.order_by(Project.name, Project.id)).all()
+    query = select(Project).where(Project.studio_id == studio_id, Project.archived_at.is_(None))
+    return session.scalars(query.order_by(Project.name, Project.id)).all()
