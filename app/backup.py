@@ -178,10 +178,10 @@ def restore(runtime: Runtime, folder: Path, database: Path | None = None) -> Cop
 
     Raises BackupRefused where there is no backup, this version cannot read it, or something is there.
     """
-    found = _databases(folder)
-    if database is None and not found:
+    databases = _databases(folder)
+    if database is None and not databases:
         raise BackupRefused(f"{folder} holds no backup; name the folder that `soundlist backup` wrote to")
-    source = database or found[-1]
+    source = database or databases[-1]
     wanted = SQLITE if runtime.database.is_sqlite else POSTGRES
     if source.suffix != wanted:
         raise BackupRefused(

@@ -97,14 +97,15 @@ def _history() -> tuple[str, ...]:
 def ensure_at_head(runtime: Runtime) -> None:
     """Raise NotReady where the database lacks tables of this version; one that a newer version changed will do."""
     with runtime.database.reading() as session:
-        found = MigrationContext.configure(session.connection()).get_current_revision()
+        revision = MigrationContext.configure(session.connection()).get_current_revision()
     known = _history()
     try:
-        ensure_made_since_release(found)
+        ensure_made_since_release(revision)
     except MadeBeforeRelease as error:
         raise NotReady(str(error)) from None
-    if found in known[1:] or found is None:
+    if revision in known[1:] or revision is None:
         raise NotReady(
-            f"the database is at revision {found or 'none'}, and this version wants {known[0]}; run: soundlist migrate"
+            f"the database is at revision {revision or 'none'}, and this version wants {known[0]}; "
+            "run: soundlist migrate"
         )
     ensure_rows_are_guarded(runtime)

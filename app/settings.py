@@ -282,12 +282,12 @@ def read_settings(*, serving: bool = False) -> Settings:
         raise SettingsWrong([*lines, *(_in_words(wrong["loc"], wrong["msg"]) for wrong in error.errors())]) from None
     secret = settings.secret_key.get_secret_value()
     if serving and len(secret) < SECRET_KEY_LENGTH:
-        found = (
+        fault = (
             f"has {len(secret)} character{'' if len(secret) == 1 else 's'}; {SECRET_KEY_LENGTH} or more are wanted"
             if secret
             else "is not set"
         )
-        lines.append(f"SOUNDLIST_SECRET_KEY {found}. Make one with: openssl rand -hex 32")
+        lines.append(f"SOUNDLIST_SECRET_KEY {fault}. Make one with: openssl rand -hex 32")
     if lines:
         raise SettingsWrong(lines)
     return settings
@@ -305,7 +305,7 @@ def _unknown_names() -> list[str]:
     return lines
 
 
-def _in_words(place: tuple[int | str, ...], message: str) -> str:
-    name = PREFIX + "_".join(str(part) for part in place).upper()
-    said = message.removeprefix("Value error, ")
-    return said if PREFIX in said else f"{name}: {said}"
+def _in_words(keys: tuple[int | str, ...], message: str) -> str:
+    name = PREFIX + "_".join(str(part) for part in keys).upper()
+    text = message.removeprefix("Value error, ")
+    return text if PREFIX in text else f"{name}: {text}"

@@ -256,8 +256,14 @@ class _Edit:
     def _composed(self, glyphs: Sequence[_Glyph], letters: Sequence[Letter], kind: BlockKind) -> Iterator[_Part]:
         """Yield the parts of a line, with the marks of bold and italic words where these begin and end."""
         strong = emphatic = False
-        letters_written = [letters[one.said].letter if isinstance(one.said, int) else one.said for one in glyphs]
-        escaped = _place_to_escape("".join(one if isinstance(one, str) else "x" for one in letters_written), kind)
+        letters_written = [
+            letters[written_glyph.said].letter if isinstance(written_glyph.said, int) else written_glyph.said
+            for written_glyph in glyphs
+        ]
+        escaped = _place_to_escape(
+            "".join(written_letter if isinstance(written_letter, str) else "x" for written_letter in letters_written),
+            kind,
+        )
         for at, glyph in enumerate(_with_spaces_between(glyphs, letters_written)):
             if kind != "head" and (strong, emphatic) != glyph[1:]:
                 yield ("**" if strong != glyph.strong else "") + ("*" if emphatic != glyph.emphatic else "")

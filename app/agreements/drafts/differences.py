@@ -82,14 +82,14 @@ def _rising(pairs: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
     ends: list[int] = []  # the smallest first number that ends a run of each length
     last: list[int] = []  # which pair that is
     before: list[int] = []
-    for place, (i, _) in enumerate(pairs):
+    for pair_index, (i, _) in enumerate(pairs):
         length = bisect_left(ends, i)
         before.append(last[length - 1] if length else -1)
         if length == len(ends):
             ends.append(i)
-            last.append(place)
+            last.append(pair_index)
         else:
-            ends[length], last[length] = i, place
+            ends[length], last[length] = i, pair_index
     chosen: list[tuple[int, int]] = []
     index = last[-1] if last else -1
     while index >= 0:

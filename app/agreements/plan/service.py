@@ -206,11 +206,11 @@ def save_plan(session: Session, actor: Actor, contract_id: UUID, plan: Sequence[
     session.execute(delete(ContractCue).where(ContractCue.contract_id == contract.id))
     session.execute(delete(Milestone).where(Milestone.contract_id == contract.id))
     position = 0
-    for place, planned in enumerate(plan, start=1):
+    for number, planned in enumerate(plan, start=1):
         of = {"studio_id": contract.studio_id, "project_id": contract.project_id, "contract_id": contract.id}
         milestone = Milestone(
             **of,
-            position=place,
+            position=number,
             name=planned.name,
             is_deposit=planned.is_deposit,
             amount_minor=planned.whole_minor,

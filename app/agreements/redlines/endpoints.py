@@ -121,10 +121,10 @@ def preview_redlines(
 ) -> schemas.RedlinesPreview:
     """Return the text as changes would mark it; nothing is saved."""
     with MARKED.of(actor.person):
-        marked, found = redlines.preview(session, actor, contract_id, _changes(body.changes))
+        marked, draft_problems = redlines.preview(session, actor, contract_id, _changes(body.changes))
         return schemas.RedlinesPreview(
             clauses=[schemas.MarkedClauseRead.model_validate(clause) for clause in marked],
-            problems=[DraftProblem.model_validate(each) for each in found],
+            problems=[DraftProblem.model_validate(each) for each in draft_problems],
         )
 
 

@@ -100,7 +100,9 @@ class _Reading:
 
     def result(self) -> ReadChanges:
         sections = self._sections()
-        by_key: dict[str | None, _Section] = {one.key: one for one in sections if one.key is not None}
+        by_key: dict[str | None, _Section] = {
+            sent_section.key: sent_section for sent_section in sections if sent_section.key is not None
+        }
         if not by_key:
             raise OtherContractsFile(
                 "no clause of this contract was found in the file",

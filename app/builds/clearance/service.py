@@ -56,9 +56,9 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
     designers = people_by_id(session, {take.designer_id for take in takes})
     in_house = queries.in_house_designers(session, project.id)
     contracts: dict[tuple[UUID, UUID], Contract] = {}
-    for covered, one in queries.contracts_of_cues(session, {take.cue_id for take in takes if take.cue_id}):
-        contracts[covered.cue_id, one.designer_id] = one
-    paid = {one.id: _paid(session, one) for one in contracts.values()}
+    for covered, cue_contract in queries.contracts_of_cues(session, {take.cue_id for take in takes if take.cue_id}):
+        contracts[covered.cue_id, cue_contract.designer_id] = cue_contract
+    paid = {known_contract.id: _paid(session, known_contract) for known_contract in contracts.values()}
     elsewhere = queries.same_masters_elsewhere(
         session, project.studio_id, project.id, {take.master_sha256 for take in takes}
     )
@@ -69,7 +69,7 @@ def clearance_rows(session: Session, project: Project, sounds: Sequence[tuple[st
         for verdict in effective_verdicts(session, [take.id for take in takes])
         if verdict.kind is VerdictKind.APPROVE
     }
-    judges = people_by_id(session, {one.given_by for one in approvals.values() if one.given_by})
+    judges = people_by_id(session, {judged.given_by for judged in approvals.values() if judged.given_by})
     rows = []
     for path, take in sounds:
         sources, cue = stated.get(take.id), take.cue

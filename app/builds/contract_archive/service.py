@@ -83,13 +83,15 @@ def open_handovers(session: Session, actor: Actor, project_id: UUID) -> list[Ope
     access = project_access(session, actor, project_id)
     access.ensure_producer()
     ended = [
-        one
-        for one in contracts_in(session, actor, project_id)
-        if one.state is ContractState.ENDED and one.kind in ORDERS and one.ended_at is not None
+        ended_contract
+        for ended_contract in contracts_in(session, actor, project_id)
+        if ended_contract.state is ContractState.ENDED
+        and ended_contract.kind in ORDERS
+        and ended_contract.ended_at is not None
     ]
     if not ended:
         return []
-    covered = {one.id: cues_of(session, one.id) for one in ended}
+    covered = {ended_contract.id: cues_of(session, ended_contract.id) for ended_contract in ended}
     waiting = {cue.id for cue in wanted_cues(session, project_id)}
     waiting -= {cue.cue_id for cues in covered.values() for cue in cues if cue.accepted_at is not None}
     handovers: list[OpenHandover] = []
@@ -152,7 +154,7 @@ def _cues(
     files: dict[UUID, HandedFile],
 ) -> list[HandedCue]:
     stems = queries.stems_of_project(session, project.id)
-    unfinished = [one.cue_id for one in covered if one.accepted_at is None]
+    unfinished = [unaccepted.cue_id for unaccepted in covered if unaccepted.accepted_at is None]
     remarks = queries.open_remarks(session, unfinished, contract.designer_id)
     asked = questions_of(session, project.id, only_open=True)
     cues = []

@@ -60,7 +60,7 @@ def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, know
 
 def save_same_sounds(session: Session, take_id: UUID, matches: Sequence[FoundElsewhere]) -> None:
     """Record the takes that hold the same sound, for both sides, unless they are no longer approved."""
-    by_hash = {one.sha256: one for one in matches}
+    by_hash = {found_match.sha256: found_match for found_match in matches}
     take = session.get_one(Take, take_id)
     rows = []
     for other in queries.approved_takes_elsewhere(session, take.studio_id, take.project_id, by_hash):

@@ -33,9 +33,9 @@ def scores_seen(
         by_bid[score.bid_id].append(score)
     seen: dict[UUID, tuple[Score | None, Sequence[Score] | None, int]] = {}
     for bid_id, scores in by_bid.items():
-        own = next((one for one in scores if one.person_id == actor.person), None)
+        own = next((known_score for known_score in scores if known_score.person_id == actor.person), None)
         is_whole = own is not None and set(posting.headings) <= own.scores.keys()
-        others = [one for one in scores if one.person_id != actor.person] if is_whole else None
+        others = [other_score for other_score in scores if other_score.person_id != actor.person] if is_whole else None
         seen[bid_id] = (own, others, len(scores))
     return seen
 

@@ -147,7 +147,7 @@ def _starts(event: Event, begin: datetime, length: timedelta, first: date, last:
         if (rule.get("FREQ") or [""])[0].upper() in TOO_OFTEN:
             raise ValueError("it repeats within a day")
         if "UNTIL" in rule:
-            rule["UNTIL"] = [_until(one, event["DTSTART"].dt) for one in rule["UNTIL"]]
+            rule["UNTIL"] = [_until(repeat_end, event["DTSTART"].dt) for repeat_end in rule["UNTIL"]]
         for start in rrulestr(rule.to_ical().decode(), dtstart=begin).xafter(after, inc=True):
             if start >= until:
                 break

@@ -51,7 +51,9 @@ def _of_invoice(session: Session, contract: Contract, invoice: Invoice, books: B
     owed = [line for line in load_ledger_book(session, contract).owed if line.invoice_id == invoice.id]
     kind = "credit note" if sum(line.amount_minor for line in owed) < 0 else "invoice"
     document = _document(contract, books, invoice.issued_on, invoice.full_number, kind, invoice)
-    for line in billed_lines(session, contract, invoice, [one for one in owed if one.kind is not LineKind.TAX]):
+    for line in billed_lines(
+        session, contract, invoice, [owed_line for owed_line in owed if owed_line.kind is not LineKind.TAX]
+    ):
         account = books.work if line.is_work else books.interest
         yield billed(
             books,
@@ -63,7 +65,7 @@ def _of_invoice(session: Session, contract: Contract, invoice: Invoice, books: B
             category=line.category.value,
         )
     texts = queries.invoice_texts(session, invoice.id)
-    for tax in (one for one in owed if one.kind is LineKind.TAX):
+    for tax in (owed_line for owed_line in owed if owed_line.kind is LineKind.TAX):
         yield billed(
             books, document, tax.amount_minor, texts[tax.id], account=books.tax, tax_bp=tax.tax_bp, category="S"
         )

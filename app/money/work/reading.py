@@ -63,7 +63,7 @@ def _state(day: WorkedDay) -> Literal["waiting", "agreed", "refused"]:
 
 def _prices_of_hours(session: Session, contract: Contract, logged: Sequence[WorkedDay]) -> dict[UUID, int]:
     """Return the ledger's prices of approved hours, and the costs of waiting ones if they are approved in order."""
-    prices = {one.id: 0 for one in logged}
+    prices = {worked.id: 0 for worked in logged}
     hours = HourBook(session, contract)
     if hours.entries:
         for line in load_ledger_book(session, contract).lines:

@@ -340,7 +340,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
 
 def _verdicts_read(verdicts: Iterable[Verdict]) -> Iterable[VerdictRead]:
     verdicts = list(verdicts)
-    withdrawn = {one.withdraws_id for one in verdicts if one.withdraws_id}
+    withdrawn = {given_verdict.withdraws_id for given_verdict in verdicts if given_verdict.withdraws_id}
     for verdict in verdicts:
         yield VerdictRead(
             id=verdict.id,

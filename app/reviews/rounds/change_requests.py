@@ -148,7 +148,9 @@ def send_changes(
         id=sending.id,
         note=sending.note,
         created_at=sending.created_at,
-        change_requests=[change_request_read(one, access.project.cue_prefix) for one in reversed(sent)],
+        change_requests=[
+            change_request_read(sent_request, access.project.cue_prefix) for sent_request in reversed(sent)
+        ],
         rounds=[RoundRead.model_validate(sent_round) for sent_round in rounds],
         held_back=held_back,
     )

@@ -108,10 +108,10 @@ def add_guest_comment(
 def _record_comment(session: Session, take: Take, comment: Comment) -> None:
     """Write a comment into the record of the contract that covers its cue, if one does."""
     if take.cue_id is not None:
-        said = {"comment_id": str(comment.id), "text": comment.text}
+        comment_facts = {"comment_id": str(comment.id), "text": comment.text}
         if comment.guest_name is not None:
-            said["guest"] = comment.guest_name
-        facts = {"variation": take.variation, "version": take.number or 0, **said}
+            comment_facts["guest"] = comment.guest_name
+        facts = {"variation": take.variation, "version": take.number or 0, **comment_facts}
         rows = RowChanges().add(comment)
         record_work(session, take.cue_id, take.designer_id, "commented", facts, by=comment.written_by, rows=rows)
 
