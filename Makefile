@@ -16,7 +16,7 @@ export PYTHONPATH := $(CURDIR)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs docs-site migration openapi completions lock audit-dependencies pins wheels sbom clean
+.PHONY: help setup run dev hooks quick test test-slow check coverage fix unit unit-postgres frontend-test e2e slow-unit slow-unit-postgres slow-frontend-test slow-e2e firefox kill planted-bugs attack large-zip false-alarms audit audit-levels fuzz parity bench weights docs docs-site pictures migration openapi completions lock audit-dependencies pins wheels sbom clean
 
 help:  ## List these commands
 	@grep -hE '^[a-z0-9-]+:.*##' $(MAKEFILE_LIST) | awk -F':.*## ' '{printf "  make %-14s %s\n", $$1, $$2}'
@@ -147,9 +147,13 @@ fix: setup  ## Format and fix what can be fixed by itself
 docs: setup  ## Write the generated pages
 	$(BIN)/python -m audio_checks.cli.pages docs/checks
 	$(BIN)/python -m tests.support.architecture docs/pictures/architecture.svg
+	$(BIN)/python -m tests.support.keys docs/reference/keys.md
 
 docs-site: .make/python  # Build the guides as a site, which the server has at /help
 	@$(BIN)/python .ci/docs_site.py
+
+pictures: setup .make/browser  # Take the pictures of the guides from the demo project, in light and dark
+	@cd frontend && PICTURES=1 npx playwright test --project=slow pictures
 
 migration: setup  ## Write the migration that makes every table of the models
 	$(BIN)/python -m migrations.write_initial

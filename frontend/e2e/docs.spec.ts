@@ -37,3 +37,31 @@ test('the API’s documentation works from our own server alone, within its cont
   expect(complaints).toEqual([])
   expect(foreign).toEqual([])
 })
+
+test('each page leads to its guide, which works within the content security policy', async ({ demo, page }) => {
+  const complaints: string[] = []
+  const foreign: string[] = []
+  await page.goto(`${demo.url}/today`)
+  await page.getByRole('button', { name: /: account and settings$/ }).click()
+  const opening = page.waitForEvent('popup')
+  await page.getByRole('menuitem', { name: 'Help on this page' }).click()
+  const guide = await opening
+  guide.on('console', (message: ConsoleMessage) => {
+    if (message.type() === 'error' || /content security policy/i.test(message.text())) complaints.push(message.text())
+  })
+  guide.on('pageerror', (error) => complaints.push(error.message))
+  guide.on('request', (request) => {
+    const { protocol, origin } = new URL(request.url())
+    if (protocol.startsWith('http') && origin !== demo.url) foreign.push(request.url())
+  })
+  await guide.reload()
+  await expect(guide).toHaveURL(`${demo.url}/help/how-to/review.html`)
+  await expect(guide.getByRole('heading', { level: 1, name: /^Review sounds/ })).toBeVisible()
+
+  await guide.goto(`${demo.url}/help`)
+  await expect(guide).toHaveURL(`${demo.url}/help/`)
+  await guide.getByRole('link', { name: 'Your first project', exact: true }).first().click()
+  await expect(guide.getByRole('heading', { level: 1, name: /^Your first project/ })).toBeVisible()
+  expect(complaints).toEqual([])
+  expect(foreign).toEqual([])
+})

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support import architecture
+from tests.support import architecture, keys
 
 pytestmark = pytest.mark.lint
 
@@ -81,7 +81,7 @@ def test_every_guide_is_in_the_navigation_of_the_site_and_linked_from_its_first_
 def test_the_first_page_of_the_repository_is_one_screen():
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert len(text.splitlines()) <= 60
-    assert "![" in text
+    assert "<picture>" in text
 
 
 USER_PAGES = [*(ROOT / "docs" / "how-to").glob("*.md"), *(ROOT / "docs" / "tutorials").glob("*.md")]
@@ -161,3 +161,19 @@ def test_an_import_that_follows_from_others_is_not_drawn():
     imports = {"shares": {"reviews", "core"}, "reviews": {"core"}, "core": set()}
     assert architecture.reduced(imports) == {"shares": {"reviews"}, "reviews": {"core"}, "core": set()}
     assert architecture.heights(imports) == {"core": 0, "reviews": 1, "shares": 2}
+
+
+def test_the_page_of_keys_is_that_of_the_sources():
+    shown = (ROOT / "docs/reference/keys.md").read_text(encoding="utf-8")
+    assert shown == keys.page(), "run: make docs"
+    assert shown.count("\n| `") > 150
+    assert keys.written("mod+shift+Enter") == "Ctrl Shift Enter"
+
+
+def test_every_picture_of_a_page_exists_in_light_and_dark():
+    for page in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]:
+        for source in re.findall(r'(?:src|srcset)="([^"]+)"', page.read_text(encoding="utf-8")):
+            picture = page.parent / source
+            assert picture.is_file(), f"{page.relative_to(ROOT)}: {source}"
+            assert picture.with_name(re.sub("light|dark", "light", picture.name)).is_file()
+            assert picture.with_name(re.sub("light|dark", "dark", picture.name)).is_file()

@@ -1,0 +1,77 @@
+import { mkdir } from 'node:fs/promises'
+import { join } from 'node:path'
+
+import { expect, type Page } from '@playwright/test'
+
+import { test } from './fixtures'
+import { ROOT } from './server'
+
+/** The pictures of the guides: with PICTURES=1 (`make pictures`) they are written among the guides, else only taken. */
+const FOLDER = process.env.PICTURES ? join(ROOT, 'docs/pictures') : undefined
+
+interface Shown {
+  name: string
+  part: string
+  person: string
+  open: (page: Page, project: string) => Promise<void>
+}
+
+const SHOWN: Shown[] = [
+  {
+    name: 'today',
+    part: 'Approver',
+    person: 'Audio director',
+    open: async (page) => {
+      await page.goto('/today')
+      await expect(page.getByRole('button', { name: /^Approve/ }).first()).toBeVisible()
+    },
+  },
+  {
+    name: 'sounds',
+    part: 'Producer',
+    person: 'Producer',
+    open: async (page, project) => {
+      await page.goto(`${project}/sound-list`)
+      await expect(page.getByRole('row').filter({ hasText: 'shield_hit' }).first()).toBeVisible()
+    },
+  },
+  {
+    name: 'review',
+    part: 'Approver',
+    person: 'Audio director',
+    open: async (page, project) => {
+      await page.goto(`${project}/review`)
+      await expect(page.getByRole('button', { name: 'Request change' })).toBeVisible()
+      await expect(page.getByRole('slider').first()).toBeVisible()
+    },
+  },
+  {
+    name: 'desk',
+    part: 'Sound designer',
+    person: 'Sound designer',
+    open: async (page, project) => {
+      await page.goto(`${project}/desk`)
+      await expect(page.getByRole('region', { name: /Needs your fix/ })).toBeVisible()
+    },
+  },
+]
+
+test('the pictures of the guides, in light and in dark @slow', async ({ demo, browser }, testInfo) => {
+  const context = await browser.newContext({ baseURL: demo.url, viewport: { width: 1280, height: 800 } })
+  const page = await context.newPage()
+  const folder = FOLDER ?? testInfo.outputPath('pictures')
+  await mkdir(folder, { recursive: true })
+  for (const { name, part, person, open } of SHOWN) {
+    await page.goto('/')
+    await page.getByRole('button', { name: /: account and settings$/ }).click()
+    await page.getByRole('menuitemradio', { name: part }).click()
+    await expect(page.getByRole('button', { name: `${person}: account and settings` })).toBeVisible()
+    for (const colorScheme of ['light', 'dark'] as const) {
+      await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' })
+      await open(page, `/projects/${demo.projectId}`)
+      await page.evaluate(() => document.fonts.ready)
+      await page.screenshot({ path: join(folder, `${name}_${colorScheme}.png`) })
+    }
+  }
+  await context.close()
+})
