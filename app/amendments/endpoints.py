@@ -1,13 +1,12 @@
 """The endpoints of what changes an agreed contract."""
 
-from typing import Annotated, Any
+from typing import Annotated
 from uuid import UUID
 
 from fastapi import APIRouter, Depends, Path, Response
 
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
-from app.agreements.clauses.template_endpoints import attachment
 from app.agreements.drafts.documents import PDF
 from app.agreements.errors import (
     ContractNotFound,
@@ -31,10 +30,10 @@ from app.amendments.errors import (
     OwnChangeOrder,
 )
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import DbSession, problems
 
 router = APIRouter(prefix="/v1", tags=["amendments"])
-PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {PDF: {}}, "description": "The text as PDF"}}
 OrderNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 ORDER_REFUSALS = (ContractNotFound, NotYourContract, ChangeOrderNotFound, ChangeOrderClosed)
 
@@ -86,13 +85,12 @@ def agree_to_statement(
 
 @router.get(
     "/contracts/{contract_id}/ending/statement.pdf",
-    response_class=Response,
-    responses=PDF_ANSWER | problems(ContractNotFound, NoNotice, DocumentTooLarge, TypesettingBusy),
+    **downloads(PDF, ContractNotFound, NoNotice, DocumentTooLarge, TypesettingBusy),
 )
 def download_statement(contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
     """Return the statement with its signatures as PDF; the same text and signatures are the same bytes."""
     pdf = ending.statement_pdf(session, actor, contract_id)
-    return Response(pdf.content, media_type=PDF, headers=attachment("settlement.pdf"))
+    return file_response(pdf.content, PDF, "settlement.pdf")
 
 
 @router.get("/contracts/{contract_id}/change-orders", responses=problems(ContractNotFound))
@@ -188,12 +186,11 @@ def withdraw_change_order(
 
 @router.get(
     "/contracts/{contract_id}/change-orders/{change_order_number}/change-order.pdf",
-    response_class=Response,
-    responses=PDF_ANSWER | problems(ContractNotFound, ChangeOrderNotFound, DocumentTooLarge, TypesettingBusy),
+    **downloads(PDF, ContractNotFound, ChangeOrderNotFound, DocumentTooLarge, TypesettingBusy),
 )
 def download_change_order(
     contract_id: UUID, change_order_number: OrderNumber, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> Response:
     """Return a change order with its signatures as PDF; the same text and signatures are the same bytes."""
     pdf = change_orders.change_order_pdf(session, actor, contract_id, change_order_number)
-    return Response(pdf.content, media_type=PDF, headers=attachment(f"change order {change_order_number}.pdf"))
+    return file_response(pdf.content, PDF, f"change order {change_order_number}.pdf")

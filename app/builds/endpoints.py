@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from typing import Annotated
-from urllib.parse import quote
 from uuid import UUID
 
 from fastapi import APIRouter, Query, Response
@@ -47,6 +46,7 @@ from app.builds.schemas import (
 )
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.bodies import REPORT_BODY_BYTES, accepts_body
+from app.core.web.downloads import content_disposition, downloads, file_response
 from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 from app.deliveries.errors import MasterDeleted
@@ -133,18 +133,13 @@ def stream_zip(name: str, entries: Sequence[Entry]) -> StreamingResponse:
     return StreamingResponse(
         zip_bytes(entries),
         media_type="application/zip",
-        headers={"Content-Length": str(zip_length(entries)), "Content-Disposition": _attachment(name)},
+        headers={"Content-Length": str(zip_length(entries)), "Content-Disposition": content_disposition(name)},
     )
-
-
-def _attachment(name: str) -> str:
-    return f"attachment; filename=\"pack.zip\"; filename*=UTF-8''{quote(name, safe='')}"
 
 
 @router.get(
     "/projects/{project_id}/documentation-key.csv",
-    response_class=Response,
-    responses={**problems(ProjectNotFound, TeamNeeded, TargetUnknown), 200: {"content": {"text/csv": {}}}},
+    **downloads("text/csv", ProjectNotFound, TeamNeeded, TargetUnknown),
 )
 def get_documentation_key_csv(
     project_id: UUID,
@@ -154,14 +149,12 @@ def get_documentation_key_csv(
 ) -> Response:
     """Return the identity and purpose of each file of the pack, as CSV."""
     rows = packs.key_rows(packs.visible_pack(session, actor, project_id, target), masters=False)
-    headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_CSV}"'}
-    return Response(key_csv(rows), media_type="text/csv; charset=utf-8", headers=headers)
+    return file_response(key_csv(rows), "text/csv; charset=utf-8", packs.KEY_CSV)
 
 
 @router.get(
     "/projects/{project_id}/documentation-key.xlsx",
-    response_class=Response,
-    responses={**problems(ProjectNotFound, TeamNeeded, TargetUnknown), 200: {"content": {XLSX: BINARY}}},
+    **downloads(XLSX, ProjectNotFound, TeamNeeded, TargetUnknown),
 )
 def get_documentation_key_xlsx(
     project_id: UUID,
@@ -171,17 +164,14 @@ def get_documentation_key_xlsx(
 ) -> Response:
     """Return the identity and purpose of each file of the pack, as a workbook."""
     rows = packs.key_rows(packs.visible_pack(session, actor, project_id, target), masters=False)
-    headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_XLSX}"'}
-    return Response(key_xlsx(rows), media_type=XLSX, headers=headers)
+    return file_response(key_xlsx(rows), XLSX, packs.KEY_XLSX)
 
 
 @router.get(
     "/projects/{project_id}/documentation-key.pdf",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound, TeamNeeded, TargetUnknown, DocumentTooLarge, TypesettingBusy, TooManyAtOnce),
-        200: {"content": {"application/pdf": BINARY}},
-    },
+    **downloads(
+        "application/pdf", ProjectNotFound, TeamNeeded, TargetUnknown, DocumentTooLarge, TypesettingBusy, TooManyAtOnce
+    ),
 )
 def get_documentation_key_pdf(
     project_id: UUID,
@@ -191,10 +181,9 @@ def get_documentation_key_pdf(
 ) -> Response:
     """Return the identity and purpose of each file of the pack, to read and to print."""
     pack = packs.visible_pack(session, actor, project_id, target)
-    headers = {"Content-Disposition": f'attachment; filename="{packs.KEY_PDF}"'}
     with PDFS.of(actor.token_id or actor.person):
         content = key_pdf(packs.key_rows(pack, masters=False), title=packs.title_of(pack))
-    return Response(content, media_type="application/pdf", headers=headers)
+    return file_response(content, "application/pdf", packs.KEY_PDF)
 
 
 @router.get(

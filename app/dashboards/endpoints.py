@@ -7,6 +7,7 @@ from fastapi import APIRouter, Query, Response
 
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import BadCursor, DbSession, Page, problems
 from app.dashboards import money, schemas, service
 from app.dashboards.desk.own_desk import own_desk
@@ -117,16 +118,11 @@ def read_desk(project_id: UUID, session: DbSession, actor: Actor = allows(Audien
 
 @router.get(
     "/projects/{project_id}/desk/sounds.rpp",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound, DesignerNeeded),
-        200: {"content": {REAPER: {"schema": {"type": "string"}}}},
-    },
+    **downloads(REAPER, ProjectNotFound, DesignerNeeded),
 )
 def download_reaper_project(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.DESIGNER)) -> Response:
     """Return a project for REAPER with a region for each file that the caller owes, and change requests as markers."""
-    headers = {"Content-Disposition": 'attachment; filename="sounds.rpp"'}
-    return Response(reaper_project_of(session, actor, project_id), media_type=REAPER, headers=headers)
+    return file_response(reaper_project_of(session, actor, project_id), REAPER, "sounds.rpp")
 
 
 DESK_PROBLEMS = problems(ProjectNotFound, DesignerNeeded, BadCursor)

@@ -12,6 +12,7 @@ from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.uploads import UploadNotFound, UploadUnfinished, finished_upload
 from app.core.web.blob_response import blob_response
+from app.core.web.downloads import downloads
 from app.core.web.http import (
     CurrentRuntime,
     DbSession,
@@ -262,9 +263,7 @@ def match_take(take_id: UUID, body: TakeMatch, session: DbSession, actor: Actor 
 
 @router.get(
     "/takes/{take_id}/master",
-    response_class=Response,
-    responses=problems(TakeNotFound, DownloadUnpaid, MasterDeleted, BlobMissing)
-    | {200: {"content": {"application/octet-stream": {}}}},
+    **downloads("application/octet-stream", TakeNotFound, DownloadUnpaid, MasterDeleted, BlobMissing),
 )
 def download_master(
     take_id: UUID,
@@ -311,9 +310,7 @@ def withdraw_dry_stem(take_id: UUID, session: DbSession, actor: Actor = allows(A
 
 @router.get(
     "/takes/{take_id}/dry-stem",
-    response_class=Response,
-    responses=problems(TakeNotFound, DryStemNotFound, DownloadUnpaid, BlobMissing)
-    | {200: {"content": {"application/octet-stream": {}}}},
+    **downloads("application/octet-stream", TakeNotFound, DryStemNotFound, DownloadUnpaid, BlobMissing),
 )
 def download_dry_stem(
     take_id: UUID,

@@ -1,6 +1,5 @@
 """The endpoints of plans, ledgers, invoices and payments."""
 
-from typing import Any
 from uuid import UUID
 
 from fastapi import APIRouter, Response
@@ -14,6 +13,7 @@ from app.agreements.plan import service as plan
 from app.agreements.plan.service import PlannedCue, PlannedMilestone
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.core.web.idempotency import UNSAVED
 from app.money import calendar, overview, payments, schemas, settlement
@@ -43,7 +43,6 @@ from app.sound_lists.errors import CueNotFound
 
 router = APIRouter(prefix="/v1", tags=["money"])
 _unsaved_router = APIRouter(dependencies=UNSAVED)
-PDF_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {documents.PDF: {}}, "description": "The invoice"}}
 
 
 @router.get("/contracts/{contract_id}/milestones", responses=problems(ContractNotFound))
@@ -210,14 +209,13 @@ def read_invoice(invoice_id: UUID, session: DbSession, actor: Actor = allows(Aud
 
 @router.get(
     "/invoices/{invoice_id}/invoice.pdf",
-    response_class=Response,
-    responses=PDF_ANSWER | problems(InvoiceNotFound, DocumentTooLarge, TypesettingBusy),
+    **downloads(documents.PDF, InvoiceNotFound, DocumentTooLarge, TypesettingBusy),
 )
 def read_invoice_pdf(invoice_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
     """Return an invoice as PDF; the same invoice is the same bytes."""
-    read_invoice = invoices.invoice(session, actor, invoice_id)
-    name = f'inline; filename="invoice-{file_part(read_invoice.full_number)}.pdf"'
-    return Response(invoice_text.pdf_of(read_invoice), media_type=documents.PDF, headers={"Content-Disposition": name})
+    issued = invoices.invoice(session, actor, invoice_id)
+    name = f"invoice-{file_part(issued.full_number)}.pdf"
+    return file_response(invoice_text.pdf_of(issued), documents.PDF, name, inline=True)
 
 
 @router.post(

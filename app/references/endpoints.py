@@ -10,6 +10,7 @@ from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.uploads import UploadNotFound, UploadUnfinished
 from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.downloads import downloads
 from app.core.web.http import BadCursor, CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.references import service, spotting
@@ -142,11 +143,7 @@ def record_reference_opening(reference_version_id: UUID, session: DbSession, act
 
 @router.get(
     "/reference-versions/{reference_version_id}/file",
-    response_class=Response,
-    responses={
-        200: {"content": {"application/octet-stream": {}}},
-        **problems(ReferenceNotFound, ReferenceUnopened, BlobMissing),
-    },
+    **downloads("application/octet-stream", ReferenceNotFound, ReferenceUnopened, BlobMissing),
 )
 def get_reference_file(
     reference_version_id: UUID,
@@ -172,11 +169,7 @@ def get_reference_file(
 
 @router.get(
     "/reference-versions/{reference_version_id}/view",
-    response_class=Response,
-    responses={
-        200: {"content": {MEDIA_TYPE: {}}},
-        **problems(ReferenceNotFound, ReferenceUnopened, NoPreview, BlobMissing),
-    },
+    **downloads(MEDIA_TYPE, ReferenceNotFound, ReferenceUnopened, NoPreview, BlobMissing),
 )
 def get_reference_view(
     reference_version_id: UUID,
@@ -194,8 +187,7 @@ def get_reference_view(
 
 @router.get(
     "/reference-versions/{reference_version_id}/thumb",
-    response_class=Response,
-    responses={200: {"content": {MEDIA_TYPE: {}}}, **problems(ReferenceNotFound, NoPreview, BlobMissing)},
+    **downloads(MEDIA_TYPE, ReferenceNotFound, NoPreview, BlobMissing),
 )
 def get_reference_thumb(
     reference_version_id: UUID,

@@ -8,6 +8,7 @@ from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.web.blob_response import blob_response
+from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.deliveries.errors import MasterDeleted, TakeNotFound
 from app.money.errors import DownloadUnpaid
@@ -80,11 +81,7 @@ def list_other_sounds(
 
 @router.get(
     "/sounds/{picture_id}/preview",
-    response_class=Response,
-    responses={
-        200: {"content": {"audio/flac": {}, "audio/ogg": {}, "audio/wav": {}}},
-        **problems(SoundNotFound, NotDrawn, BlobMissing),
-    },
+    **downloads(("audio/flac", "audio/ogg", "audio/wav"), SoundNotFound, NotDrawn, BlobMissing),
 )
 def get_preview(
     picture_id: UUID,
@@ -119,8 +116,7 @@ def get_peaks(
 
 @router.get(
     "/sounds/{picture_id}/spectrum.png",
-    response_class=Response,
-    responses={200: {"content": {"image/png": {}}}, **problems(SoundNotFound, NotDrawn, BlobMissing)},
+    **downloads("image/png", SoundNotFound, NotDrawn, BlobMissing),
 )
 def get_spectrum(
     picture_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
@@ -133,11 +129,7 @@ def get_spectrum(
 
 @router.get(
     "/renders/{render_id}/file",
-    response_class=Response,
-    responses={
-        200: {"content": {kind: {} for kind in MEDIA_TYPES}},
-        **problems(RenderNotFound, NothingRendered, DownloadUnpaid, BlobMissing),
-    },
+    **downloads(MEDIA_TYPES, RenderNotFound, NothingRendered, DownloadUnpaid, BlobMissing),
 )
 def get_render_file(
     render_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
@@ -224,8 +216,7 @@ def get_reel(reel_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> ReelR
 
 @router.get(
     "/reels/{reel_id}/file",
-    response_class=Response,
-    responses={200: {"content": {"audio/wav": {}}}, **problems(ReelNotFound, ReelNotMade, BlobMissing)},
+    **downloads("audio/wav", ReelNotFound, ReelNotMade, BlobMissing),
 )
 def get_reel_file(
     reel_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
@@ -259,11 +250,7 @@ def get_master_export(master_export_id: UUID, session: DbSession, actor: Actor =
 
 @router.get(
     "/master-exports/{master_export_id}/file",
-    response_class=Response,
-    responses={
-        200: {"content": {"audio/wav": {}}},
-        **problems(MasterExportNotFound, MasterExportNotMade, DownloadUnpaid, BlobMissing),
-    },
+    **downloads("audio/wav", MasterExportNotFound, MasterExportNotMade, DownloadUnpaid, BlobMissing),
 )
 def get_master_export_file(
     master_export_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE

@@ -1,6 +1,6 @@
 """The endpoints of this room."""
 
-from typing import Annotated, Any
+from typing import Annotated
 from uuid import UUID
 
 from fastapi import APIRouter, Query, Request, Response
@@ -9,6 +9,7 @@ from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.deliveries.errors import TakeNotFound
 from app.projects.errors import ProjectNotFound, TeamNeeded
@@ -38,7 +39,6 @@ from app.scenes.schemas import (
 
 router = APIRouter(prefix="/v1", tags=["scenes"])
 TEAM: Actor = allows(Audience.TEAM)
-WAV: dict[int | str, dict[str, Any]] = {200: {"content": {"audio/wav": {}}}}
 LANE = "^[0-9a-z-]{1,36}:-?[0-9]{1,2}([.][0-9]{1,2})?$"
 
 
@@ -106,8 +106,7 @@ def remove_bed(bed_id: UUID, session: DbSession, actor: Actor = TEAM) -> None:
 
 @router.get(
     "/scene-sounds/{scene_sound_id}/preview",
-    response_class=Response,
-    responses={**WAV, **problems(SceneSoundNotFound, SceneSoundNotMade, TeamNeeded, ReferenceUnopened, BlobMissing)},
+    **downloads("audio/wav", SceneSoundNotFound, SceneSoundNotMade, TeamNeeded, ReferenceUnopened, BlobMissing),
 )
 def get_scene_sound(
     scene_sound_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
@@ -139,8 +138,7 @@ def get_comparison(comparison_id: UUID, session: DbSession, actor: Actor = TEAM)
 
 @router.get(
     "/comparisons/{comparison_id}/file",
-    response_class=Response,
-    responses={**WAV, **problems(ComparisonNotFound, ComparisonNotMade, TeamNeeded, BlobMissing)},
+    **downloads("audio/wav", ComparisonNotFound, ComparisonNotMade, TeamNeeded, BlobMissing),
 )
 def get_comparison_file(
     comparison_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM

@@ -19,6 +19,7 @@ from app.accounts.web.request_limits import (
 )
 from app.core.storage import BlobMissing
 from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.core.web.idempotency import UNSAVED
 from app.reviews.errors import RangeInvalid
@@ -99,11 +100,7 @@ def record_guest_play(secret: str, place: Place, session: DbSession, _actor: Act
 
 @router.get(
     "/guest-visits/{secret}/sounds/{place}/preview",
-    response_class=Response,
-    responses={
-        200: {"content": {"audio/wav": {}}},
-        **problems(GuestVisitOver, GuestSoundNotFound, GuestSoundUnplayed, GuestSoundNotMade, BlobMissing),
-    },
+    **downloads("audio/wav", GuestVisitOver, GuestSoundNotFound, GuestSoundUnplayed, GuestSoundNotMade, BlobMissing),
 )
 def get_guest_preview(
     secret: str,

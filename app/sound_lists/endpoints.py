@@ -11,6 +11,7 @@ from app.accounts.rules import Actor, Audience, Scope
 from app.accounts.web.policies import allows
 from app.core.parsing_queue import ParsingBusy, parse_request
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import LARGEST_NUMBER, BadCursor, DbSession, Page, cursor_of, problems, uuid_cursor
 from app.projects.errors import InvitationNotFound, ProjectNotFound, TeamNeeded
 from app.projects.queries import current_spec
@@ -105,11 +106,7 @@ def list_categories(
 
 @router.get(
     "/projects/{project_id}/sound-list.xlsx",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound),
-        200: {"content": {workbook.MEDIA_TYPE: {"schema": {"type": "string", "format": "binary"}}}},
-    },
+    **downloads(workbook.MEDIA_TYPE, ProjectNotFound),
 )
 def export_workbook(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
@@ -119,8 +116,7 @@ def export_workbook(
     columns = queries.own_columns(session, project_id)
     people, prefix = known_people(session, access), access.project.cue_prefix
     content = workbook.sound_list_workbook(queries.cues_of(session, project_id), columns, people, prefix)
-    headers = {"Content-Disposition": 'attachment; filename="sounds.xlsx"'}
-    return Response(content, media_type=workbook.MEDIA_TYPE, headers=headers)
+    return file_response(content, workbook.MEDIA_TYPE, "sounds.xlsx")
 
 
 @router.post(

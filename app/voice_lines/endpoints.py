@@ -10,6 +10,7 @@ from app.accounts.rules import Actor, Audience, Scope
 from app.accounts.web.policies import allows
 from app.core.parsing_queue import ParsingBusy, parse_request
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import ensure_speaks_in, project_access
@@ -59,8 +60,7 @@ OfCharacter = Annotated[UUID | None, Query(description="Only those of this chara
 
 @router.get(
     "/projects/{project_id}/sound-list.csv",
-    response_class=Response,
-    responses={**problems(ProjectNotFound), 200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
+    **downloads("text/csv", ProjectNotFound),
 )
 def export_sound_list(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT, build=Scope.LIST_READ)
@@ -74,8 +74,7 @@ def export_sound_list(
         access.project.cue_prefix,
         queries.languages_by_cue(session, project_id),
     )
-    headers = {"Content-Disposition": 'attachment; filename="sounds.csv"'}
-    return Response(text, media_type=CSV, headers=headers)
+    return file_response(text, CSV, "sounds.csv")
 
 
 @router.get("/projects/{project_id}/voice-script", responses=problems(ProjectNotFound))
@@ -153,8 +152,7 @@ def import_voice_lines(
 
 @router.get(
     "/projects/{project_id}/voice-lines.csv",
-    response_class=Response,
-    responses={**problems(ProjectNotFound), 200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
+    **downloads("text/csv", ProjectNotFound),
 )
 def export_voice_lines(project_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> Response:
     """Return the script in all its languages as the CSV that the import reads."""
@@ -177,11 +175,7 @@ def list_pick_ups(
 
 @router.get(
     "/projects/{project_id}/pick-ups.csv",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound, VoiceLineInvalid),
-        200: {"content": {"text/csv": {"schema": {"type": "string"}}}},
-    },
+    **downloads("text/csv", ProjectNotFound, VoiceLineInvalid),
 )
 def export_pick_ups_csv(
     project_id: UUID,
@@ -197,11 +191,7 @@ def export_pick_ups_csv(
 
 @router.get(
     "/projects/{project_id}/pick-ups.xlsx",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound, VoiceLineInvalid),
-        200: {"content": {XLSX: {"schema": {"type": "string", "format": "binary"}}}},
-    },
+    **downloads(XLSX, ProjectNotFound, VoiceLineInvalid),
 )
 def export_pick_ups_xlsx(
     project_id: UUID,
@@ -276,5 +266,4 @@ def _pick_ups(
 
 
 def _file(content: str | bytes, media_type: str, name: str) -> Response:
-    headers = {"Content-Disposition": f'attachment; filename="{name}"'}
-    return Response(content, media_type=media_type, headers=headers)
+    return file_response(content, media_type, name)

@@ -9,6 +9,7 @@ from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.uploads import UploadNotFound, UploadUnfinished
 from app.core.web.blob_response import WHILE_ASKED, blob_response
+from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.service import project_access
@@ -51,11 +52,7 @@ def remove_voice_release(voice_release_id: UUID, session: DbSession, actor: Acto
 
 @router.get(
     "/voice-releases/{voice_release_id}/file",
-    response_class=Response,
-    responses={
-        200: {"content": {"application/octet-stream": {}}},
-        **problems(ReleaseNotFound, BlobMissing),
-    },
+    **downloads("application/octet-stream", ReleaseNotFound, BlobMissing),
 )
 def get_voice_release_file(
     voice_release_id: UUID,

@@ -1,6 +1,5 @@
 """The endpoints of the security log."""
 
-from typing import Any
 from uuid import UUID
 
 from fastapi import APIRouter, Response
@@ -11,12 +10,12 @@ from app.accounts.security_log import service as security_log
 from app.accounts.security_log.rules import SecurityEventKind, csv_of
 from app.accounts.security_log.schemas import SecurityEventRead
 from app.accounts.web.policies import allows
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import BadCursor, DbSession, Page, cursor_of, problems, uuid_cursor
 
 router = APIRouter(prefix="/v1", tags=["accounts"])
 PAGE = 50
 MAX_CSV_ROWS = 50_000
-CSV_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {"text/csv": {}}, "description": "The security log"}}
 
 
 @router.get("/studios/{studio_id}/security-events", responses=problems(StudioNotFound, ProducerNeeded, BadCursor))
@@ -37,8 +36,7 @@ def list_security_events(
 
 @router.get(
     "/studios/{studio_id}/security-events.csv",
-    responses={**problems(StudioNotFound, ProducerNeeded), **CSV_ANSWER},
-    response_class=Response,
+    **downloads("text/csv", StudioNotFound, ProducerNeeded),
 )
 def download_security_events(
     studio_id: UUID,
@@ -59,5 +57,4 @@ def download_security_events(
         )
         for event in events
     )
-    headers = {"Content-Disposition": 'attachment; filename="security-log.csv"'}
-    return Response(text, media_type="text/csv; charset=utf-8", headers=headers)
+    return file_response(text, "text/csv; charset=utf-8", "security-log.csv")

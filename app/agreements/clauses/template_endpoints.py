@@ -2,11 +2,9 @@
 
 from collections.abc import Sequence
 from typing import Annotated, TypeAlias
-from urllib.parse import quote
 from uuid import UUID
 
-from fastapi import APIRouter, Depends, Request
-from fastapi.responses import PlainTextResponse
+from fastapi import APIRouter, Depends, Request, Response
 
 from app.accounts.errors import ProducerNeeded as StudioProducerNeeded
 from app.accounts.errors import StudioNotFound
@@ -21,6 +19,7 @@ from app.agreements.models import ContractTemplate
 from app.agreements.rules import ContractKind
 from app.core.parsing_queue import ParsingBusy, parse_request
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import DbSession, problems
 from app.projects.errors import ProducerNeeded
 
@@ -32,11 +31,6 @@ TOML, MARKDOWN = "application/toml", "text/markdown; charset=utf-8"
 def clauses_of(rows: Sequence[schemas.ClauseRow]) -> list[clauses.Clause]:
     """Return clauses as they were sent, without blanks at their ends."""
     return [clauses.Clause(row.key, row.title.strip(), row.text.strip(), row.stands) for row in rows]
-
-
-def attachment(name: str) -> dict[str, str]:
-    """Return the headers under which a browser keeps an answer as a file of that name."""
-    return {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(name, safe='')}"}
 
 
 def _template(template: ContractTemplate) -> schemas.TemplateRead:
@@ -71,13 +65,13 @@ def read_contract_library(
     )
 
 
-@router.get("/contract-library/{kind}/template.toml", response_class=PlainTextResponse)
+@router.get("/contract-library/{kind}/template.toml", **downloads(TOML))
 def download_library_template(
     kind: ContractKind,
     _actor: Actor = allows(Audience.PERSON),
-) -> PlainTextResponse:
+) -> Response:
     """Return the library's content for a kind as a template file."""
-    return PlainTextResponse(templates.library_toml(kind), media_type=TOML, headers=attachment(f"{kind}.toml"))
+    return file_response(templates.library_toml(kind), TOML, f"{kind}.toml")
 
 
 @router.get(
@@ -189,31 +183,29 @@ def drop_contract_template(
 
 @router.get(
     "/studios/{studio_id}/contract-templates/{template_id}/template.toml",
-    response_class=PlainTextResponse,
-    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
+    **downloads(TOML, StudioNotFound, StudioProducerNeeded, TemplateNotFound),
 )
 def download_contract_template(
     studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
-) -> PlainTextResponse:
+) -> Response:
     """Return a template as the file that an import reads."""
     template = templates.visible_template(session, actor, studio_id, template_id)
     rows = [clauses.Clause.of(row) for row in template.clauses]
     toml = template_files.write_toml(template.name, template.kind, rows, template.terms)
-    return PlainTextResponse(toml, media_type=TOML, headers=attachment(f"{template.name}.toml"))
+    return file_response(toml, TOML, f"{template.name}.toml")
 
 
 @router.get(
     "/studios/{studio_id}/contract-templates/{template_id}/template.md",
-    response_class=PlainTextResponse,
-    responses=problems(StudioNotFound, StudioProducerNeeded, TemplateNotFound),
+    **downloads(MARKDOWN, StudioNotFound, StudioProducerNeeded, TemplateNotFound),
 )
 def download_contract_template_text(
     studio_id: UUID, template_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
-) -> PlainTextResponse:
+) -> Response:
     """Return a template's standing clauses as Markdown, for lawyers to read."""
     template = templates.visible_template(session, actor, studio_id, template_id)
     text = template_files.write_markdown(template.name, [clauses.Clause.of(row) for row in template.clauses])
-    return PlainTextResponse(text, media_type=MARKDOWN, headers=attachment(f"{template.name}.md"))
+    return file_response(text, MARKDOWN, f"{template.name}.md")
 
 
 @router.post(

@@ -11,7 +11,6 @@ from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.agreements import queries, schemas
 from app.agreements.access import visible_contract
-from app.agreements.clauses.template_endpoints import attachment
 from app.agreements.clauses.text import Block, blocks_of
 from app.agreements.drafts import comparison, comparison_schemas, versions
 from app.agreements.drafts.documents import PDF
@@ -25,6 +24,7 @@ from app.agreements.record import service as record
 from app.agreements.record import signed_checkpoints as heads
 from app.agreements.word.document import DOCX, Earlier, Heading, word_document
 from app.agreements.word.file import properties_of
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 
@@ -76,11 +76,7 @@ def read_contract_version(
 
 @router.get(
     "/contracts/{contract_id}/versions/{version}/contract.pdf",
-    response_class=Response,
-    responses={
-        **problems(ContractNotFound, ContractVersionNotFound),
-        200: {"content": {PDF: {"schema": {"type": "string", "format": "binary"}}}},
-    },
+    **downloads(PDF, ContractNotFound, ContractVersionNotFound),
 )
 def download_contract_pdf(
     contract_id: UUID,
@@ -98,16 +94,12 @@ def download_contract_pdf(
     seal = None if as_sent else queries.seal_of(session, contract_version.id)
     pdf = runtime.store.read(contract.studio_id, seal.file_sha256 if seal else contract_version.pdf_sha256)
     name = f"{contract.title}, version {version}{', signed' if seal else ''}.pdf"
-    return Response(pdf, media_type=PDF, headers=attachment(name))
+    return file_response(pdf, PDF, name)
 
 
 @router.get(
     "/contracts/{contract_id}/versions/{version}/contract.docx",
-    response_class=Response,
-    responses={
-        **problems(ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
-        200: {"content": {DOCX: {"schema": {"type": "string", "format": "binary"}}}},
-    },
+    **downloads(DOCX, ContractNotFound, ContractVersionNotFound, TooLongToCompare, TooManyAtOnce),
 )
 def download_contract_docx(
     contract_id: UUID,
@@ -131,7 +123,7 @@ def download_contract_docx(
         document = word_document(
             contract_version.text, headings, earlier, properties_of(str(contract.id), version, against)
         )
-    return Response(document, media_type=DOCX, headers=attachment(f"{name}.docx"))
+    return file_response(document, DOCX, f"{name}.docx")
 
 
 @router.get(
@@ -178,8 +170,7 @@ def read_contract_record(
 
 @router.get(
     "/contracts/{contract_id}/record.json",
-    response_class=Response,
-    responses={**problems(ContractNotFound), 200: {"content": {"application/json": {}}}},
+    **downloads("application/json", ContractNotFound),
 )
 def download_contract_record(
     contract_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
@@ -187,14 +178,12 @@ def download_contract_record(
     """Return the record as the file that a party keeps, and that `soundlist verify` reads."""
     contract = visible_contract(session, actor, contract_id)
     text = json.dumps(record.document_of(session, contract), ensure_ascii=False, indent=1) + "\n"
-    headers = attachment(f"{contract.title}, record.json")
-    return Response(text, media_type="application/json", headers=headers)
+    return file_response(text, "application/json", f"{contract.title}, record.json")
 
 
 @router.get(
     "/contracts/{contract_id}/head.json",
-    response_class=Response,
-    responses={**problems(ContractNotFound), 200: {"content": {"application/json": {}}}},
+    **downloads("application/json", ContractNotFound),
 )
 def download_contract_head(
     contract_id: UUID, runtime: CurrentRuntime, session: DbSession, actor: Actor = allows(Audience.PROJECT)
@@ -202,5 +191,4 @@ def download_contract_head(
     """Return the head of the record, signed: what a party keeps, and `soundlist verify --head` reads."""
     contract = visible_contract(session, actor, contract_id)
     text = json.dumps(heads.signed_checkpoint(runtime.settings, contract), ensure_ascii=False, indent=1) + "\n"
-    headers = attachment(f"{contract.title}, head.json")
-    return Response(text, media_type="application/json", headers=headers)
+    return file_response(text, "application/json", f"{contract.title}, head.json")

@@ -8,10 +8,11 @@ from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.builds.clearance import service as clearance
 from app.builds.clearance.sheet import clearance_pdf, clearance_xlsx
-from app.builds.endpoints import BINARY, PDFS, XLSX, Target
+from app.builds.endpoints import PDFS, XLSX, Target
 from app.builds.errors import PackNotFound, PackNotSealed
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
-from app.core.web.http import DbSession, problems
+from app.core.web.downloads import downloads, file_response
+from app.core.web.http import DbSession
 from app.core.web.per_user_limit import TooManyAtOnce
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.renders.errors import TargetUnknown
@@ -22,11 +23,7 @@ PDF_FAILS = (DocumentTooLarge, TypesettingBusy, TooManyAtOnce)
 
 @router.get(
     "/projects/{project_id}/clearance-sheet.xlsx",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound, ProducerNeeded, TargetUnknown),
-        200: {"content": {XLSX: BINARY}},
-    },
+    **downloads(XLSX, ProjectNotFound, ProducerNeeded, TargetUnknown),
 )
 def get_clearance_sheet_xlsx(
     project_id: UUID, session: DbSession, target: Target = None, actor: Actor = allows(Audience.PRODUCER)
@@ -38,11 +35,7 @@ def get_clearance_sheet_xlsx(
 
 @router.get(
     "/projects/{project_id}/clearance-sheet.pdf",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound, ProducerNeeded, TargetUnknown, *PDF_FAILS),
-        200: {"content": {"application/pdf": BINARY}},
-    },
+    **downloads("application/pdf", ProjectNotFound, ProducerNeeded, TargetUnknown, *PDF_FAILS),
 )
 def get_clearance_sheet_pdf(
     project_id: UUID, session: DbSession, target: Target = None, actor: Actor = allows(Audience.PRODUCER)
@@ -55,11 +48,7 @@ def get_clearance_sheet_pdf(
 
 @router.get(
     "/packs/{pack_id}/clearance-sheet.xlsx",
-    response_class=Response,
-    responses={
-        **problems(PackNotFound, TeamNeeded, ProducerNeeded, PackNotSealed),
-        200: {"content": {XLSX: BINARY}},
-    },
+    **downloads(XLSX, PackNotFound, TeamNeeded, ProducerNeeded, PackNotSealed),
 )
 def get_pack_clearance_sheet_xlsx(
     pack_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
@@ -71,11 +60,7 @@ def get_pack_clearance_sheet_xlsx(
 
 @router.get(
     "/packs/{pack_id}/clearance-sheet.pdf",
-    response_class=Response,
-    responses={
-        **problems(PackNotFound, TeamNeeded, ProducerNeeded, PackNotSealed, *PDF_FAILS),
-        200: {"content": {"application/pdf": BINARY}},
-    },
+    **downloads("application/pdf", PackNotFound, TeamNeeded, ProducerNeeded, PackNotSealed, *PDF_FAILS),
 )
 def get_pack_clearance_sheet_pdf(
     pack_id: UUID, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
@@ -87,5 +72,4 @@ def get_pack_clearance_sheet_pdf(
 
 
 def _file(content: bytes, media_type: str, ending: str) -> Response:
-    headers = {"Content-Disposition": f'attachment; filename="clearance-sheet.{ending}"'}
-    return Response(content, media_type=media_type, headers=headers)
+    return file_response(content, media_type, f"clearance-sheet.{ending}")

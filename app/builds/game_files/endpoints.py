@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query, Request, Response
 
 from app.accounts.rules import Actor, Audience, Scope
 from app.accounts.web.policies import allows
-from app.builds.endpoints import BINARY, Target
+from app.builds.endpoints import Target
 from app.builds.errors import GameFileNotApproved
 from app.builds.game_files import service as game_files
 from app.builds.game_files.client_program import NAME, client_program
@@ -15,6 +15,7 @@ from app.builds.game_files.schemas import GameFileOrigin, GameFilesRead
 from app.builds.packs import service as packs
 from app.core.storage import BlobMissing
 from app.core.web.blob_response import blob_response
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.money.errors import DownloadUnpaid
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
@@ -62,8 +63,7 @@ def list_game_file_origins(
 
 @router.get(
     "/projects/{project_id}/soundlist.pyz",
-    response_class=Response,
-    responses={**problems(ProjectNotFound, TeamNeeded), 200: {"content": {ZIPAPP: BINARY}}},
+    **downloads(ZIPAPP, ProjectNotFound, TeamNeeded),
 )
 def get_client_program(
     project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ)
@@ -73,32 +73,28 @@ def get_client_program(
     return _program()
 
 
-@router.get("/me/soundlist.pyz", response_class=Response, responses={200: {"content": {ZIPAPP: BINARY}}})
+@router.get("/me/soundlist.pyz", **downloads(ZIPAPP))
 def get_own_client_program(_actor: Actor = allows(Audience.PERSON, desk_token=True)) -> Response:
     """Return `soundlist desk` as one file, to be run by Python 3.11 or newer."""
     return _program()
 
 
 def _program() -> Response:
-    headers = {"Content-Disposition": f'attachment; filename="{NAME}"'}
-    return Response(client_program(), media_type=ZIPAPP, headers=headers)
+    return file_response(client_program(), ZIPAPP, NAME)
 
 
 @router.get(
     "/projects/{project_id}/game-files/{render_id}",
-    response_class=Response,
-    responses={
-        200: {"content": {kind: {} for kind in MEDIA_TYPES}},
-        **problems(
-            ProjectNotFound,
-            TeamNeeded,
-            RenderNotFound,
-            GameFileNotApproved,
-            NothingRendered,
-            DownloadUnpaid,
-            BlobMissing,
-        ),
-    },
+    **downloads(
+        MEDIA_TYPES,
+        ProjectNotFound,
+        TeamNeeded,
+        RenderNotFound,
+        GameFileNotApproved,
+        NothingRendered,
+        DownloadUnpaid,
+        BlobMissing,
+    ),
 )
 def get_game_file(
     project_id: UUID,

@@ -2,19 +2,18 @@
 
 import re
 from collections.abc import Mapping
-from urllib.parse import quote
 from uuid import UUID
 
 from fastapi import Request, Response
 from fastapi.responses import RedirectResponse, StreamingResponse
 
 from app.core.storage import READ_BYTES, Store
+from app.core.web.downloads import content_disposition
 
 # What is stored never changes, and may be seen by authorized callers only, so no shared cache keeps it.
 IMMUTABLE = "private, max-age=31536000, immutable"
 WHILE_ASKED = "private, no-cache"  # a file to keep: each later request is authenticated again
 WHILE_SIGNED = "private, max-age=300"  # well within the time that a signed link works
-PLAIN_NAME = re.compile(r"[A-Za-z0-9._ -]+")
 RANGE = re.compile(r"bytes=([0-9]{0,18})-([0-9]{0,18})")  # no file has more bytes
 
 
@@ -34,7 +33,7 @@ def blob_response(
     Raises BlobMissing, BlobAltered and StoreUnavailable before anything is sent: a blob is hashed before its first
     byte, or a link to it, leaves, and again while a whole one is sent.
     """
-    disposition = None if file_name is None else _attachment(file_name)
+    disposition = None if file_name is None else content_disposition(file_name)
     if by_link and store.public_origin is not None:
         store.ensure_intact(studio_id, sha256)
         url = store.signed_url(studio_id, sha256, media_type=media_type, disposition=disposition)
@@ -61,12 +60,6 @@ def blob_response(
         return Response(status_code=416, headers={"Content-Range": f"bytes */{size_bytes}"})
     given |= {"Content-Range": f"bytes {start}-{end - 1}/{size_bytes}", "Content-Length": str(end - start)}
     return StreamingResponse(store.stream(studio_id, sha256, start, end), 206, given, media_type)
-
-
-def _attachment(file_name: str) -> str:
-    if PLAIN_NAME.fullmatch(file_name):
-        return f'attachment; filename="{file_name}"'
-    return f"attachment; filename*=UTF-8''{quote(file_name, safe='')}"
 
 
 def _span(asked: str | None, size_bytes: int) -> tuple[int, int] | None:

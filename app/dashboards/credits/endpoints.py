@@ -1,12 +1,12 @@
 """The endpoints of a project's credits."""
 
-from typing import Any
 from uuid import UUID
 
 from fastapi import APIRouter, Response
 
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
+from app.core.web.downloads import downloads, file_response
 from app.core.web.http import DbSession, problems
 from app.dashboards.credits import rules as credit_rules
 from app.dashboards.credits import service as credit_list
@@ -22,8 +22,6 @@ from app.projects.errors import (
 from app.projects.schemas import CreditLineAdd, CreditNameSave
 
 router = APIRouter(prefix="/v1", tags=["dashboards"])
-CSV_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {"text/csv": {}}, "description": "Credits"}}
-TEXT_ANSWER: dict[int | str, dict[str, Any]] = {200: {"content": {"text/plain": {}}, "description": "Credits"}}
 
 
 @router.get("/projects/{project_id}/credits", responses=problems(ProjectNotFound))
@@ -64,25 +62,19 @@ def remove_credit(credit_line_id: UUID, session: DbSession, actor: Actor = allow
 
 @router.get(
     "/projects/{project_id}/credits.csv",
-    response_class=Response,
-    responses=CSV_ANSWER | problems(ProjectNotFound, TeamNeeded),
+    **downloads("text/csv", ProjectNotFound, TeamNeeded),
 )
 def read_credits_csv(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> Response:
     """Return the credits of a project as CSV."""
     listed = credit_list.credits_to_export(session, actor, project_id)
-    return Response(credit_rules.csv_of(listed), media_type="text/csv; charset=utf-8", headers=_named("credits.csv"))
+    return file_response(credit_rules.csv_of(listed), "text/csv; charset=utf-8", "credits.csv")
 
 
 @router.get(
     "/projects/{project_id}/credits.txt",
-    response_class=Response,
-    responses=TEXT_ANSWER | problems(ProjectNotFound, TeamNeeded),
+    **downloads("text/plain", ProjectNotFound, TeamNeeded),
 )
 def read_credits_text(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> Response:
     """Return the credits of a project as text."""
     listed = credit_list.credits_to_export(session, actor, project_id)
-    return Response(credit_rules.text_of(listed), media_type="text/plain; charset=utf-8", headers=_named("credits.txt"))
-
-
-def _named(file_name: str) -> dict[str, str]:
-    return {"Content-Disposition": f'attachment; filename="{file_name}"'}
+    return file_response(credit_rules.text_of(listed), "text/plain; charset=utf-8", "credits.txt")

@@ -12,7 +12,8 @@ from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.core.db import bypass_row_policies
 from app.core.web.blob_response import IMMUTABLE, WHILE_ASKED
-from app.core.web.http import DbSession, problems
+from app.core.web.downloads import downloads
+from app.core.web.http import DbSession
 from app.dashboards.pictures.queries import sees_name
 
 router = APIRouter(prefix="/v1", tags=["dashboards"])
@@ -24,8 +25,7 @@ Hash = Annotated[
 
 @router.get(
     "/people/{person_id}/picture",
-    response_class=Response,
-    responses={200: {"content": {MEDIA_TYPE: {}}}, **problems(PictureNotFound)},
+    **downloads(MEDIA_TYPE, PictureNotFound),
 )
 def get_picture(
     person_id: UUID,

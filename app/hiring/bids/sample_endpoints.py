@@ -9,6 +9,7 @@ from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.web.blob_response import WHILE_ASKED, blob_response
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.hiring.bids import samples
 from app.hiring.errors import (
@@ -59,11 +60,7 @@ def remove_bid_sample(bid_sample_id: UUID, session: DbSession, actor: Actor = al
 
 @router.get(
     "/bid-samples/{bid_sample_id}/file",
-    response_class=Response,
-    responses={
-        200: {"content": {"application/octet-stream": {}}},
-        **problems(SampleNotFound, TeamNeeded, BlobMissing),
-    },
+    **downloads("application/octet-stream", SampleNotFound, TeamNeeded, BlobMissing),
 )
 def get_bid_sample(
     bid_sample_id: UUID,

@@ -17,6 +17,7 @@ from app.core.storage import BlobMissing
 from app.core.uploads import UploadNotFound, UploadUnfinished
 from app.core.web.blob_response import WHILE_ASKED, blob_response
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import downloads
 from app.core.web.http import BadCursor, CurrentRuntime, DbSession, problems
 from app.hiring.errors import (
     AlreadyOnRoster,
@@ -251,11 +252,7 @@ def remove_reel_sound(reel_sound_id: UUID, session: DbSession, actor: Actor = TE
 
 @router.get(
     "/reel-sounds/{reel_sound_id}/file",
-    response_class=Response,
-    responses={
-        200: {"content": {"application/octet-stream": {}}},
-        **problems(ReelSoundNotFound, TeamNeeded, BlobMissing),
-    },
+    **downloads("application/octet-stream", ReelSoundNotFound, TeamNeeded, BlobMissing),
 )
 def get_reel_sound(
     reel_sound_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM

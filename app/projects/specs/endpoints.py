@@ -13,6 +13,7 @@ from app.accounts.web.policies import allows
 from app.core.parsing_queue import ParsingBusy, parse_request
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import content_disposition, downloads, file_response
 from app.core.web.http import BadCursor, DbSession, Page, cursor_of, number_cursor, problems
 from app.core.web.per_user_limit import PerUserLimit, TooManyAtOnce
 from app.projects import schemas, service
@@ -70,17 +71,13 @@ def download_spec(
     headers = {"ETag": etag, "Cache-Control": "private, no-cache"}
     if etag in known or "*" in known:
         return Response(status_code=304, headers=headers)
-    headers["Content-Disposition"] = f'inline; filename="{specs.FILE_NAME}"'
+    headers["Content-Disposition"] = content_disposition(specs.FILE_NAME, inline=True)
     return PlainTextResponse(spec.toml, headers=headers)
 
 
 @router.get(
     "/projects/{project_id}/spec.pdf",
-    response_class=Response,
-    responses={
-        **problems(ProjectNotFound, DocumentTooLarge, TypesettingBusy, TooManyAtOnce),
-        200: {"content": {"application/pdf": {"schema": {"type": "string", "format": "binary"}}}},
-    },
+    **downloads("application/pdf", ProjectNotFound, DocumentTooLarge, TypesettingBusy, TooManyAtOnce),
 )
 def download_spec_pdf(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Response:
     """Return the delivery spec as a page to read and to print."""
@@ -88,8 +85,7 @@ def download_spec_pdf(project_id: UUID, session: DbSession, actor: Actor = allow
     title = project_access(session, actor, project_id).project.name
     with PDFS.of(actor.person):
         content = spec_pdf(specs.read_spec(spec.toml), title=title, version=spec.version)
-    headers = {"Content-Disposition": 'inline; filename="spec.pdf"'}
-    return Response(content, media_type="application/pdf", headers=headers)
+    return file_response(content, "application/pdf", "spec.pdf", inline=True)
 
 
 @router.get("/projects/{project_id}/spec/versions", responses=problems(ProjectNotFound, BadCursor))

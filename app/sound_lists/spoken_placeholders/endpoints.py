@@ -13,6 +13,7 @@ from app.core.parsing_queue import ParsingBusy, parse_request
 from app.core.storage import BlobMissing
 from app.core.web.blob_response import WHILE_ASKED, blob_response
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
+from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.projects.errors import TeamNeeded
 from app.sound_lists.errors import CueIsCut, CueNotFound, RecordingInvalid, SpokenPlaceholderMissing
@@ -78,8 +79,7 @@ def remove_spoken_placeholder(cue_id: UUID, session: DbSession, actor: Actor = T
 
 @router.get(
     "/cues/{cue_id}/spoken-placeholder/file",
-    response_class=Response,
-    responses={200: {"content": {"audio/wav": {}}}, **problems(CueNotFound, SpokenPlaceholderMissing, BlobMissing)},
+    **downloads("audio/wav", CueNotFound, SpokenPlaceholderMissing, BlobMissing),
 )
 def get_spoken_placeholder_file(
     cue_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
