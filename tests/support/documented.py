@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
-PAGES = ("operate", "privacy", "scale", "accounts", "several-machines")
+PAGES = ("how-to/operate", "how-to/privacy", "how-to/accounts", "reference/monitoring")
 BLOCK = re.compile(r"^ *```(\w*)\n(.*?)^ *```$", re.DOTALL | re.MULTILINE)
 SHELLS = ("", "sh", "shell", "bash", "console")
 COMMENT = re.compile(r"\s{2,}#.*$")
