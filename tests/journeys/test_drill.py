@@ -1,4 +1,4 @@
-"""A drill by the commands of docs/operate.md, in real processes.
+"""A drill by the commands of docs/how-to/operate.md, in real processes.
 
 A server is installed and filled, its files rot and are lost, it is restored, moved to PostgreSQL, exported, imported
 and upgraded, and a person leaves it. After each step the downloads are compared with those before, and the records of
@@ -43,7 +43,7 @@ DRILLED = (
         "fish > ~/.config/fish/completions/soundlist.fish",
     )),
     "cp deploy/env.example .env",
-    'sed --in-place "s/^IMAGE_TAG=.*/IMAGE_TAG=$(git rev-parse --short HEAD)/" .env',
+    'sed --in-place "s/^IMAGE_TAG=.*/IMAGE_TAG=$(git describe --tags)/" .env',
     "cp deploy/host/sysusers.conf /etc/sysusers.d/soundlist.conf",
     "cp deploy/host/tmpfiles.conf /etc/tmpfiles.d/soundlist.conf",
     "install --mode 0640 deploy/host/soundlist.env /etc/soundlist.env",
@@ -86,7 +86,8 @@ NOT_RUN = {
     "systemctl reload caddy": "it needs systemd; test_deploy validates the Caddyfile where Caddy is installed",
     "alias soundlist=": "it needs systemd",
     "cd /opt/soundlist": "every command here runs there",
-    "git pull": "the checkout is the code under test",
+    "git fetch --tags": "the checkout is the code under test",
+    "git checkout v": "the checkout is the code under test",
     "make setup": "every run of the tests begins with it",
     "soundlist accounts remove-second-factor ada@studio.example": "test_second_factors runs it",
     "soundlist accounts bind-domain": "test_sign_in_providers runs it",
