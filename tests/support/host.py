@@ -1,4 +1,4 @@
-"""A machine as docs/how-to/operate.md has it: a folder in place of /, a checkout in /opt/soundlist, units without systemd.
+"""A machine as docs/how-to/operate.md has it: a folder in place of /, with a checkout, and units without systemd.
 
 Commands run in a shell, units by their `ExecStart` in real processes.
 """
