@@ -246,6 +246,14 @@ OwnField = Annotated[str, Field(pattern=r"^own:.", max_length=80, description="A
 RowNumber = Annotated[int, Field(ge=1, le=1_048_576)]  # as many rows as a workbook can have
 
 
+class CellEdit(Schema):
+    """The text that a cell of a sheet has in place of its own."""
+
+    row: RowNumber
+    column: str = Field(max_length=1000)
+    text: str = Field(max_length=10_000)
+
+
 class ImportAsk(Schema):
     """A spreadsheet, and how to read it."""
 
@@ -272,6 +280,9 @@ class ImportAsk(Schema):
     fill_down: bool = Field(True, description="Fill the cells below the first one of a merged block.")
     fill_down_columns: list[str] = Field(
         default_factory=list, max_length=200, description="Columns whose empty cells take the value of the cell above."
+    )
+    edits: list[CellEdit] = Field(
+        default_factory=list, max_length=20_000, description="Cells that were repaired after the sheet was read."
     )
     keep_hidden: bool = Field(False, description="Read the rows and columns that the spreadsheet hides.")
     skip_rows: list[RowNumber] = Field(
@@ -428,6 +439,7 @@ class ImportFault(Schema):
     name: str = Field(description="The cue's name as the row has it; empty where it has none.")
     column: str | None
     message: str
+    text: str = Field("", description="The cell as it stands; empty where the error is not of one cell.")
 
 
 class ImportRead(Schema):

@@ -22,6 +22,7 @@ from app.sound_lists.people.service import known_people
 from app.sound_lists.rules import NEW_CUE, PEOPLE, CueState, Facts, label, read_label, tidy_text, typed_text
 from app.sound_lists.save_edits import Edit, RowFault, row_faults, save, whole_facts, with_fitted_values
 from app.sound_lists.schemas import (
+    CellEdit,
     CellGuess,
     FieldChange,
     ImportAsk,
@@ -89,6 +90,7 @@ def import_sheet(session: Session, actor: Actor, project_id: UUID, sheet: Sheet,
     own = by_key(queries.own_columns(session, project.id))
     kept = {key_of(name) for cue in cues for name in cue.extra}
     people = known_people(session, access)
+    _apply_edits(sheet, ask.edits)
     columns = _columns(sheet, _Known(project.cue_prefix, own, kept, people), ask)
     filled = _fill_down(sheet, ask.fill_down_columns)
     skipped = _skipped(sheet, columns, ask)
@@ -107,6 +109,7 @@ def import_sheet(session: Session, actor: Actor, project_id: UUID, sheet: Sheet,
     imports = not ask.dry_run and bool(plan.edits) and not (ask.atomic and plan.faults)
     rows = [_row_read(edit, project.cue_prefix, people) for edit in plan.edits]
     names = _names(read, columns)
+    cells_by_row = dict(sheet.rows)
     refused = naming.refusals_of_edits(session, project, plan.edits)
     if imports:
         save(session, project, actor.person, plan.edits)
@@ -134,6 +137,7 @@ def import_sheet(session: Session, actor: Actor, project_id: UUID, sheet: Sheet,
                 name=names.get(fault.row, ""),
                 column=_column_name(columns, fault.field),
                 message=fault.message,
+                text=_text_at(columns, cells_by_row.get(fault.row), fault.field),
             )
             for fault in sorted(plan.faults, key=lambda fault: fault.row)
         ],
@@ -203,6 +207,22 @@ def filled_down(sheet: Sheet) -> list[CellGuess]:
         for row, column in sheet.notes["filled_down"]
         if row in texts
     ]
+
+
+def _apply_edits(sheet: Sheet, edits: Sequence[CellEdit]) -> None:
+    """Put repaired texts into the cells of a sheet; raise ColumnUnknown for a cell that it does not have."""
+    cells_by_row = dict(sheet.rows)
+    for edit in edits:
+        if edit.column not in sheet.columns:
+            raise ColumnUnknown(f'the sheet has no column "{edit.column}"; it has {", ".join(sheet.columns)}')
+        if edit.row not in cells_by_row:
+            raise ColumnUnknown(f"the sheet has no row {edit.row} to repair", fix="read the sheet again")
+        cells_by_row[edit.row][sheet.columns.index(edit.column)] = edit.text.strip()
+
+
+def _text_at(columns: Sequence[Column], cells: Sequence[str] | None, field_name: str | None) -> str:
+    place = next((column.place for column in columns if column.field == field_name), None)
+    return "" if cells is None or place is None else cells[place]
 
 
 def _fill_down(sheet: Sheet, names: Sequence[str]) -> list[CellGuess]:

@@ -178,3 +178,20 @@ def test_or_the_pattern_admits_them(world: World) -> None:
     form = {"tables": saved.json()["tables"], "based_on_version": 3}
     answer = world.producer.post(f"{spec_url}/form", json=form)
     assert answer.json()["refused_names"] == saved.json()["refused_names"]
+
+
+def test_a_wrong_cell_is_repaired_in_place(world: World) -> None:
+    text = "Name,Length\nhall_door,soon\nhall_bell,1.5\n"
+    read = send(world, text, dry_run=True)
+    assert [(fault["row"], fault["column"], fault["text"]) for fault in read["errors"]] == [(2, "Length", "soon")]
+    repaired = [{"row": 2, "column": "Length", "text": " 0.4 "}]
+    saved = send(world, text, edits=repaired)
+    assert (saved["errors"], saved["added"]) == ([], 2)
+    assert {cue["name"]: cue["duration_s"] for cue in cues(world)} == {"hall_door": 0.4, "hall_bell": 1.5}
+
+
+@pytest.mark.parametrize(("row", "column", "words"), [(9, "Length", "no row 9"), (2, "Weight", 'no column "Weight"')])
+def test_a_repair_of_a_cell_that_is_not_there_is_refused(world: World, row: int, column: str, words: str) -> None:
+    edits = [{"row": row, "column": column, "text": "1"}]
+    problem = refused(world, "Name,Length\nhall_door,soon\n", edits=edits)
+    assert (problem["code"], words in problem["detail"]) == ("column-unknown", True)

@@ -164,13 +164,13 @@ test('after an import no page says that the list is empty', async () => {
     return { ...PLAN, imported, revision: 1 }
   }
   const app = openApp(server.path)
-  await screen.findByRole('heading', { name: /empty/ })
-  await userEvent.click(screen.getAllByRole('button', { name: /Paste or import/ })[0] as HTMLElement)
+  await screen.findByRole('heading', { name: 'Which sounds do you need?' })
+  await userEvent.click(screen.getAllByRole('button', { name: /XLSX or CSV/ })[0] as HTMLElement)
   await type('Sound\ndoor_open')
   await userEvent.click(await screen.findByRole('button', { name: 'Import 2 cues' }))
   await waitFor(() => expect(app.at()).toBe(server.path))
   expect(screen.queryByText(/0 cues/)).not.toBeInTheDocument()
-  expect(screen.queryByRole('heading', { name: /empty/ })).not.toBeInTheDocument()
+  expect(screen.queryByRole('heading', { name: 'Which sounds do you need?' })).not.toBeInTheDocument()
   await waitFor(() => answerList())
   expect(await screen.findByText(/door_open/)).toBeInTheDocument()
 })
@@ -245,4 +245,25 @@ test('F8 leads from error to error, x leaves the row out, and Ctrl Enter imports
   await waitFor(() => expect(screen.queryByRole('row', { name: /wrong_7/ })).toBeNull())
   await userEvent.keyboard('{Control>}{Enter}{/Control}')
   await waitFor(() => expect(sent().filter((body) => !(body as { dry_run: boolean }).dry_run)).toHaveLength(1))
+})
+
+test('a wrong cell is repaired in place, and Ctrl D fills its column down', async () => {
+  const fault = { row: 4, name: 'hatch', column: 'Len', message: 'found "long", wanted seconds', text: 'long' }
+  const { server } = opened(({ body }: Asked) => {
+    const { edits } = body as { edits?: unknown[] }
+    return edits ? { ...PLAN, added: 2 } : { ...PLAN, errors: [fault], left_out: [4] }
+  })
+  await userEvent.click(await screen.findByLabelText('Pasted rows'))
+  await userEvent.paste('Sound\tLen\tMood\ndoor_open\t1.2\tcalm\nshield_hit\t1.2\t\nhatch\tlong\t')
+  const cell = await screen.findByLabelText('Len, row 4')
+  expect(cell).toHaveValue('long')
+  await userEvent.click(cell)
+  await userEvent.keyboard('{Control>}d{/Control}')
+  const asked = () => server.sent('POST', `${server.at}/sound-list/import`).at(-1)?.body
+  await waitFor(() => expect(asked()).toMatchObject({ fill_down_columns: ['Len'] }))
+  const again = await screen.findByLabelText('Len, row 4')
+  await userEvent.clear(again)
+  await userEvent.type(again, '0.4{Enter}')
+  await waitFor(() => expect(asked()).toMatchObject({ edits: [{ row: 4, column: 'Len', text: '0.4' }] }))
+  await waitFor(() => expect(screen.queryByLabelText('Len, row 4')).toBeNull())
 })

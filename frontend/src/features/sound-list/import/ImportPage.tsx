@@ -25,7 +25,7 @@ import { problemIn, useRights } from '../api'
 import { columnsQuery, type OwnColumn } from '../columns/api'
 import { type ImportField, type ImportRead, importSheet, useImport } from './api'
 import classes from './Import.module.css'
-import { ImportRows } from './ImportRows'
+import { ImportRows, isFillDown } from './ImportRows'
 import { ReadNotes } from './ReadNotes'
 import { EMPTY_SHEET, keepSheet, keptSheet, mappingFor, type SheetDraft } from './pasted'
 import { IMPORT_FIELDS } from '../words'
@@ -151,6 +151,15 @@ export function ImportPage(): ReactNode {
 
   const skip = (row: number) =>
     setSheet({ ...sheet, read: { ...sheet.read, skip_rows: [...(sheet.read.skip_rows ?? []), row] } })
+  const edit = (row: number, column: string, text: string) => {
+    const others = (sheet.read.edits ?? []).filter((made) => made.row !== row || made.column !== column)
+    setSheet({ ...sheet, read: { ...sheet.read, edits: [...others, { row, column, text }] } })
+  }
+  const fillDown = (column: string) => {
+    const filled = sheet.read.fill_down_columns ?? []
+    const next = filled.includes(column) ? filled.filter((name) => name !== column) : [...filled, column]
+    setSheet({ ...sheet, read: { ...sheet.read, fill_down_columns: next } })
+  }
   useHotkeys([
     { keys: 'Escape', label: 'Back to the list', group: 'Import', run: toList },
     { keys: 'mod+Enter', label: 'Import the rows without errors', group: 'Import', run: put },
@@ -253,10 +262,11 @@ export function ImportPage(): ReactNode {
             problem={problem?.code === 'column-unknown' ? problem.detail : undefined}
             onMap={(name, field) => setSheet({ ...sheet, mapping: mapped(sheet.mapping, name, field) })}
             onMatch={(match) => setSheet({ ...sheet, match })}
+            onFillDown={fillDown}
           />
           <ReadNotes read={read} reading={sheet.read} onRead={(reading) => setSheet({ ...sheet, read: reading })} />
           <RefusedNamesList refused={read.refused_names} />
-          <ImportRows read={read} onSkip={skip} />
+          <ImportRows read={read} onSkip={skip} onEdit={edit} onFillDown={fillDown} />
           <footer className={classes.bar} aria-label="Import">
             <div className={classes.says} role="status">
               <p className="strong">{isStale ? 'Reading the spreadsheet' : whatWould(read)}</p>
@@ -323,10 +333,12 @@ interface ColumnsProps {
   problem: string | undefined
   onMap: (column: string, field: ImportField) => void
   onMatch: (match: SheetDraft['match']) => void
+  /** Give the empty cells of a column the value of the cell above, or no longer. */
+  onFillDown: (column: string) => void
 }
 
 /** What each column is read as: guessed from its head and its cells, and changed by the person. */
-function Columns({ own, read, sheet, problem, onMap, onMatch }: ColumnsProps) {
+function Columns({ own, read, sheet, problem, onMap, onMatch, onFillDown }: ColumnsProps) {
   const known = read.columns.filter(({ field }) => field !== 'extra' && field !== 'ignore').length
   return (
     <Card aria-labelledby="columns">
@@ -359,7 +371,13 @@ function Columns({ own, read, sheet, problem, onMap, onMatch }: ColumnsProps) {
             <Select
               aria-label={`Map ${column.name} to`}
               value={column.field}
+              aria-keyshortcuts="Control+D Meta+D"
               onChange={(event) => onMap(column.name, event.currentTarget.value)}
+              onKeyDown={(event) => {
+                if (!isFillDown(event)) return
+                event.preventDefault()
+                onFillDown(column.name)
+              }}
             >
               {own.length > 0 && (
                 <optgroup label="Columns of this list">
@@ -377,6 +395,7 @@ function Columns({ own, read, sheet, problem, onMap, onMatch }: ColumnsProps) {
               ))}
             </Select>
             <span className="small dim cut-text" title={column.samples.join('\n')}>
+              {sheet.read.fill_down_columns?.includes(column.name) ? 'empty cells filled from above; ' : ''}
               {column.samples.join(', ') || 'empty'}
             </span>
           </li>

@@ -1,4 +1,4 @@
-import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
+import { type KeyboardEvent, useCallback, useEffect, useMemo, useRef, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { Button } from '@/ui/Button'
@@ -44,12 +44,21 @@ interface ImportRowsProps {
   read: ImportRead
   /** Leave a row out; it can be read again. */
   onSkip: (row: number) => void
+  /** Put another text into a cell. */
+  onEdit: (row: number, column: string, text: string) => void
+  /** Give the empty cells of a column the value of the cell above. */
+  onFillDown: (column: string) => void
 }
 
+/** Whether a key fills a column down, as in a spreadsheet. */
+export const isFillDown = ({ key, ctrlKey, metaKey }: KeyboardEvent): boolean =>
+  key.toLowerCase() === 'd' && (ctrlKey || metaKey)
+
 /** What would happen to every row; F8 leads from error to error, x leaves the row of the focus out. */
-export function ImportRows({ read, onSkip }: ImportRowsProps) {
+export function ImportRows({ read, onSkip, onEdit, onFillDown }: ImportRowsProps) {
   const [current, setCurrent] = useState<number>()
   const all = useMemo(() => sheetRows(read), [read])
+  const columns = useMemo(() => new Set(read.columns.map(({ name }) => name)), [read])
   const wrong = all.filter(({ faults }) => faults.length > 0).length
   const [wanted, setWanted] = useState<Shown>('all')
   const shown: Shown = wanted === 'errors' && wrong === 0 ? 'all' : wanted
@@ -77,7 +86,7 @@ export function ImportRows({ read, onSkip }: ImportRowsProps) {
   }
   useEffect(() => {
     const line = table.current?.querySelector<HTMLElement>(`[data-row="${current}"]`)
-    line?.focus()
+    if (!line?.contains(document.activeElement)) line?.focus() // a cell of it may have the focus already
     line?.scrollIntoView({ block: 'nearest' })
   }, [current, shown])
   const skipCurrent = () => {
@@ -153,6 +162,9 @@ export function ImportRows({ read, onSkip }: ImportRowsProps) {
                   isCurrent={row.row === current}
                   onFocus={() => setCurrent(row.row)}
                   onSkip={() => onSkip(row.row)}
+                  columns={columns}
+                  onEdit={onEdit}
+                  onFillDown={onFillDown}
                 />
               )
             )
@@ -172,8 +184,10 @@ function Gap({ heightPx }: { heightPx: number }) {
   )
 }
 
-interface LineProps {
+interface LineProps extends Pick<ImportRowsProps, 'onEdit' | 'onFillDown'> {
   row: SheetRow
+  /** The columns that the sheet has: a missing one has no cell to repair. */
+  columns: ReadonlySet<string>
   at: number
   measure: ((row: Element | null) => void) | undefined
   isCurrent: boolean
@@ -181,7 +195,17 @@ interface LineProps {
   onSkip: () => void
 }
 
-function Line({ row: { row, read, faults }, at, measure, isCurrent, onFocus, onSkip }: LineProps) {
+function Line({
+  row: { row, read, faults },
+  columns,
+  at,
+  measure,
+  isCurrent,
+  onFocus,
+  onSkip,
+  onEdit,
+  onFillDown,
+}: LineProps) {
   const action = read && WORDS[read.action]
   const isWrong = faults.length > 0
   return (
@@ -216,10 +240,18 @@ function Line({ row: { row, read, faults }, at, measure, isCurrent, onFocus, onS
       <td className="num">{read?.duration_s == null ? '' : figure(read.duration_s, 2)}</td>
       <td className={classes.why}>
         {faults.map((fault, place) => (
-          <p key={place} className="tone-bad">
+          <div key={place} className="row wrap tone-bad">
             {fault.column && <span className="strong">{fault.column}: </span>}
+            {fault.column && columns.has(fault.column) && (
+              <CellField
+                key={fault.text}
+                fault={fault}
+                onEdit={(text) => onEdit(row, fault.column ?? '', text)}
+                onFillDown={() => onFillDown(fault.column ?? '')}
+              />
+            )}
             <span className="toned">{fault.message}</span>
-          </p>
+          </div>
         ))}
         {isWrong && (
           <Button variant="quiet" className="small" keys={isCurrent ? 'x' : undefined} onClick={onSkip}>
@@ -234,5 +266,41 @@ function Line({ row: { row, read, faults }, at, measure, isCurrent, onFocus, onS
         )}
       </td>
     </tr>
+  )
+}
+
+interface CellFieldProps {
+  fault: Fault
+  onEdit: (text: string) => void
+  onFillDown: () => void
+}
+
+/** A wrong cell, repaired in place: Enter or leaving it reads the sheet again, Ctrl D fills its column down. */
+function CellField({ fault: { row, column, text }, onEdit, onFillDown }: CellFieldProps) {
+  const keep = (typed: string) => typed !== text && onEdit(typed)
+  return (
+    <input
+      className={classes.cell}
+      aria-label={`${column}, row ${row}`}
+      aria-keyshortcuts="Enter Control+D Meta+D"
+      aria-invalid="true"
+      defaultValue={text}
+      maxLength={10_000}
+      onBlur={({ currentTarget }) => keep(currentTarget.value)}
+      onKeyDown={(event) => {
+        if (event.key === 'Enter' && !event.ctrlKey && !event.metaKey) {
+          event.preventDefault()
+          keep(event.currentTarget.value)
+        }
+        if (event.key === 'Escape') {
+          event.stopPropagation()
+          event.currentTarget.value = text
+        }
+        if (isFillDown(event)) {
+          event.preventDefault()
+          onFillDown()
+        }
+      }}
+    />
   )
 }

@@ -19,6 +19,8 @@ export type SheetReading = Pick<
   | 'tab'
   | 'encoding'
   | 'fill_down'
+  | 'fill_down_columns'
+  | 'edits'
   | 'keep_hidden'
   | 'skip_rows'
   | 'keep_rows'
