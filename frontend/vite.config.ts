@@ -22,7 +22,7 @@ export default defineConfig({
     host: '127.0.0.1',
     port: 5173,
     // As objects: the short form would change the Host, and the server takes writes from its own page only.
-    proxy: { '/v1': { target: server } },
+    proxy: { '/v1': { target: server }, '/help': { target: server } },
     // The checks' pages lie beside the frontend, in docs/checks.
     fs: { allow: ['..'] },
   },
