@@ -286,7 +286,7 @@ class Found:
 
     def _added(self, agreed_at: datetime) -> Iterator[Offer]:
         """Yield cues that the list gained in the categories of the contract, and that no contract covers."""
-        categories = {one.cue.category for one in self._reviewer.covered.values()}
+        categories = {planned_cue.cue.category for planned_cue in self._reviewer.covered.values()}
         gained = [
             cue
             for cue in offer_queries.cues_listed_since(self._session, self._contract.project_id, agreed_at)
@@ -295,7 +295,8 @@ class Found:
         if not gained:
             return
         elsewhere = {
-            name for name, _ in covered_elsewhere(self._session, self._contract.id, [one.id for one in gained])
+            name
+            for name, _ in covered_elsewhere(self._session, self._contract.id, [gained_cue.id for gained_cue in gained])
         }
         who = offer_queries.who_listed(self._session, [cue.id for cue in gained])
         for cue in gained:

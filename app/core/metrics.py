@@ -166,7 +166,7 @@ def listening(settings: "Settings", collectors: Iterable[Collector]) -> Iterator
     if settings.metrics_port is None:
         yield
         return
-    server = _server(settings, collectors, place=0)
+    server = _server(settings, collectors, process_index=0)
     server.start()
     try:
         yield
@@ -184,7 +184,7 @@ def listen_beside_others(settings: "Settings", collectors: Iterable[Collector]) 
         while True:
             for process_index in range(settings.web_processes):
                 with suppress(CannotListen):
-                    _server(settings, collectors, place=process_index).start()
+                    _server(settings, collectors, process_index=process_index).start()
                     return
             time.sleep(PORT_LOOK_EVERY_S)
 
@@ -192,10 +192,10 @@ def listen_beside_others(settings: "Settings", collectors: Iterable[Collector]) 
         threading.Thread(target=listen, name="metrics port", daemon=True).start()
 
 
-def _server(settings: "Settings", collectors: Iterable[Collector], *, place: int) -> MetricsServer:
+def _server(settings: "Settings", collectors: Iterable[Collector], *, process_index: int) -> MetricsServer:
     return MetricsServer(
         settings.metrics_host,
-        (settings.metrics_port or 0) + place,
+        (settings.metrics_port or 0) + process_index,
         settings.metrics_token.get_secret_value(),
         collectors,
     )

@@ -191,8 +191,8 @@ def _lately(session: Session, access: ProjectAccess) -> list[schemas.Activity]:
         add(verdict.created_at, "approved", who, f"approved {cue.name}, version {take.number}")
     if access.is_team:
         for build in queries.builds(session, project.id)[: queries.LATELY]:
-            said = f"refused, {_files(build.rejected)}" if build.rejected else "passed"
-            add(build.created_at, "build", "The game", f"Build {build.label} {said}")
+            verdict_text = f"refused, {_files(build.rejected)}" if build.rejected else "passed"
+            add(build.created_at, "build", "The game", f"Build {build.label} {verdict_text}")
         for sending, approver, count in queries.latest_feedback(session, project.id):
             noun = "change" if count == 1 else "changes"
             add(sending.created_at, "changes", approver.name, f"requested {count} {noun}")

@@ -83,13 +83,13 @@ def projects_seen(
         Engagement.designer_id == actor.person,
         Engagement.ended_at.is_(None),
     )
-    found = select(Project).where(
+    query = select(Project).where(
         or_(Project.studio_id.in_(actor.roles), engaged),
         Project.archived_at.is_not(None) if archived else Project.archived_at.is_(None),
     )
     if before is not None:
-        found = found.where(Project.id < before)
-    return session.scalars(found.options(joinedload(Project.studio)).order_by(Project.id.desc()).limit(limit)).all()
+        query = query.where(Project.id < before)
+    return session.scalars(query.options(joinedload(Project.studio)).order_by(Project.id.desc()).limit(limit)).all()
 
 
 def running_projects(session: Session, studio_ids: Collection[UUID]) -> Sequence[Project]:
@@ -131,8 +131,8 @@ def engagement_by_id(session: Session, project_id: UUID, engagement_id: UUID) ->
 
 def is_engaged_address(session: Session, project_id: UUID, email: str) -> bool:
     """Whether a normalised address belongs to a designer who is engaged on the project now."""
-    found = select(Engagement.id).join(Engagement.designer)
-    running = found.where(Engagement.project_id == project_id, Engagement.ended_at.is_(None), Person.email == email)
+    query = select(Engagement.id).join(Engagement.designer)
+    running = query.where(Engagement.project_id == project_id, Engagement.ended_at.is_(None), Person.email == email)
     return session.scalar(running) is not None
 
 
@@ -287,10 +287,10 @@ def spec_version(session: Session, project_id: UUID, version: int) -> Spec | Non
 
 def spec_versions(session: Session, project_id: UUID, *, below: int | None, limit: int) -> Sequence[Spec]:
     """Return the versions of the delivery spec, newest first."""
-    found = select(Spec).where(Spec.project_id == project_id)
+    query = select(Spec).where(Spec.project_id == project_id)
     if below is not None:
-        found = found.where(Spec.version < below)
-    return session.scalars(found.options(joinedload(Spec.author)).order_by(Spec.version.desc()).limit(limit)).all()
+        query = query.where(Spec.version < below)
+    return session.scalars(query.options(joinedload(Spec.author)).order_by(Spec.version.desc()).limit(limit)).all()
 
 
 def invitations(session: Session, project_id: UUID) -> Sequence[ProjectInvitation]:

@@ -90,8 +90,14 @@ class ScriptReader:
     def _reads(self, language: str, language_texts: LanguageTexts, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
         """Return some lines in one language."""
         statuses = [language_texts.statuses.get(line.id, NOT_TRANSLATED) for line in lines]
-        requested = queries.requested_changes(self._session, [one.take.id for one in statuses if one.take])
-        returned = [one.take.id for one in statuses if one.take and one.state is LineState.RETURNED]
+        requested = queries.requested_changes(
+            self._session, [status_read.take.id for status_read in statuses if status_read.take]
+        )
+        returned = [
+            status_read.take.id
+            for status_read in statuses
+            if status_read.take and status_read.state is LineState.RETURNED
+        ]
         errors = queries.first_errors(self._session, returned)
         reads = []
         for line, status in zip(lines, statuses, strict=True):

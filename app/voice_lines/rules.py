@@ -123,8 +123,8 @@ class Validity:
 def language_tag(text: str) -> str | None:
     """Return the language tag (BCP 47: language, script, region) that a code or a name means; None for neither."""
     plain = " ".join(text.split()).lower()
-    if found := _BY_NAME.get(plain.replace("(", "").replace(")", "")):
-        return found
+    if known_tag := _BY_NAME.get(plain.replace("(", "").replace(")", "")):
+        return known_tag
     tag = _TAG.fullmatch(plain) if len(plain) <= MAX_KEY_CHARS else None
     if tag is None:
         return None

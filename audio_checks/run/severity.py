@@ -25,10 +25,10 @@ def graded(finding: Finding, spec: DeliverySpec) -> Finding | None:
 def ordered(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return findings, what broke first, then errors, then warnings, then information."""
 
-    def place(finding: Finding) -> tuple[bool, int]:
+    def sort_key(finding: Finding) -> tuple[bool, int]:
         return not finding.code.endswith(":crashed"), check_names.GRAVITY[finding.severity or "warning"]
 
-    return tuple(sorted(findings, key=place))
+    return tuple(sorted(findings, key=sort_key))
 
 
 def crash(what: str, error: BaseException) -> Finding:
