@@ -52,6 +52,7 @@ def sample_cues() -> list[dict[str, Any]]:
             "description": description,
             "loop": name.endswith("_loop"),
             "variations": _VARIATIONS.get(name, 1),
+            "state": "locked",
         }
         for name, category, duration_s, use, description in _ROWS
     ]

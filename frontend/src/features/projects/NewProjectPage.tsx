@@ -187,7 +187,7 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
     { value: true, head: 'A sample project', about: '24 sounds to hear and review. Delete it when done.' },
   ]
   return (
-    <fieldset className={classes.presets}>
+    <fieldset className={`${classes.presets} ${classes.begin}`}>
       <legend>Begin with</legend>
       {choices.map(({ value, head, about }) => (
         <label key={head} className={classes.preset} data-chosen={isSample === value || undefined}>

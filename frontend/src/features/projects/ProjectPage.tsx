@@ -109,9 +109,12 @@ function OverviewCard({ title, note, link, error, children }: OverviewCardProps)
         title={title}
         note={note}
         end={
-          <Link className="link small" to={link.to as LinkProps['to']} aria-keyshortcuts={link.keys}>
-            {link.label} <Key keys={link.keys} />
-          </Link>
+          <span className="row">
+            <Link className="link small" to={link.to as LinkProps['to']} aria-keyshortcuts={link.keys}>
+              {link.label}
+            </Link>
+            <Key keys={link.keys} />
+          </span>
         }
       />
       <Refusal inset error={error} />
