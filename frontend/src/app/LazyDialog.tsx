@@ -2,7 +2,7 @@ import { type ComponentType, useCallback } from 'react'
 
 import { useLazy } from '@/ui/useLazy'
 
-import { useFirstSign } from './firstSign'
+import { useFirstInteraction } from './firstSign'
 import { KeyScope } from './keys'
 
 export interface OpenedProps {
@@ -22,7 +22,7 @@ interface LazyDialogProps<Given> extends OpenedProps {
  */
 export function LazyDialog<Given extends object>({ load, opened, onClose, given }: LazyDialogProps<Given>) {
   const Opened = useLazy(load, opened, onClose)
-  useFirstSign(useCallback(() => void load().catch(() => undefined), [load]))
+  useFirstInteraction(useCallback(() => void load().catch(() => undefined), [load]))
   if (Opened === null) return opened && <KeyScope>{null}</KeyScope>
   return <Opened {...given} opened={opened} onClose={onClose} />
 }

@@ -5,7 +5,7 @@ import { useRoles } from '@/api/roles'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { age } from '@/ui/format'
-import { NowDot } from '@/ui/NowDot'
+import { UnreadDot } from '@/ui/UnreadDot'
 import { Person } from '@/ui/Person'
 import { Row, Rows } from '@/ui/Rows'
 
@@ -22,7 +22,7 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
       <div className={classes.first}>
         <div className="grow">
           <p className="row small mid">
-            <NowDot />
+            <UnreadDot />
             Your next step{first.since ? `, waiting ${age(first.since)}` : ''}
           </p>
           <h2 id="next-step" className={classes.head}>

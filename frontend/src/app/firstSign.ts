@@ -1,7 +1,7 @@
 import { useEffect } from 'react'
 
 /** Run at the first sign of a person: what is likely needed next is loaded then, rather than with the page. */
-export function useFirstSign(run: () => void): void {
+export function useFirstInteraction(run: () => void): void {
   useEffect(() => {
     const ending = new AbortController()
     const once = () => {

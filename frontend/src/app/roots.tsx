@@ -46,7 +46,7 @@ function SignedInShell() {
 }
 
 /** An address that no feature knows, within the frame, so that every way on stays. */
-export const nowhereRoute = createRoute({ getParentRoute: () => shellRoute, path: '$', component: NotFoundPage })
+export const notFoundRoute = createRoute({ getParentRoute: () => shellRoute, path: '$', component: NotFoundPage })
 
 /** Parent of the pages before an account: sign-in, sign-up, an invitation. */
 export const guestRoute = createRoute({

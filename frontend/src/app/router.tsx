@@ -33,7 +33,7 @@ import { PageSkeleton } from '@/ui/Skeleton'
 
 import { ErrorPage } from './ErrorPage'
 import { NotFoundPage } from './NotFoundPage'
-import { guestRoute, nowhereRoute, rootRoute, shellRoute } from './roots'
+import { guestRoute, notFoundRoute, rootRoute, shellRoute } from './roots'
 import type { Session } from './session'
 import type { Code } from './startEarly'
 
@@ -70,7 +70,7 @@ const pages = [
     ...erasureRoutes,
     ...noticeRoutes,
     ...webhookRoutes,
-    nowhereRoute,
+    notFoundRoute,
   ]),
 ] as const
 const routeTree = rootRoute.addChildren(pages)

@@ -281,7 +281,7 @@ describe('as the game does', () => {
 
   test('variations follow one another until let go, each from its start when the one before is over', async () => {
     const made = hand.player()
-    await made.playAsGame([A, B, C])
+    await made.playRandomized([A, B, C])
     expect(made.getState()).toMatchObject({ status: 'playing', asGame: true, sourceId: 'a' })
     // 1 s of the first, then 0.5 s of the second: what begins within 1.5 s is handed to the context at once.
     expect(context.started.map(({ atS, fromS }) => [atS, fromS])).toEqual([
@@ -299,7 +299,7 @@ describe('as the game does', () => {
 
   test('at 600 a minute one starts every 0.1 s by the context, at its own pitch and level', async () => {
     const made = hand.player({ random: () => 0.999999999 })
-    await made.playAsGame([A, { ...B, matchGainDb: 0 }], { intervalS: 0.1, pitchSemitones: 12, levelDb: 3 })
+    await made.playRandomized([A, { ...B, matchGainDb: 0 }], { intervalS: 0.1, pitchSemitones: 12, levelDb: 3 })
     expect(context.started).toHaveLength(15)
     context.started.forEach(({ atS, speed, gain }, index) => {
       expect(atS).toBeCloseTo(0.1 * index, 9)
@@ -313,7 +313,7 @@ describe('as the game does', () => {
 
   test('let go before they are decoded, none sounds', async () => {
     const made = hand.player()
-    const starting = made.playAsGame([A, B])
+    const starting = made.playRandomized([A, B])
     made.pause()
     await starting
     expect(context.started).toEqual([])

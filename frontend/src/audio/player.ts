@@ -35,7 +35,7 @@ export class Player implements Clock {
     this.#random = parts.random ?? Math.random
     this.#playhead = new PlayheadSteps(parts)
     this.previews = new Previews(this.context, parts.light)
-    this.previews.onBetter = this.#betterIsHere
+    this.previews.onBetter = this.#onHigherQualityReady
     if (!parts.held) this.previews.release()
   }
 
@@ -159,7 +159,7 @@ export class Player implements Clock {
   }
 
   /** Silence the source while the others go on, for as long as it is so. */
-  setHushed(hushed: boolean): void {
+  setSoloMuted(hushed: boolean): void {
     this.#hushed = hushed
     if (this.#source) this.#voice?.setGain(this.#gainOf(this.#source))
   }
@@ -184,7 +184,7 @@ export class Player implements Clock {
   }
 
   /** Play variations at random, never the same twice running, as often and as evenly as `way` says, until `pause`. */
-  async playAsGame(sources: readonly Source[], way: SetWay = ONE_AFTER_ANOTHER): Promise<void> {
+  async playRandomized(sources: readonly Source[], way: SetWay = ONE_AFTER_ANOTHER): Promise<void> {
     if (sources.length === 0) return
     const asked = ++this.#asked
     const context = this.#contextNow()
@@ -265,7 +265,7 @@ export class Player implements Clock {
   }
 
   /** Put more of the sound, or the exact sound, in the place of what is heard: at the same sample, without a gap. */
-  #betterIsHere = (url: string, buffer: AudioBuffer): void => {
+  #onHigherQualityReady = (url: string, buffer: AudioBuffer): void => {
     const source = this.#source
     if (source?.url !== url) return
     const isLightHeard = this.#store.state.isLight && this.previews.has(url)

@@ -6,7 +6,7 @@ import type { FindingMark, Player } from '@/audio'
 import { ended } from '@/judging/findings'
 import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import type { Fix } from './api'
 import classes from './Fix.module.css'
@@ -56,7 +56,7 @@ export function FixPanel(props: FixPanelProps) {
       {fix && isMade && <Moved fix={fix} />}
       {fix && <CueProgress fix={fix} mayUse={mayUse} />}
       {error !== null && error !== undefined && (
-        <ProblemNote
+        <ErrorBanner
           detail={ended(refusal?.detail ?? 'Something went wrong in the page.')}
           fix={refusal?.fix ? ended(refusal.fix) : undefined}
         />

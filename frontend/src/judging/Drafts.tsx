@@ -6,7 +6,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import { type ChangeRequest, draftsQuery, type Sending, useDropDraft, useSendFeedback } from './api'
@@ -101,7 +101,7 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
       )}
       <Refusal error={dropping.error ?? sending.error} />
       {sending.data && sending.data.held_back.length > 0 && (
-        <ProblemNote detail={heldBackWords(sending.data)} fix="They stay here as drafts." />
+        <ErrorBanner detail={heldBackWords(sending.data)} fix="They stay here as drafts." />
       )}
     </>
   )

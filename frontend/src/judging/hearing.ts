@@ -85,13 +85,13 @@ export const variationName = (variation: number): string => `_${String(variation
 /** What the checker says of a variation that is louder or softer than its set. */
 const OUT_OF_SET = 'variation-set:level'
 
-export interface OddOne {
+export interface Outlier {
   take: ReviewTake
   awayDb: number
 }
 
 /** The variation that stands out most from its set, by the check; null where none does. */
-export function oddOne(set: readonly ReviewTake[]): OddOne | null {
+export function oddOne(set: readonly ReviewTake[]): Outlier | null {
   const far = set
     .filter(({ findings }) => findings.some(({ code }) => code === OUT_OF_SET))
     .map((take) => ({ take, awayDb: take.away_from_set_lu ?? 0 }))

@@ -190,7 +190,7 @@ const PAUSED_BY = {
 } as const
 
 /** The day after which silence accepts; while something is open its days do not count. */
-export const unlessJudged = (after: string, pausedBy: keyof typeof PAUSED_BY | null = null): string =>
+export const deemedAcceptanceNotice = (after: string, pausedBy: keyof typeof PAUSED_BY | null = null): string =>
   pausedBy === null
     ? `auto-accepted after ${day(after)} if nobody responds`
     : `auto-acceptance is paused: ${PAUSED_BY[pausedBy]}`

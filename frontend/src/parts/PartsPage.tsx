@@ -18,8 +18,8 @@ import { place } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { KeysLine } from '@/ui/KeysLine'
 import { Meter } from '@/ui/Meter'
-import { NowDot } from '@/ui/NowDot'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { UnreadDot } from '@/ui/UnreadDot'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 import { SetBlocks } from '@/ui/SetBlocks'
@@ -317,7 +317,7 @@ function Fields() {
       )}
       <Textarea mt="md" label="Description" placeholder="What happens, to what, where" autosize minRows={2} />
       <div className={classes.line}>
-        <ProblemNote
+        <ErrorBanner
           detail="The audio director decides on weapons."
           fix="You can comment or say which you would take."
         />
@@ -332,7 +332,7 @@ function Lines() {
       <CardHead title="Then" count={3} end="what blocks others first, then the oldest" />
       <Rows>
         <Row selected>
-          <NowDot />
+          <UnreadDot />
           <span className="strong grow cut-text">shield_hit</span>
           <span className={classes.thumb}>
             <WaveThumb peaks={SHIELD} lit heightPx={26} />

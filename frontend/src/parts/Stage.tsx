@@ -47,7 +47,7 @@ export function Stage() {
       keys: 'h',
       label: 'Hold: as the game does',
       group: 'Parts',
-      run: () => void player.playAsGame(sources),
+      run: () => void player.playRandomized(sources),
       release: () => player.pause(),
     },
     { keys: 'v', label: 'Reverse', group: 'Parts', run: () => player.setReversed(!state.reversed) },

@@ -4,7 +4,7 @@ import { Dialog } from '@/app/Dialog'
 import type { OpenedProps } from '@/app/LazyDialog'
 import { ButtonLink } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { partOf, type Reference, TEXT_BYTES, textQuery } from './api'
 import classes from './References.module.css'
@@ -56,7 +56,7 @@ function Shown({ reference }: { reference: Reference }) {
 function Text({ reference }: { reference: Reference }) {
   const { version } = reference
   const { data: text, error } = useQuery(textQuery(reference.project_id, version.id))
-  if (error) return <ProblemNote detail={error.message} fix="Download it instead." />
+  if (error) return <ErrorBanner detail={error.message} fix="Download it instead." />
   return (
     <>
       {/* Focusable, so that a long text can be scrolled without a pointer. */}

@@ -1,9 +1,9 @@
 import type { ReactNode } from 'react'
 
 import { Icon } from './Icon'
-import classes from './ProblemNote.module.css'
+import classes from './ErrorBanner.module.css'
 
-interface ProblemNoteProps {
+interface ErrorBannerProps {
   /** What was refused or what broke, in a sentence. */
   detail: string
   /** What to do about it. */
@@ -27,7 +27,7 @@ const linked = (fix: string) =>
   )
 
 /** A refusal, said where it happened and until it is put right. */
-export function ProblemNote({ detail, fix, action, className }: ProblemNoteProps) {
+export function ErrorBanner({ detail, fix, action, className }: ErrorBannerProps) {
   return (
     <div role="alert" className={`${classes.note} tone-bad ${className ?? ''}`}>
       <Icon name="back" />

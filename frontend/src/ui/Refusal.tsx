@@ -2,7 +2,7 @@ import type { ReactNode } from 'react'
 
 import { ApiProblem } from '@/api/problem'
 
-import { ProblemNote } from './ProblemNote'
+import { ErrorBanner } from './ErrorBanner'
 import { sentence } from './sentence'
 
 interface RefusalProps {
@@ -22,7 +22,7 @@ export function Refusal({ error, about, action, inset = false, className }: Refu
   const problem = error instanceof ApiProblem ? error : null
   const detail = problem ? sentence(problem.detail) : 'Something went wrong in the page. What you typed is kept.'
   return (
-    <ProblemNote
+    <ErrorBanner
       detail={about ? `${about}: ${detail}` : detail}
       fix={problem?.fix ? sentence(problem.fix) : undefined}
       action={action}

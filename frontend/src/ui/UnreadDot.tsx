@@ -1,6 +1,6 @@
-import classes from './NowDot.module.css'
+import classes from './UnreadDot.module.css'
 
 /** The orange dot before what comes first. */
-export function NowDot() {
+export function UnreadDot() {
   return <span className={classes.dot} aria-hidden="true" />
 }

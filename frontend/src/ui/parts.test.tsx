@@ -15,7 +15,7 @@ import { Finding } from './Finding'
 import { Key } from './Key'
 import { KeysLine } from './KeysLine'
 import { Meter } from './Meter'
-import { ProblemNote } from './ProblemNote'
+import { ErrorBanner } from './ErrorBanner'
 import { Segmented } from './Segmented'
 import { SetBlocks } from './SetBlocks'
 import { State, STATES, type StateKind } from './State'
@@ -129,7 +129,7 @@ test('a field error offers its correction with one press', async () => {
 })
 
 test('a refusal says what to do', () => {
-  draw(<ProblemNote detail="The delivery is closed." fix="Open a new one." />)
+  draw(<ErrorBanner detail="The delivery is closed." fix="Open a new one." />)
   expect(screen.getByRole('alert')).toHaveTextContent('The delivery is closed. Open a new one.')
 })
 

@@ -8,7 +8,7 @@ import classes from './Shell.module.css'
 const load = () => import('./AccountMenu').then(({ AccountMenu }) => AccountMenu)
 
 /** Who one is here, and what belongs to the person rather than the work: colours, keys, account. */
-export function WhoMenu({ data, onKeys }: { data: ShellData; onKeys: () => void }) {
+export function AccountMenuTrigger({ data, onKeys }: { data: ShellData; onKeys: () => void }) {
   const { person } = data
   const button = (
     <button type="button" className={classes.who}>

@@ -10,7 +10,7 @@ import { Main } from './Main'
 import { Mark } from './Mark'
 import classes from './Shell.module.css'
 import { ShellLink } from './ShellLink'
-import { WhoMenu } from './WhoMenu'
+import { AccountMenuTrigger } from './AccountMenuTrigger'
 
 /** The frame of the pages before an account, and of what went wrong before anyone was known. */
 export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) {
@@ -25,7 +25,7 @@ export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) 
         </ShellLink>
         <StatusSlot />
         <span className="end">
-          <WhoMenu data={NOBODY} onKeys={() => setShowingKeys(true)} />
+          <AccountMenuTrigger data={NOBODY} onKeys={() => setShowingKeys(true)} />
         </span>
       </header>
       <Main>{children}</Main>

@@ -8,7 +8,7 @@ import classes from './Shell.module.css'
 const RefusedWrites = lazy(async () => ({ default: (await import('./RefusedWrites')).RefusedWrites }))
 
 /** Says quietly that the server does not answer, and what waits to be sent; then what of that was refused. */
-export function AwayNote() {
+export function OfflineBanner() {
   const isAway = useSyncExternalStore(connection.subscribe, connection.isAway)
   const { waiting, refused } = useSyncExternalStore(later.subscribe, later.getState)
   const kept = keptWords(waiting)

@@ -3,7 +3,7 @@ import { useSyncExternalStore } from 'react'
 import { later } from '@/api'
 import { laterWrites } from '@/api/laterWrites'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import classes from './RefusedWrites.module.css'
 
@@ -13,7 +13,7 @@ export function RefusedWrites() {
   return (
     <section aria-label="Not saved" className={classes.refused}>
       {refused.map(({ place, what, why }) => (
-        <ProblemNote
+        <ErrorBanner
           key={place}
           detail={`Not saved: ${what}. ${why.charAt(0).toUpperCase()}${why.slice(1)}.`}
           action={<Button onClick={() => laterWrites.forgetRefused(place)}>Dismiss</Button>}

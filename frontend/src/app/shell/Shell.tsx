@@ -3,7 +3,7 @@ import { useCallback, useState } from 'react'
 
 import { isMac } from '@/ui/keyNames'
 
-import { useFirstSign } from '../firstSign'
+import { useFirstInteraction } from '../firstSign'
 import { useHotkeys } from '../keys'
 import { LazyDialog } from '../LazyDialog'
 import { useCommands } from '../palette'
@@ -11,7 +11,7 @@ import { SampleBanner } from '../SampleProject'
 import type { Session } from '../session'
 import { loadAhead } from '../startEarly'
 import { ProjectName } from '../title'
-import { AwayNote } from './AwayNote'
+import { OfflineBanner } from './OfflineBanner'
 import { Main } from './Main'
 import { isClosed, NdaFirst } from './NdaFirst'
 import { loadKeysSheet, loadPalette } from './overlays'
@@ -32,7 +32,7 @@ export function Shell({ session }: { session: Session }) {
   const areas = areasOf(data)
   const inBar = areas.filter(({ isInMenu }) => !isInMenu)
   const likely = inBar.flatMap(({ path, count }) => (count ? [path] : [])).join('\n')
-  useFirstSign(useCallback(() => loadAhead(router, likely.split('\n').filter(Boolean)), [router, likely]))
+  useFirstInteraction(useCallback(() => loadAhead(router, likely.split('\n').filter(Boolean)), [router, likely]))
   const go = (path: string) => void router.navigate({ href: path })
   useFinding(data.project?.id, data.side === 'designer', go)
 
@@ -87,7 +87,7 @@ export function Shell({ session }: { session: Session }) {
         onFind={() => setFinding(true)}
         onKeys={() => setShowingKeys(true)}
       />
-      <AwayNote />
+      <OfflineBanner />
       {data.project?.isSample && pathname.startsWith(`/projects/${data.project.id}`) && (
         <SampleBanner projectId={data.project.id} isProducer={data.isProducer} />
       )}

@@ -9,7 +9,7 @@ import { Mark } from './Mark'
 import { ProjectSwitcher } from './ProjectSwitcher'
 import classes from './Shell.module.css'
 import { ShellLink } from './ShellLink'
-import { WhoMenu } from './WhoMenu'
+import { AccountMenuTrigger } from './AccountMenuTrigger'
 
 const loadMore = () => import('./MoreMenu').then(({ MoreMenu }) => MoreMenu)
 
@@ -93,7 +93,7 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
             {data.unread && <Count of={data.unread} />}
           </ShellLink>
         )}
-        <WhoMenu data={data} onKeys={onKeys} />
+        <AccountMenuTrigger data={data} onKeys={onKeys} />
       </div>
       <div className={classes.sub}>
         {area && (

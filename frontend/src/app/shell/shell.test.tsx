@@ -9,7 +9,7 @@ import { draw } from '@/test/draw'
 import { serve } from '@/test/server'
 
 import { router as product } from '../router'
-import { nowhereRoute, rootRoute, shellRoute } from '../roots'
+import { notFoundRoute, rootRoute, shellRoute } from '../roots'
 import type { ShellData } from '../session'
 import { useTitle } from '../title'
 import { areasOf, homeOf, HOMES } from './areas'
@@ -75,7 +75,7 @@ async function open(data: ShellData, at = '/projects/p1/today', ensureSignedIn =
           throw new Error('a figure was missing')
         },
       }),
-      nowhereRoute,
+      notFoundRoute,
     ]),
   ])
   const router = createRouter({

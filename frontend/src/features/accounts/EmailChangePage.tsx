@@ -6,7 +6,7 @@ import { sentence } from '@/ui/sentence'
 import { Sheet } from '@/ui/Sheet'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { sessionQuery } from './api'
 import { CardProblem } from './CardProblem'
@@ -45,7 +45,7 @@ export function EmailChangePage() {
     return (
       <Sheet>
         <h1>Change of email</h1>
-        <ProblemNote
+        <ErrorBanner
           detail={sentence(problem?.detail ?? 'The change could not be loaded.')}
           fix={problem?.fix ? sentence(problem.fix) : undefined}
         />

@@ -5,7 +5,7 @@ import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { sessionQuery, studioInvitationQuery, useJoinStudio } from './api'
 import { Field, Form, Submit } from '@/ui/Form'
@@ -28,7 +28,7 @@ export function JoinPage() {
     return (
       <Sheet>
         <h1>Invitation</h1>
-        <ProblemNote
+        <ErrorBanner
           detail={sentence(problem?.detail ?? 'The invitation could not be loaded.')}
           fix={sentence(problem?.fix || 'Ask the person who invited you for a new link.')}
         />

@@ -1,5 +1,5 @@
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Refusal } from '@/ui/Refusal'
 
 import classes from './Account.module.css'
@@ -17,7 +17,7 @@ export function PasskeyButton({ action, onSignedIn }: PasskeyButtonProps) {
   if (!hasPasskeys()) return null
   return (
     <div className={`stack ${classes.passkey}`}>
-      {isCancelled(signIn.error) ? <ProblemNote detail="No passkey was used." /> : <Refusal error={signIn.error} />}
+      {isCancelled(signIn.error) ? <ErrorBanner detail="No passkey was used." /> : <Refusal error={signIn.error} />}
       <Button
         aria-busy={signIn.isPending}
         onClick={() => signIn.mutate(undefined, { onSuccess: ({ id }) => onSignedIn(id) })}

@@ -6,7 +6,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Row, Rows } from '@/ui/Rows'
 
 import classes from './Account.module.css'
@@ -36,7 +36,7 @@ export function PasskeysCard() {
       <CardProblem error={error ?? (isCancelled(add.error) ? null : add.error) ?? remove.error} />
       {isCancelled(add.error) && (
         <div className={`${classes.inside} ${classes.note}`}>
-          <ProblemNote detail="No passkey was added: the browser was not allowed to make one." />
+          <ErrorBanner detail="No passkey was added: the browser was not allowed to make one." />
         </div>
       )}
       <Rows aria-label="Passkeys">

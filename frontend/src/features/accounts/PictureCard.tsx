@@ -6,7 +6,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Face } from '@/ui/Face'
 import { bytes } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import classes from './Account.module.css'
 import { useSavePicture } from './api'
@@ -65,7 +65,7 @@ export function PictureCard({ me }: { me: Me }) {
             {picture ? 'Those who see your name see this picture.' : 'Without a picture, your initials are shown.'}{' '}
             Choose or drop a PNG, JPEG or WebP of up to {bytes(MAX_BYTES)}; its middle is kept.
           </p>
-          {problem ? <ProblemNote {...problem} /> : <CardProblem error={save.error} />}
+          {problem ? <ErrorBanner {...problem} /> : <CardProblem error={save.error} />}
           <p className="row">
             <Button variant="primary" disabled={save.isPending} onClick={() => chooser.current?.click()}>
               {picture ? 'Choose another' : 'Choose a picture'}

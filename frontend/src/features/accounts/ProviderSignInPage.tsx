@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'react'
 import { Form, Submit } from '@/ui/Form'
 import { Sheet } from '@/ui/Sheet'
 import { useTitle } from '@/app/title'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { CardProblem } from './CardProblem'
 import { CodeField } from './CodeField'
@@ -37,7 +37,7 @@ export function ProviderSignInPage() {
     <Sheet>
       <h1>Sign in</h1>
       {isRefused && (
-        <ProblemNote
+        <ErrorBanner
           detail="The provider did not sign you in."
           fix="Begin again, or ask whoever runs the provider of your studio."
         />

@@ -9,7 +9,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { filesOfField, type Picked, useLeaveWarning, usePageDrop, type UploadQueue, useUploads } from '@/uploads'
 
 import { adoptFolder, openAdoption, type Plan, planFolder, refreshAdopted } from './api'
@@ -123,7 +123,7 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
   ])
   return (
     <>
-      {problem && <ProblemNote {...problem} />}
+      {problem && <ErrorBanner {...problem} />}
       {(stage.at === 'choose' || stage.at === 'planned') && (
         <Card aria-labelledby="choose">
           <CardHead id="choose" title="The game’s sounds" note="Drop the folder anywhere on this page" />

@@ -7,7 +7,7 @@ import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State } from '@/ui/State'
 
 import { type FollowUp, type Question, useAnswerFollowUp, useAskFollowUp } from './api'
@@ -98,7 +98,7 @@ export function QuestionCard({
           <p className={classes.said}>{question.answer?.words ?? 'No answer yet.'}</p>
         )}
         {against && (
-          <ProblemNote
+          <ErrorBanner
             detail={refused(against.message)}
             fix={
               against.isConflict && question.answer

@@ -10,7 +10,7 @@ import { Button } from '@/ui/Button'
 import { CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { type Brief, readsQuery, usePublishBrief } from './api'
 import classes from './Brief.module.css'
@@ -78,7 +78,7 @@ function SpecCard({ projectId, mayApply, saving }: { projectId: string; mayApply
           </ul>
           <div className={classes.sideBody}>
             {errors.map((error) => (
-              <ProblemNote key={error} detail={refused(error)} fix="Change the answer, or the spec itself." />
+              <ErrorBanner key={error} detail={refused(error)} fix="Change the answer, or the spec itself." />
             ))}
             {mayApply && (
               <>

@@ -9,7 +9,7 @@ import { Refusal } from '@/ui/Refusal'
 import { countOf, figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Segmented } from '@/ui/Segmented'
 
 import { type CueToHear, type ListeningPass, useClosePass } from './api'
@@ -129,7 +129,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
         </span>
         <Waiting waiting={notes.waiting} />
         {notes.refused.map(({ body, cueName, why }) => (
-          <ProblemNote
+          <ErrorBanner
             key={body.note_id}
             detail={`${cueName}, ${SAID_WORDS[body.said].toLowerCase()}${body.text ? `: ${body.text}` : ''} was not taken: ${why}.`}
           />

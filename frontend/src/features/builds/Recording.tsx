@@ -10,7 +10,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import type { HeardAs, ListeningPass } from './api'
 import { MomentRow } from './MomentRow'
@@ -112,7 +112,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
       <section aria-label="The recording" className={classes.picture}>
         <Refusal error={error} />
         {isUnplayable ? (
-          <ProblemNote
+          <ErrorBanner
             detail={`This browser can’t play ${version.file_name}.`}
             fix="Add it to the references again as an MP4 with H.264 video."
           />
@@ -188,7 +188,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
           {waiting > 0 && `${plural(waiting, 'note')} not sent yet.`}
         </p>
         {kept.refused.map(({ body, cueName, why }) => (
-          <ProblemNote
+          <ErrorBanner
             key={body.note_id}
             detail={`${cueName}, ${SAID_WORDS[body.said].toLowerCase()} was not taken: ${why}.`}
           />

@@ -10,7 +10,7 @@ import { usePeaks } from '@/judging/peaks'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural, shortDay } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State } from '@/ui/State'
 
 import { type AuditedSound, type AuditSummary, useAcceptDrift, useSendBack, useSoundHistory, useWithdraw } from './api'
@@ -117,7 +117,7 @@ function Pair({ sound, audit, projectId }: { sound: AuditedSound; audit: AuditSu
             <span className={`num ${row.id === 'built' ? 'strong' : 'mid'}`}>{row.db}</span>
           </div>
         ))}
-      {state.error && <ProblemNote detail={state.error} />}
+      {state.error && <ErrorBanner detail={state.error} />}
       {unheardOf(sound) && <p className="small mid">{unheardOf(sound)}</p>}
     </>
   )

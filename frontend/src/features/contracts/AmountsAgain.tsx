@@ -4,7 +4,7 @@ import { useQuery } from '@tanstack/react-query'
 import { planQuery } from '@/money/api'
 import { amount, minorOf, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import type { Draft } from './api'
 import classes from './Contracts.module.css'
@@ -26,7 +26,7 @@ export function AmountsAgain({ contractId, before, draft, typed, onChange }: Amo
     <Card aria-labelledby="amounts-again">
       <CardHead id="amounts-again" title={`Amounts in ${draft.currency}`} />
       <div className={classes.form}>
-        <ProblemNote
+        <ErrorBanner
           detail={`Nothing is converted from ${before}.`}
           fix={`Enter each amount again in ${draft.currency}, here and in the clauses, or keep ${before}.`}
         />

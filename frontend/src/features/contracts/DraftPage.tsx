@@ -8,7 +8,7 @@ import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
 import { PageHead } from '@/ui/PageHead'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Refusal } from '@/ui/Refusal'
 import { Segmented } from '@/ui/Segmented'
 
@@ -32,7 +32,7 @@ export function DraftPage() {
         <h1>{contract?.title ?? 'Draft'}</h1>
         <Refusal error={error} />
         {contract && (
-          <ProblemNote
+          <ErrorBanner
             detail="You can’t edit this contract."
             fix="Only the studio’s producers edit drafts. Recall a sent contract before editing it."
           />

@@ -7,7 +7,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { type Entry, recordQuery } from './api'
 import classes from './Contracts.module.css'
@@ -42,7 +42,7 @@ export function RecordPage() {
       </div>
       <Refusal error={error} />
       {record && record.faults.length > 0 && (
-        <ProblemNote
+        <ErrorBanner
           detail={`This audit trail was altered: ${record.faults.map(sentence).join(' ')}`}
           fix="Compare it with your own copy and contact the server’s administrator."
         />

@@ -3,7 +3,7 @@ import { useState } from 'react'
 
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Refusal } from '@/ui/Refusal'
 
 import { AddClause } from './AddClause'
@@ -51,7 +51,7 @@ export function WholeText({ drafting }: { drafting: Drafting }) {
   return (
     <>
       {problems.length > 0 && (
-        <ProblemNote
+        <ErrorBanner
           detail={problems.map(({ message }) => sentence(message)).join(' ')}
           fix="Fix this to save the draft."
         />

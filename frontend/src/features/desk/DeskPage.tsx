@@ -19,7 +19,7 @@ import { useLazy } from '@/ui/useLazy'
 import { filesOfField, type Picked, usePageDrop } from '@/uploads'
 
 import { type Desk, deliveryQuery, openDeliveryQuery, unmatchedQuery, useCues, useDesk, useUnmatched } from './api'
-import { CameBackCard } from './CameBackCard'
+import { ReturnedTakesCard } from './ReturnedTakesCard'
 import { DeliveryCard } from './DeliveryCard'
 import { type DeliveryUploads, uploadsOf } from './deliveryUploads'
 import classes from './Desk.module.css'
@@ -158,7 +158,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
       <div className={`columns ${classes.columns}`}>
         <div className="stack">
           {next && <NextCard steps={stepsToName(next)} projectId={projectId} />}
-          <CameBackCard
+          <ReturnedTakesCard
             projectId={projectId}
             back={back}
             count={back.hasMore ? desk.came_back_cues : back.items.length}

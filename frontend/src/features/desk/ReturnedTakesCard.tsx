@@ -23,7 +23,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Face } from '@/ui/Face'
 import { Refusal } from '@/ui/Refusal'
 import { ago, length } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State } from '@/ui/State'
 
 import { type CameBack, type Change, type Finding, useRecheck } from './api'
@@ -54,7 +54,7 @@ export function hear(player: Player, id: string, url: string, fromS?: number): v
 }
 
 /** What is with the designer again: one open with its marks, the others a line each. */
-export function CameBackCard({ projectId, back, count, player, playing, onSendOwn }: CameBackProps) {
+export function ReturnedTakesCard({ projectId, back, count, player, playing, onSendOwn }: CameBackProps) {
   const { items, hasMore, isFetching, showMore } = back
   const [openId, setOpenId] = useState<string | null>(null)
   const index = Math.max(
@@ -283,7 +283,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         <Wave item={item} marks={marks} changes={changes} player={player} isHeard={playing.sourceId === id} />
       </FixPanel>
       {playing.error !== null && (playing.sourceId === id || isMade) && (
-        <ProblemNote detail="The sound could not be played." fix="Check your connection and try again." />
+        <ErrorBanner detail="The sound could not be played." fix="Check your connection and try again." />
       )}
       <Refusal error={recheck.error} />
     </article>

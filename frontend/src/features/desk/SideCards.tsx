@@ -4,7 +4,7 @@ import { type DragEvent, useState } from 'react'
 
 import { HotkeyButton } from '@/app/keys'
 import { ShellLink } from '@/app/shell/ShellLink'
-import { unlessJudged } from '@/judging/words'
+import { deemedAcceptanceNotice } from '@/judging/words'
 import { fixesQuery } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -214,7 +214,7 @@ function waitsOf(cues: readonly Desk['with_approver'][number][]): string[] {
   const waits = new Map<string, string[]>()
   for (const { name, accepted_after: day, silence_paused_by: pausedBy } of cues) {
     if (day === null) continue
-    const says = unlessJudged(day, pausedBy)
+    const says = deemedAcceptanceNotice(day, pausedBy)
     waits.set(says, [...(waits.get(says) ?? []), name])
   }
   return [...waits].map(([says, names]) => {

@@ -8,7 +8,7 @@ import { channels, length, rate } from '@/ui/format'
 import { Key } from '@/ui/Key'
 
 import { type Guess, type Take, type TakeSounds, useSounds } from './api'
-import { hear } from './CameBackCard'
+import { hear } from './ReturnedTakesCard'
 import { CueField, VariationField } from './CueField'
 import { baseOf, slotName } from './tray'
 import classes from './Unmatched.module.css'

@@ -15,7 +15,7 @@ import { BidsTable } from './BidsTable'
 import { type ComparedBid, type Comparison, comparisonQuery, useShortlist } from './api'
 import { ScoreCard } from './ScoreCard'
 import { useSamplePlayer } from './player'
-import { sameOfNext } from './samples'
+import { matchingSampleOfNextBid } from './samples'
 import { period } from './words'
 
 const GROUP = 'Bids'
@@ -50,7 +50,7 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
   const player = useSamplePlayer()
   const hasSamples = bids.some(({ samples }) => samples.some((one) => one.is_open))
   const playSame = () => {
-    const next = sameOfNext(bids, player.playingId)
+    const next = matchingSampleOfNextBid(bids, player.playingId)
     if (next === null) return
     setChosen(next.bid.id)
     player.compare(next.id)

@@ -8,7 +8,7 @@ import { wrote } from '@/test/server'
 import { ListServer } from '@/test/soundList'
 
 import type { ComparedBid } from './api'
-import { type Sample, sameOfNext, verdictOf } from './samples'
+import { type Sample, matchingSampleOfNextBid, verdictOf } from './samples'
 
 const aSample = (id: string, line: string, more: Partial<Sample> = {}): Sample => ({
   id,
@@ -202,11 +202,11 @@ test('b plays the same sample of the next bid, and a sample that was not checked
 })
 
 test('the next sample is for the same line; where no other bid has one, there is none', () => {
-  expect(sameOfNext(BIDS, 'a-click')?.id).toBe('b-click')
-  expect(sameOfNext(BIDS, 'b-click')?.id).toBe('a-click')
-  expect(sameOfNext(BIDS, 'a-steps')).toBeNull()
-  expect(sameOfNext(BIDS, null)?.id).toBe('a-steps')
-  expect(sameOfNext([bid('b3', 'C', [aSample('gone', 'ui', { is_open: false })])], null)).toBeNull()
+  expect(matchingSampleOfNextBid(BIDS, 'a-click')?.id).toBe('b-click')
+  expect(matchingSampleOfNextBid(BIDS, 'b-click')?.id).toBe('a-click')
+  expect(matchingSampleOfNextBid(BIDS, 'a-steps')).toBeNull()
+  expect(matchingSampleOfNextBid(BIDS, null)?.id).toBe('a-steps')
+  expect(matchingSampleOfNextBid([bid('b3', 'C', [aSample('gone', 'ui', { is_open: false })])], null)).toBeNull()
 })
 
 test('a verdict names the version of the spec; a sample that was not checked shows no result', () => {

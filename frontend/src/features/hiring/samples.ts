@@ -22,7 +22,7 @@ export function verdictOf({ state, findings, problem, spec_version: version }: S
 }
 
 /** The sample of the next bid that is for the same line, at the same place among those of the line where it has one. */
-export function sameOfNext(
+export function matchingSampleOfNextBid(
   bids: readonly ComparedBid[],
   playingId: string | null,
 ): { bid: ComparedBid; id: string } | null {

@@ -11,7 +11,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { type Column, ListTable } from '@/ui/Table'
 import { EmptyState } from '@/ui/EmptyState'
 import { day, length, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State } from '@/ui/State'
 import { PageSkeleton } from '@/ui/Skeleton'
 
@@ -30,7 +30,7 @@ export function InvitationPage() {
     return (
       <div className="page page-narrow">
         <h1>Invitation</h1>
-        <ProblemNote
+        <ErrorBanner
           detail={refusal?.detail ?? 'The invitation could not be loaded.'}
           fix={refusal?.fix || 'Ask the person who invited you for a new link.'}
         />

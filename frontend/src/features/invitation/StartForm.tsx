@@ -7,7 +7,7 @@ import type { components } from '@/api/schema.gen'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { emptyFields } from '@/ui/emptyFields'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import { type Invitation, useAccept } from './api'
@@ -97,7 +97,7 @@ export function StartForm({ secret, invitation, visitor, onBack }: StartFormProp
           </>
         )}
         {refusal && refusal.errors.length === 0 && (
-          <ProblemNote detail={capitalised(refusal.detail)} fix={refusal.fix && capitalised(refusal.fix)} />
+          <ErrorBanner detail={capitalised(refusal.detail)} fix={refusal.fix && capitalised(refusal.fix)} />
         )}
         <div className={classes.actions}>
           <Button type="submit" variant="primary" aria-busy={accept.isPending}>

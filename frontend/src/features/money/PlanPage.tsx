@@ -23,7 +23,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { useDebounced } from '@/ui/useDebounced'
 
 import classes from './Plan.module.css'
@@ -297,7 +297,7 @@ function Advice({ faults, advice, isEmpty, error }: AdviceProps) {
       <div className={classes.pad} aria-live="polite">
         <Refusal error={error} />
         {faults.map(({ message }) => (
-          <ProblemNote key={message} detail={message} />
+          <ErrorBanner key={message} detail={message} />
         ))}
         {advice.length === 0 && faults.length === 0 && (
           <p className="mid">

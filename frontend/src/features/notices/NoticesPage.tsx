@@ -7,7 +7,7 @@ import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { ago } from '@/ui/format'
-import { NowDot } from '@/ui/NowDot'
+import { UnreadDot } from '@/ui/UnreadDot'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 import { ShowMore } from '@/ui/ShowMore'
@@ -82,7 +82,7 @@ function NoticeRow({ notice, onRead }: { notice: Notice; onRead: () => void }) {
         }}
       >
         <span className="row">
-          {isNew && <NowDot />}
+          {isNew && <UnreadDot />}
           <span className={isNew ? 'strong' : 'mid'}>
             {isNew && <span className="visually-hidden">Unread: </span>}
             {notice.subject}

@@ -6,7 +6,7 @@ import { Refusal } from '@/ui/Refusal'
 import { PageSkeleton } from '@/ui/Skeleton'
 
 import { overviewQuery } from './api'
-import { LatelyCard } from './LatelyCard'
+import { RecentActivityCard } from './RecentActivityCard'
 
 /** The last events of a project, the newest first. */
 export function ActivityPage() {
@@ -18,7 +18,7 @@ export function ActivityPage() {
     <div className="page page-narrow stack">
       <h1>Activity</h1>
       <Refusal inset error={error} />
-      {overview && <LatelyCard projectId={projectId} happened={overview.lately} />}
+      {overview && <RecentActivityCard projectId={projectId} happened={overview.lately} />}
     </div>
   )
 }

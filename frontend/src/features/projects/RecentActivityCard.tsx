@@ -41,7 +41,7 @@ const said = ({ kind, who, text, times }: Happening & { times: number }) => {
 }
 
 /** What happened last, the newest first. */
-export function LatelyCard({ projectId, happened }: { projectId: string; happened: readonly Happening[] }) {
+export function RecentActivityCard({ projectId, happened }: { projectId: string; happened: readonly Happening[] }) {
   const entries = once(happened).slice(0, SHOWN)
   return (
     <Card aria-labelledby="lately" className={classes.lately}>

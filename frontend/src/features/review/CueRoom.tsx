@@ -31,7 +31,7 @@ import { type MoreGroup, present } from './more'
 import classes from './Review.module.css'
 import { marksOf, type Said, saidOf } from './said'
 import { SetRows } from './SetRows'
-import { SetWayPanel } from './SetWay'
+import { SetPlaybackPanel } from './SetWay'
 import { SidePanel } from './SidePanel'
 import { TakeCards } from './TakeCards'
 import { Transport } from './Transport'
@@ -254,7 +254,7 @@ export function CueRoom(props: CueRoomProps) {
   }
   const setWay = useSetWay()
   const asGame = () =>
-    void player.playAsGame(
+    void player.playRandomized(
       heard.flatMap((take) => sourceOf(take, target, gains) ?? []),
       setWay.way,
     )
@@ -541,7 +541,7 @@ export function CueRoom(props: CueRoomProps) {
           />
         )}
         {isSet && heard.length > 1 && (
-          <SetWayPanel {...setWay} isPlaying={playing.asGame} onPlay={asGame} onStop={() => player.pause()} />
+          <SetPlaybackPanel {...setWay} isPlaying={playing.asGame} onPlay={asGame} onStop={() => player.pause()} />
         )}
         <div className={classes.verdict}>
           <Verdict

@@ -8,7 +8,7 @@ import { isUnheard } from '@/judging/afterVerdict'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
 import { isFiltered, type QueueFilter } from '@/judging/queueFilter'
 import type { Queue } from '@/judging/useQueue'
-import { capital, counted, heardTakes, isSoon, unlessJudged, whatWaits, whyUrgent } from '@/judging/words'
+import { capital, counted, heardTakes, isSoon, deemedAcceptanceNotice, whatWaits, whyUrgent } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { age, plural } from '@/ui/format'
@@ -167,7 +167,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
         )}
         {item.accepted_after && (current || isSoon(item.accepted_after)) && (
           <span className={`small mid ${classes.silence}`}>
-            {capital(unlessJudged(item.accepted_after, item.silence_paused_by))}
+            {capital(deemedAcceptanceNotice(item.accepted_after, item.silence_paused_by))}
           </span>
         )}
       </Link>

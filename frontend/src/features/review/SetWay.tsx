@@ -4,10 +4,10 @@ import { useLazy } from '@/ui/useLazy'
 
 import type { PanelProps } from './useSetWay'
 
-const loadPanel = () => import('./SetWayPanel').then(({ OpenedPanel }) => OpenedPanel)
+const loadPanel = () => import('./SetPlaybackPanel').then(({ OpenedPanel }) => OpenedPanel)
 
 /** The panel itself, once it is opened. */
-export function SetWayPanel(props: PanelProps): ReactNode {
+export function SetPlaybackPanel(props: PanelProps): ReactNode {
   const Panel = useLazy(loadPanel, props.isOpen, () => props.setOpen(false))
   return props.isOpen && Panel !== null ? <Panel {...props} /> : null
 }

@@ -13,7 +13,7 @@ import type { CueMoney } from '@/money/api'
 import { dueWithPick } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { VerdictBar } from '@/ui/VerdictBar'
 
 import { ListenProgress } from './ListenProgress'
@@ -95,7 +95,7 @@ export function Verdict(props: VerdictProps) {
   const above = (isOpen || refusal || props.checklist) && (
     <>
       {!isOpen && props.checklist}
-      {refusal && <ProblemNote detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
+      {refusal && <ErrorBanner detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
       {asking === 'pick' && (
         <ReasonRow
           reasons={props.reasons.pick}
@@ -113,7 +113,7 @@ export function Verdict(props: VerdictProps) {
             onClose={() => props.onAsking(null)}
           />
           {reversal}
-          {judge.changeProblem && <ProblemNote detail={judge.changeProblem.detail} fix={judge.changeProblem.fix} />}
+          {judge.changeProblem && <ErrorBanner detail={judge.changeProblem.detail} fix={judge.changeProblem.fix} />}
         </>
       )}
       {asking === 'label' && hand && (

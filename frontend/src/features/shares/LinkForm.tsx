@@ -7,7 +7,7 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { sentence } from '@/ui/sentence'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
@@ -130,7 +130,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
             ))}
           </Select>
         )}
-        {typed.kind === 'playlist' && against('playlist_id') && <ProblemNote detail={against('playlist_id') ?? ''} />}
+        {typed.kind === 'playlist' && against('playlist_id') && <ErrorBanner detail={against('playlist_id') ?? ''} />}
         <div className={classes.fields}>
           <TextInput
             label="Title for guests"
@@ -176,7 +176,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
         />
         <DraftNote draft={draft} />
         {refusal && refusal.errors.length === 0 && (
-          <ProblemNote detail={sentence(refusal.detail)} fix={refusal.fix ? sentence(refusal.fix) : undefined} />
+          <ErrorBanner detail={sentence(refusal.detail)} fix={refusal.fix ? sentence(refusal.fix) : undefined} />
         )}
         <div className={classes.acts}>
           <Button type="submit" variant="primary" aria-busy={add.isPending}>

@@ -13,7 +13,7 @@ import { Button } from '@/ui/Button'
 import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { length, place as placeWords } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Row, Rows } from '@/ui/Rows'
 import { sentence } from '@/ui/sentence'
 import { Sheet } from '@/ui/Sheet'
@@ -166,7 +166,7 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
         <span className="small dim">for {room.guest_name}</span>
       </header>
       <Refusal error={problem} />
-      {playing.error && <ProblemNote detail={playing.error} />}
+      {playing.error && <ErrorBanner detail={playing.error} />}
       {current && (
         <section aria-label="Now" className={classes.now}>
           <p className="title cut-text">{titleOf(current)}</p>

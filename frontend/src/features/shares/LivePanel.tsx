@@ -2,7 +2,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Icon } from '@/ui/Icon'
 import { Person } from '@/ui/Person'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Row, Rows } from '@/ui/Rows'
 
 import type { Live } from './api'
@@ -51,7 +51,7 @@ export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
             screen.
           </p>
         )}
-        {problem !== '' && <ProblemNote detail={problem} />}
+        {problem !== '' && <ErrorBanner detail={problem} />}
         {isIn && live?.is_elsewhere && <Elsewhere live={live} hand={hand} meId={meId} />}
         {isIn && !live?.is_elsewhere && (
           <p role="status" className={classes.keys}>

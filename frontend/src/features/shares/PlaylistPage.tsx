@@ -14,7 +14,7 @@ import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { Refusal } from '@/ui/Refusal'
 import { length, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Row, Rows } from '@/ui/Rows'
 import { PageSkeleton } from '@/ui/Skeleton'
 
@@ -184,7 +184,7 @@ function Room({ playlist }: { playlist: Playlist }) {
             onSeek={seek}
             disabled={follows}
           />
-          {playing.error && <ProblemNote detail={playing.error} />}
+          {playing.error && <ErrorBanner detail={playing.error} />}
           <div className={classes.acts}>
             <Button
               square

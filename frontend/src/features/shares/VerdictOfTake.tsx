@@ -17,7 +17,7 @@ import { useReasons } from '@/judging/reasons'
 import { useFirstListen, withHeard } from '@/judging/useFirstListen'
 import { useJudge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State, type StateKind } from '@/ui/State'
 
 import type { PlaylistTake } from './api'
@@ -102,7 +102,7 @@ export function VerdictOfTake({
   return (
     <div className={classes.verdict}>
       {judge.refusal && (
-        <ProblemNote detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
+        <ErrorBanner detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
       )}
       {changing && judged && review && (
         <ChangeForm

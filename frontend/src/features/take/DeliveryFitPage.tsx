@@ -8,7 +8,7 @@ import { ended } from '@/judging/findings'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Table } from '@/ui/Table'
 
 import { deliveryFitQuery } from './api'
@@ -26,7 +26,7 @@ export function DeliveryFitPage() {
       <div className="page stack">
         <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Delivery not found' : 'Delivery'}</h1>
         {problem && (
-          <ProblemNote
+          <ErrorBanner
             detail={ended(problem.detail)}
             fix={ended(problem.fix)}
             action={

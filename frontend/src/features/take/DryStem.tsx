@@ -7,7 +7,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, bytesOf, figure } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import {
   filesOfField,
   partsTransport,
@@ -151,7 +151,7 @@ function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
           </span>
         </>
       )}
-      {newest?.state === 'not_sent' && newest.reason !== null && <ProblemNote detail={ended(newest.reason)} />}
+      {newest?.state === 'not_sent' && newest.reason !== null && <ErrorBanner detail={ended(newest.reason)} />}
     </div>
   )
 }

@@ -3,7 +3,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { bytes } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State } from '@/ui/State'
 
 import { type MasterExport, type Take, useMasterExport } from './api'
@@ -72,7 +72,7 @@ function Downloads({ take }: { take: Take }) {
         {made?.file_bytes && `The copy (${bytes(made.file_bytes)}) contains:`}
       </p>
       {made?.file_url && <Fields made={made} />}
-      {made?.refusal && <ProblemNote detail={ended(made.refusal)} />}
+      {made?.refusal && <ErrorBanner detail={ended(made.refusal)} />}
       <Refusal error={error} />
     </>
   )

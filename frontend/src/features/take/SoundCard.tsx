@@ -6,7 +6,7 @@ import { type FindingMark, LevelStrip, type Player, type PlayerState, SpectrumSt
 import { usePeaks } from '@/judging/peaks'
 import { Card, CardHead } from '@/ui/Card'
 import { sampleFormat, length, rate } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Segmented } from '@/ui/Segmented'
 
 import type { GameFile, Sounds, Take } from './api'
@@ -109,7 +109,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
           </>
         )}
         {playing.error !== null && isHeard && (
-          <ProblemNote detail="Sound could not be played." fix="Check your connection and try again." />
+          <ErrorBanner detail="Sound could not be played." fix="Check your connection and try again." />
         )}
         {url !== null && (
           <div className={classes.transport}>

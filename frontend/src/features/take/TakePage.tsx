@@ -17,7 +17,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State } from '@/ui/State'
 
 import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery } from './api'
@@ -46,7 +46,7 @@ export function TakePage() {
       <div className="page stack">
         <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Version not found' : 'Version'}</h1>
         {problem && (
-          <ProblemNote
+          <ErrorBanner
             detail={ended(problem.detail)}
             fix={ended(problem.fix)}
             action={

@@ -22,12 +22,12 @@ import { usePeaks } from '@/judging/peaks'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { gain, length } from '@/ui/format'
-import { NowDot } from '@/ui/NowDot'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { UnreadDot } from '@/ui/UnreadDot'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import classes from './Today.module.css'
 
-interface FirstCardProps {
+interface NextUpCardProps {
   item: QueueItem
   projectId: string
   mayApprove: boolean
@@ -39,14 +39,14 @@ interface FirstCardProps {
 }
 
 /** The cue that has waited longest: heard and decided where it stands. */
-export function FirstCard(props: FirstCardProps) {
+export function NextUpCard(props: NextUpCardProps) {
   const takes = withHeard(heardTakes(props.item), props.heardHere)
   const [handId, setHandId] = useState(takes[0]?.id)
   const hand = takes.find(({ id }) => id === handId) ?? takes[0]
   return hand && <Heard {...props} takes={takes} hand={hand} onChoose={setHandId} />
 }
 
-interface HeardProps extends FirstCardProps {
+interface HeardProps extends NextUpCardProps {
   takes: readonly ReviewTake[]
   hand: ReviewTake
   onChoose: (takeId: string) => void
@@ -92,7 +92,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const approve = (because: readonly string[] = []) => listen.approveHeard(meant, () => approveNow(because))
   const openReview = () =>
     void navigate({ to: '/projects/$projectId/review/$cueId', params: { projectId, cueId: cue.id } })
-  const asGame = () => void player.playAsGame(takes.flatMap((take) => sourceOf(take, MASTER, gains) ?? []))
+  const asGame = () => void player.playRandomized(takes.flatMap((take) => sourceOf(take, MASTER, gains) ?? []))
 
   useHotkeys([
     { keys: 'Enter', label: 'Open in review', group: 'Today', run: openReview },
@@ -119,7 +119,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
       <div className="row between top">
         <div>
           <p className="row small mid">
-            <NowDot />
+            <UnreadDot />
             First because it has waited longest
           </p>
           <h2 id="first" className={classes.asks}>
@@ -258,7 +258,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         </p>
       )}
       {judge.refusal && (
-        <ProblemNote detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
+        <ErrorBanner detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
       )}
       {picking && mayApprove && blocked === '' && (
         <div className={classes.change}>

@@ -20,12 +20,12 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { todayQuery } from './api'
-import { FirstCard } from './FirstCard'
+import { NextUpCard } from './NextUpCard'
 import { headline } from './headline'
-import { ThenList } from './ThenList'
+import { UpNextList } from './UpNextList'
 import { Builds, Placeholders, WithOthersCard } from './SideCards'
 import classes from './Today.module.css'
 
@@ -116,7 +116,7 @@ export function TodayPage(): ReactNode {
         </div>
       </header>
       {failed && (
-        <ProblemNote
+        <ErrorBanner
           detail={failed.detail}
           fix={failed.fix}
           action={
@@ -132,7 +132,7 @@ export function TodayPage(): ReactNode {
             <NextCard steps={steps} projectId={projectId} />
             {isRunning && sums}
             {first && (
-              <FirstCard
+              <NextUpCard
                 key={first.cue.id}
                 item={first}
                 projectId={projectId}
@@ -144,7 +144,7 @@ export function TodayPage(): ReactNode {
               />
             )}
             {!first && judge.refusal && (
-              <ProblemNote
+              <ErrorBanner
                 detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`}
                 fix={judge.refusal.problem.fix}
               />
@@ -162,7 +162,7 @@ export function TodayPage(): ReactNode {
               </EmptyState>
             )}
             {isRunning && questions.length > 0 && (
-              <ThenList
+              <UpNextList
                 items={[]}
                 questions={questions}
                 projectId={projectId}
@@ -171,7 +171,7 @@ export function TodayPage(): ReactNode {
               />
             )}
             {(rest.length > 0 || (!isRunning && questions.length > 0)) && (
-              <ThenList
+              <UpNextList
                 items={rest}
                 questions={isRunning ? [] : questions}
                 projectId={projectId}

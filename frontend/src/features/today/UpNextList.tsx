@@ -21,7 +21,7 @@ import { State } from '@/ui/State'
 import { type AskedQuestion, useAnswer } from './api'
 import classes from './Today.module.css'
 
-interface ThenListProps {
+interface UpNextListProps {
   items: readonly QueueItem[]
   questions: readonly AskedQuestion[]
   projectId: string
@@ -49,7 +49,7 @@ function inOrder(items: readonly QueueItem[], questions: readonly AskedQuestion[
 }
 
 /** What waits after the first thing: cues to review in the order of the queue, and questions among them. */
-export function ThenList({ items, questions, projectId, mayApprove, title, beyond }: ThenListProps) {
+export function UpNextList({ items, questions, projectId, mayApprove, title, beyond }: UpNextListProps) {
   const headId = useId()
   const lines = inOrder(items, questions)
   return (

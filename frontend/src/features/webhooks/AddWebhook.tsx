@@ -5,7 +5,7 @@ import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Select } from '@/ui/Select'
 
 import { useAddWebhook, type WebhookForm } from './api'
@@ -102,7 +102,7 @@ export function AddWebhook({ studioId, projects, mayBeLocalhost }: AddWebhookPro
           </fieldset>
           {events.length === 0 && <p className="small">Choose at least one event.</p>}
           <DraftNote draft={draft} />
-          {problem && problem.errors.length === 0 && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+          {problem && problem.errors.length === 0 && <ErrorBanner detail={problem.detail} fix={problem.fix} />}
           <div>
             <Button
               type="submit"

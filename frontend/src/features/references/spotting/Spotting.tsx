@@ -13,7 +13,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { cuesQuery } from '../api'
 import { guessQuery, useAddSpottedCues, useUndoSpottedCues } from './api'
@@ -99,7 +99,7 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
         <div className={classes.picture}>
           <Refusal error={open.error} />
           {isUnplayable ? (
-            <ProblemNote
+            <ErrorBanner
               detail={`This browser can’t play ${version.file_name}.`}
               fix="Add it to the board again as an MP4 with H.264 video."
             />

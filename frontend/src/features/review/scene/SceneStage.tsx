@@ -45,8 +45,8 @@ export function SceneStage(props: SceneStageProps) {
       keys: 'w',
       label: 'Hold to hear the scene without it',
       group: 'Review',
-      run: () => player.setHushed(true),
-      release: () => player.setHushed(false),
+      run: () => player.setSoloMuted(true),
+      release: () => player.setSoloMuted(false),
     },
   ])
   if (error instanceof ApiProblem) return <Refusal error={error} />

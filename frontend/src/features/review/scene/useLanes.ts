@@ -140,8 +140,8 @@ export function useLanes({ player, scene, moved, sources, matched, onPlacing }: 
     return () => player.setCompany(null)
   }, [player, lanes])
   useEffect(() => {
-    player.setHushed(hushed)
-    return () => player.setHushed(false)
+    player.setSoloMuted(hushed)
+    return () => player.setSoloMuted(false)
   }, [player, hushed])
   useEffect(() => {
     if (placing) onPlacing(placing)

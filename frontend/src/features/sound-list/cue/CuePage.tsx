@@ -11,7 +11,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { day, length } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { NeedMark } from '@/ui/NeedMark'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State } from '@/ui/State'
 import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 
@@ -52,7 +52,7 @@ export function CuePage(): ReactNode {
       <div className="page stack">
         <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Cue not found' : 'Cue'}</h1>
         {problem && (
-          <ProblemNote
+          <ErrorBanner
             detail={problem.detail}
             fix={problem.fix}
             action={
@@ -200,7 +200,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             reviews={rights.reviews}
             onPlay={play}
           />
-          {playing.error && <ProblemNote detail={playing.error} />}
+          {playing.error && <ErrorBanner detail={playing.error} />}
         </div>
         <div className="stack">
           <Card aria-labelledby="questions">

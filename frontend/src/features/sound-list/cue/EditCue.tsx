@@ -6,7 +6,7 @@ import { DraftNote, keepDraft, keptDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Refusal } from '@/ui/Refusal'
 
 import { type Cue, type FieldChange, problemIn, readAgain, useChangeCue } from '../api'
@@ -161,7 +161,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
         onChange={put}
       />
       {whole.map((sentence) => (
-        <ProblemNote key={sentence} detail={sentence} />
+        <ErrorBanner key={sentence} detail={sentence} />
       ))}
       <Refusal error={refusal} />
       <div className={classes.acts}>

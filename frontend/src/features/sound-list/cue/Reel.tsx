@@ -4,7 +4,7 @@ import { useRef, useState } from 'react'
 import { ButtonLink, Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { length, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Segmented } from '@/ui/Segmented'
 
 import { type Reel as Made, type ReelAdd, useReel } from '../api'
@@ -41,7 +41,7 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
           `${reel.takes.length === 1 ? 'One version' : `${reel.takes.length} versions`}, ${length(reel.duration_s ?? 0)}. ${SLATES[reel.slates]} For listening only: reels are not part of packs.`}
       </p>
       {reel?.file_url && !making && <Player key={reel.id} reel={reel} fileUrl={reel.file_url} cueName={cueName} />}
-      {reel?.refusal && <ProblemNote detail={reel.refusal} />}
+      {reel?.refusal && <ErrorBanner detail={reel.refusal} />}
       <Refusal error={error} />
     </div>
   )

@@ -4,7 +4,7 @@ import { ApiProblem } from '@/api'
 import { aCue } from '@/test/soundList'
 
 import { changedFacts, changesBetween, draftOf, EMPTY_DRAFT, readDraft, rebased, refusedRows } from './draft'
-import { blankRow, isBlank, withPasted, withRoom } from '../list/newRows'
+import { blankRow, isBlank, withPasted, ensureTrailingBlankRow } from '../list/newRows'
 
 test('figures are read with a point or a comma, and an empty one is none', () => {
   const read = (duration_s: string) => readDraft({ ...EMPTY_DRAFT, name: 'a', duration_s })
@@ -47,7 +47,7 @@ test('refusals find their row and their field, however the server names them', (
 })
 
 test('a pasted block fills rows from its cell on, and one blank row is always left', () => {
-  const rows = withPasted(withRoom([]), 0, 'category', 'foley\tDoor\r\nui\tMenu\r\n')
+  const rows = withPasted(ensureTrailingBlankRow([]), 0, 'category', 'foley\tDoor\r\nui\tMenu\r\n')
   expect(rows.map(({ draft }) => [draft.category, draft.use])).toEqual([
     ['foley', 'Door'],
     ['ui', 'Menu'],

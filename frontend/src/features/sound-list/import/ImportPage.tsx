@@ -17,7 +17,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
 import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
@@ -249,7 +249,7 @@ export function ImportPage(): ReactNode {
             />
           </div>
           {unread && <FieldError>{unread}</FieldError>}
-          {problem && problem.code !== 'column-unknown' && <ProblemNote detail={problem.detail} fix={problem.fix} />}
+          {problem && problem.code !== 'column-unknown' && <ErrorBanner detail={problem.detail} fix={problem.fix} />}
         </div>
       </Card>
 
@@ -361,7 +361,7 @@ function Columns({ own, read, sheet, problem, onMap, onMatch, onFillDown }: Colu
           />
         }
       />
-      {problem && <ProblemNote detail={problem} />}
+      {problem && <ErrorBanner detail={problem} />}
       <ul className={classes.columns}>
         {read.columns.map((column) => (
           <li key={column.name} data-own={column.field === 'extra' || column.field === 'ignore' || undefined}>

@@ -17,7 +17,7 @@ import { type CueDraft, type Faults, readDraft, refusedRows } from '../cue/draft
 import { useUndoAddition } from '../kits/api'
 import { matrixQuery, isMatrix } from './matrix'
 import { MatrixPreview } from './MatrixPreview'
-import { blankRow, isBlank, isBlock, NEW_FIELDS, type NewRow, withPasted, withRoom } from './newRows'
+import { blankRow, isBlank, isBlock, NEW_FIELDS, type NewRow, withPasted, ensureTrailingBlankRow } from './newRows'
 import { NEEDS, SETTLED } from '../words'
 
 type NewField = (typeof NEW_FIELDS)[number]
@@ -49,7 +49,7 @@ interface AddCuesProps {
 export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCuesProps) {
   const [rows, setRowsOnly] = useState<NewRow[]>(() => {
     const typed = (keptDraft<CueDraft[]>(keyOf(projectId)) ?? []).map((draft) => ({ ...blankRow(), draft }))
-    return withRoom(name ? [...typed, blankRow(name)] : typed)
+    return ensureTrailingBlankRow(name ? [...typed, blankRow(name)] : typed)
   })
   const [wasKept, setWasKept] = useState(() => keptDraft(keyOf(projectId)) !== null)
   const [refusal, setRefusal] = useState<ApiProblem | null>(null)
@@ -74,7 +74,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
 
   const put = (at: number, field: NewField, value: string | boolean) =>
     setRows(
-      withRoom(
+      ensureTrailingBlankRow(
         rows.map((row, place) =>
           place === at ? { ...row, draft: { ...row.draft, [field]: value }, faults: {}, whole: [] } : row,
         ),
@@ -131,7 +131,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
           isRestored: wasKept,
           discard: () => {
             setWasKept(false)
-            setRows(withRoom([]))
+            setRows(ensureTrailingBlankRow([]))
           },
         }}
       />
@@ -173,7 +173,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
                     variant="quiet"
                     icon="cross"
                     aria-label={`Remove row ${at + 1}`}
-                    onClick={() => setRows(withRoom(rows.filter(({ key }) => key !== row.key)))}
+                    onClick={() => setRows(ensureTrailingBlankRow(rows.filter(({ key }) => key !== row.key)))}
                   />
                 )}
               </td>

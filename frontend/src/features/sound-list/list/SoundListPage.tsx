@@ -7,7 +7,7 @@ import { showToast } from '@/app/toast'
 import { useTakePlayer } from '@/heard/useTakePlayer'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import {
   countsQuery,
@@ -208,7 +208,7 @@ export function SoundListPage(): ReactNode {
     <div className={`page ${classes.page}`}>
       <ListHead projectId={projectId} list={list.data} mayEdit={rights.edits} needs={needs} />
       {refused && (
-        <ProblemNote
+        <ErrorBanner
           detail={refused.detail}
           fix={refused.fix}
           action={

@@ -34,7 +34,7 @@ export const isBlank = ({ draft }: NewRow): boolean =>
   [draft.name, draft.category, draft.use, draft.description, draft.duration_s].every((text) => text.trim() === '')
 
 /** Rows with one blank row at their end, where typing goes on. */
-export function withRoom(rows: readonly NewRow[]): NewRow[] {
+export function ensureTrailingBlankRow(rows: readonly NewRow[]): NewRow[] {
   const last = rows.at(-1)
   return last && isBlank(last) ? [...rows] : [...rows, blankRow()]
 }
@@ -64,7 +64,7 @@ export function withPasted(
   const columnAt = NEW_FIELDS.indexOf(field)
   const grown = [...rows]
   while (grown.length < rowAt + block.length) grown.push(blankRow())
-  return withRoom(
+  return ensureTrailingBlankRow(
     grown.map((row, at) => {
       const cells = block[at - rowAt]
       if (cells === undefined) return row

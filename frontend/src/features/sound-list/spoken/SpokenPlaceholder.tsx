@@ -5,7 +5,7 @@ import { sentence } from '@/ui/sentence'
 import { useHotkeys } from '@/app/keys'
 import { Button } from '@/ui/Button'
 import { ago, length } from '@/ui/format'
-import { ProblemNote } from '@/ui/ProblemNote'
+import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { problemIn } from '../api'
 import { saidQuery, useRemoveSaid, useSay } from './api'
@@ -88,9 +88,9 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
       <p role="status" className="small">
         {recorder.isRecording ? 'Recording, 10 s at most.' : say.isPending ? 'Sending.' : ''}
       </p>
-      {recorder.trouble && <ProblemNote {...recorder.trouble} />}
+      {recorder.trouble && <ErrorBanner {...recorder.trouble} />}
       {problem && (
-        <ProblemNote
+        <ErrorBanner
           detail={sentence(problem.detail)}
           fix={problem.fix && sentence(problem.fix)}
           action={
