@@ -19,6 +19,7 @@ TRIES = 3
 JUDGED_IN_BROWSER = (
     "container", "encoding", "sample-rate", "bit-depth", "channels", "duration", "sample-peak", "silence",
 )  # fmt: skip
+PLACEHOLDER_CODE = "placeholder:marked"  # the file says that it is a placeholder
 COMPARISON_FAILED = "failed"
 Report = dict[str, Any]  # the file object of the report
 

@@ -33,6 +33,14 @@ class TakeState(StrEnum):
     SET_ASIDE = "set_aside"
 
 
+WORK_STATES = {TakeState.APPROVED: "approved", TakeState.CONFORMING: "in review"}
+
+
+def work_state(state: TakeState, *, is_placeholder: bool) -> str:
+    """Return the state of a take as its file's metadata says it."""
+    return "placeholder" if is_placeholder else WORK_STATES.get(state, state.replace("_", " "))
+
+
 class ArchiveState(StrEnum):
     """The state of a delivered ZIP."""
 

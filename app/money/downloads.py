@@ -13,11 +13,11 @@ from app.agreements.plan.queries import terms_of
 from app.agreements.queries import contract_for
 from app.core.money import money
 from app.money import queries
+from app.money.covering import Work, newest_contracts
 from app.money.errors import DownloadUnpaid
 from app.money.ledger.book import LedgerBook, Line, PricedCue, open_lines
 from app.money.ledger.service import load_ledger_book, priced
 
-Work = tuple[UUID, UUID]  # a cue, and the designer whose takes of it are meant
 UNPAID = "its files open by payment, and it is not paid yet"
 
 
@@ -26,10 +26,7 @@ def closed_downloads(session: Session, actor: Actor | None, work: Collection[Wor
 
     Invoice and amount are named to those who see the contract, and to nobody where no actor is given.
     """
-    newest: dict[Work, Contract] = {}
-    for cue_id, contract in queries.contracts_covering(session, {cue_id for cue_id, _ in work}):
-        if (cue_id, contract.designer_id) in work:
-            newest[cue_id, contract.designer_id] = contract
+    newest = newest_contracts(session, work)
     closed: dict[Work, str] = {}
     for contract in {one.id: one for one in newest.values()}.values():
         if terms_of(session, contract).downloads_open is not DownloadsOpen.WHEN_PAID:

@@ -123,7 +123,7 @@ def accepted_takes(session: Session, project_id: UUID) -> list[tuple[Cue, int, T
         select(Take)
         .join(Cue, Cue.id == Take.cue_id)
         .where(Take.project_id == project_id, Take.state == TakeState.APPROVED, Cue.state != CueState.CUT)
-        .options(joinedload(Take.cue))
+        .options(joinedload(Take.cue), joinedload(Take.designer))
         .order_by(Cue.position, Cue.number, Take.variation)
     )
     by_cue: dict[Cue, dict[int, Take]] = defaultdict(dict)

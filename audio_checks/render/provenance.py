@@ -43,6 +43,10 @@ class Provenance:
         What it is for.
     made_on : str
         A day, as in 2026-11-21.
+    contract : str
+        The number of the contract that it was ordered by; ASWG-G006 has it as `billingCode`.
+    state : str
+        Of the work: approved, in review, placeholder.
     fields : mapping of str
         More fields of ASWG-G006, such as catId, library, usageRights.
 
@@ -59,6 +63,8 @@ class Provenance:
     name: str = ""
     notes: str = ""
     made_on: str = ""
+    contract: str = ""
+    state: str = ""
     fields: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -78,6 +84,8 @@ class Provenance:
             "orderRef": self.number,
             "notes": self.notes,
             "originationDate": self.made_on,
+            "billingCode": self.contract,
+            "state": self.state,
             **self.fields,
         }
         return {name: _plain(text) for name, text in values.items() if _plain(text)}
@@ -162,7 +170,8 @@ def _bext(old: bytes, layout: wav.WavLayout, provenance: Provenance) -> bytes:
     if is_new:
         struct.pack_into("<H", content, BEXT_VERSION, 2)
         content[BEXT_LOUDNESS : BEXT_LOUDNESS + len(UNSET)] = UNSET
-    about = " ".join(part for part in (provenance.number, provenance.name) if part)
+    cue = " ".join(part for part in (provenance.number, provenance.name) if part)
+    about = "; ".join(part for part in (cue, provenance.project, provenance.contract, provenance.state) if part)
     for (at, width), text in (
         (DESCRIPTION, "" if text_of(bytes(content[:256])) else about),
         (ORIGINATOR, provenance.originator),

@@ -12,7 +12,7 @@ from app.sound_lists.rules import spreadsheet_safe
 
 Cell = str | int | float | None
 MADE_AT = datetime(1980, 1, 1)  # noqa: DTZ001  XLSX knows no zone; fixed, so that the same key is the same bytes
-WIDTHS = {"file": 32, "name": 28, "description": 60, "use": 40, "trigger": 30, "note": 40, "sources": 44, "master": 36}
+WIDTHS = {"file": 32, "name": 28, "description": 60, "use": 40, "trigger": 30, "note": 40, "sources": 44, "originator": 24, "master": 36}
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,9 @@ class KeyRow:
     version: int | None
     note: str
     sources: str  # what it was made from, as its designer states it
+    originator: str  # its designer
+    contract: str  # that ordered it, as in `SW contract 2`
+    state: str
     master: str
     file_sha256: str
     master_sha256: str

@@ -20,12 +20,14 @@ from app.builds.packs.zip_stream import Entry
 from app.builds.rules import FileKind, changes_between, sums
 from app.builds.schemas import ChangedPath, MissingFile, PackChanges, PackRead
 from app.conformance.queries import takes_with_finding
+from app.conformance.rules import PLACEHOLDER_CODE
 from app.core.storage import READ_AGAIN_FIX, BlobAltered, BlobMissing, Store
 from app.deliveries.models import Take
-from app.deliveries.rules import ensure_master_kept
+from app.deliveries.rules import TakeState, ensure_master_kept, work_state
 from app.deliveries.schemas import Sources
 from app.deliveries.sources.service import sources_of
 from app.deliveries.sources.statements import words_of
+from app.money.covering import contract_references
 from app.money.downloads import closed_downloads
 from app.projects.models import Project
 from app.projects.queries import current_spec
@@ -42,7 +44,6 @@ from audio_checks import Target, is_lossy
 
 KEY_CSV, KEY_XLSX, KEY_PDF = (f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
 SUMS = "SHA256SUMS"
-PLACEHOLDER_CODE = "placeholder:marked"
 SAME_SOUND = ("sample_rate_hz", "bit_depth", "encoding", "channels", "loop_points")
 NAMES_SHOWN = 3
 VERIFIED_AHEAD_BYTES = 1 << 30
@@ -117,6 +118,7 @@ class Pack:
     last_marks: dict[str, str]  # fingerprints of its game files, by path
     marked: set[UUID]  # takes whose files are marked as placeholder files
     sources: dict[UUID, Sources] = field(default_factory=dict)  # what takes were made from, where that is stated
+    contracts: dict[UUID, str] = field(default_factory=dict)  # that ordered takes, by the takes
     placeholder_files: list[PackedPlaceholder] = field(default_factory=list)  # only if requested
 
     @property
@@ -184,6 +186,7 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
         last_marks={path: mark_of(render) for path, render in last_renders.items()},
         marked=takes_with_finding(session, [take.id for _, _, take in accepted], PLACEHOLDER_CODE),
         sources=sources_of(session, [take for _, _, take in accepted]),
+        contracts=contract_references(session, project.cue_prefix, [take for _, _, take in accepted]),
     )
 
 
@@ -263,6 +266,9 @@ def _placeholder_file_row(pack: Pack, one: PackedPlaceholder) -> KeyRow:
         version=None,
         note="PLACEHOLDER: not the final sound; it must not ship",
         sources="",
+        originator="",
+        contract="",
+        state=work_state(TakeState.RECEIVED, is_placeholder=True),
         master="",
         file_sha256=one.sha256,
         master_sha256="",
@@ -291,6 +297,9 @@ def _key_row(pack: Pack, sound: PackedSound, *, masters: bool) -> KeyRow:
         version=take.number,
         note=take.note if render else sound.why_missing,
         sources=words_of(pack.sources[take.id]) if take.id in pack.sources else "",
+        originator=take.designer.name,
+        contract=pack.contracts.get(take.id, ""),
+        state=work_state(take.state, is_placeholder=take.id in pack.marked),
         master=sound.master_name if masters and not sound.closed else take.file_name,
         file_sha256=(render.sha256 if render else None) or "",
         master_sha256=take.master_sha256,

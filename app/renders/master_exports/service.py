@@ -12,14 +12,17 @@ from app.accounts.models import Studio
 from app.accounts.rules import Actor
 from app.accounts.security_log.rules import SecurityEventKind
 from app.accounts.security_log.service import record
+from app.conformance.queries import takes_with_finding
+from app.conformance.rules import PLACEHOLDER_CODE
 from app.core.events import publish
 from app.core.storage import StoredBlob
 from app.deliveries.models import Take
-from app.deliveries.rules import base_name, ensure_master_kept, shown_name
+from app.deliveries.rules import base_name, ensure_master_kept, shown_name, work_state
 from app.deliveries.schemas import Sources
 from app.deliveries.service import take_for
 from app.deliveries.sources.service import sources_of
 from app.deliveries.sources.statements import words_of
+from app.money.covering import contract_references
 from app.money.downloads import ensure_open
 from app.projects.models import Project
 from app.renders import queries
@@ -29,7 +32,7 @@ from app.renders.schemas import MasterExportRead
 from app.sound_lists.rules import label
 from audio_checks import Provenance
 
-EXPORT_VERSION = 1  # counts up when the same master and provenance would give another file
+EXPORT_VERSION = 2  # counts up when the same master and provenance would give another file
 
 
 def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExport:
@@ -65,7 +68,13 @@ def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
 def _provenance(session: Session, take: Take, project: Project) -> Provenance:
     """Return the recorded provenance of a take; the date of recording is known only from its file."""
     studio = session.get_one(Studio, project.studio_id)
-    known = Provenance(project=project.name, studio=studio.name, originator=take.designer.name)
+    known = Provenance(
+        project=project.name,
+        studio=studio.name,
+        originator=take.designer.name,
+        contract=contract_references(session, project.cue_prefix, [take]).get(take.id, ""),
+        state=work_state(take.state, is_placeholder=bool(takes_with_finding(session, [take.id], PLACEHOLDER_CODE))),
+    )
     stated = sources_of(session, [take]).get(take.id)
     fields = _source_fields(stated) if stated else {}
     made_from = f"Sources: {words_of(stated)}" if stated else ""

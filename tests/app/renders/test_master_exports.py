@@ -1,7 +1,9 @@
 """A master that is handed out says where it comes from; the master itself stays as it was delivered."""
 
+import csv
 import io
 from typing import Any
+from uuid import UUID
 
 import pytest
 import soundfile
@@ -10,6 +12,7 @@ from fastapi.testclient import TestClient
 from app.core.db import new_id
 from app.renders.master_exports import jobs as export_jobs
 from audio_checks import AudioFile, SandboxFailed
+from tests.app.money.agreed import Agreed, milestone
 from tests.app.renders.making import add_cue, deliver, deliver_sound
 from tests.support.server import World
 from tests.support.waves import chunk, sine, wav_bytes
@@ -43,6 +46,7 @@ def test_a_master_is_handed_out_with_what_is_on_record(world: World, tmp_path: A
         "fxName": "laser",
         "orderRef": number,
         "notes": "fires once",
+        "state": "in review",
         "isLoop": "true",
     }
     file = world.reviewer.get(export["file_url"])
@@ -57,6 +61,27 @@ def test_a_master_is_handed_out_with_what_is_on_record(world: World, tmp_path: A
     assert (reported["bext.OriginatorReference"], reported["bext.Originator"]) == (number, take["designer"]["name"])
     assert ours in content
     assert world.reviewer.get(f"/v1/takes/{take['id']}/master").content == content
+
+
+@pytest.mark.slow
+def test_contract_and_state_stand_in_the_copy_and_in_the_documentation_key(world: World, tmp_path: Any) -> None:
+    cue = add_cue(world, "laser")
+    agreed = Agreed(world)
+    agreed.agree(milestone("Alpha", UUID(cue["id"]), amount_minor=20_000))
+    take_id = deliver_sound(world, "laser.wav", TONE, rate=48_000)
+    world.server.wait_for_jobs()
+    agreed.approve(UUID(take_id))
+    contract = f"{world.producer.get(f'/v1/projects/{world.project_id}').json()['cue_prefix']} contract 1"
+    export = made(world, world.reviewer, take_id)
+    copy = tmp_path / "copy.wav"
+    copy.write_bytes(world.producer.get(export["file_url"]).content)
+    with AudioFile(copy) as sound:
+        reported = sound.metadata.fields
+    assert (reported["iXML.ASWG.billingCode"], reported["iXML.ASWG.state"]) == (contract, "approved")
+    assert reported["bext.Description"].endswith(f"; {contract}; approved")
+    key = world.producer.get(f"/v1/projects/{world.project_id}/documentation-key.csv").content.decode("utf-8-sig")
+    (row,) = csv.DictReader(io.StringIO(key))
+    assert (row["originator"], row["contract"], row["state"]) == (export["fields"]["originator"], contract, "approved")
 
 
 @pytest.mark.slow
@@ -76,7 +101,7 @@ def test_the_same_knowledge_gives_the_same_copy_and_other_knowledge_another(worl
 @pytest.mark.slow
 def test_an_unmatched_take_says_whose_it_is(world: World) -> None:
     export = made(world, world.reviewer, deliver_sound(world, "unasked.wav", TONE, rate=48_000))
-    assert set(export["fields"]) == {"project", "originator", "originatorStudio"}
+    assert set(export["fields"]) == {"project", "originator", "originatorStudio", "state"}
 
 
 @pytest.mark.slow

@@ -17,6 +17,8 @@ KNOWN = Provenance(
     name="Door, heavy",
     notes="when the gate falls\n",
     made_on="2026-11-21",
+    contract="SW contract 2",
+    state="approved",
     fields={"catId": "DOORWood", "isLoop": "false"},
 )
 
@@ -34,7 +36,7 @@ def test_bext_and_ixml_say_what_is_known(tmp_path):
     _, reported, layout = exported(tmp_path)
     assert layout.warnings == ()
     assert {name: text for name, text in reported.items() if name.startswith("bext.")} == {
-        "bext.Description": "SW-014 Door, heavy",
+        "bext.Description": "SW-014 Door, heavy; Shield Wing & Co; SW contract 2; approved",
         "bext.Originator": "Foley House",
         "bext.OriginatorReference": "SW-014",
         "bext.OriginationDate": "2026-11-21",
@@ -51,6 +53,8 @@ def test_bext_and_ixml_say_what_is_known(tmp_path):
         "orderRef": "SW-014",
         "notes": "when the gate falls",
         "originationDate": "2026-11-21",
+        "billingCode": "SW contract 2",
+        "state": "approved",
         "catId": "DOORWood",
         "isLoop": "false",
     }

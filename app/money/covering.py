@@ -1,0 +1,32 @@
+"""The contract that ordered a designer's work on a cue."""
+
+from collections.abc import Collection, Iterable
+from uuid import UUID
+
+from sqlalchemy.orm import Session
+
+from app.agreements.models import Contract
+from app.deliveries.models import Take
+from app.money import queries
+
+Work = tuple[UUID, UUID]  # a cue, and the designer whose takes of it are meant
+
+
+def newest_contracts(session: Session, work: Collection[Work]) -> dict[Work, Contract]:
+    """Return the newest agreed contract for each piece of work that has one."""
+    newest: dict[Work, Contract] = {}
+    for cue_id, contract in queries.contracts_covering(session, {cue_id for cue_id, _ in work}):
+        if (cue_id, contract.designer_id) in work:
+            newest[cue_id, contract.designer_id] = contract
+    return newest
+
+
+def contract_references(session: Session, cue_prefix: str, takes: Iterable[Take]) -> dict[UUID, str]:
+    """Return the short name of the contract that ordered each take, as in `SW contract 2`."""
+    work = {take.id: (take.cue_id, take.designer_id) for take in takes if take.cue_id is not None}
+    contracts = newest_contracts(session, set(work.values()))
+    return {
+        take_id: f"{cue_prefix} contract {contracts[piece].number}"
+        for take_id, piece in work.items()
+        if piece in contracts
+    }
