@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 
 import { aFinding, aTake } from '@/test/review'
 
-import { inOrder, letterOf, matchGains, oddOne, sourceOf, soundOf, targetsOf } from './hearing'
+import { AS_DELIVERED, inOrder, letterOf, matchGains, oddOne, sourceOf, soundOf, targetsOf } from './hearing'
 
 test('takes are heard at the loudness of the first, and no true peak passes −1 dBTP', () => {
   const takes = [
@@ -70,3 +70,21 @@ test('a target is heard from its own file, and its refusal is kept', () => {
   expect(soundOf(take, 'handheld')).toMatchObject({ previewUrl: null, refusal: 'too low a rate' })
   expect(soundOf(take, 'master').previewUrl).toBe('/v1/sounds/a/preview')
 })
+
+const delivered = (facts: Record<string, unknown>) =>
+  aTake('a', { facts: { container: 'wav', encoding: 'pcm', bit_depth: 24, channels: 2, ...facts } })
+
+test('a master of 24 bits is heard as it was delivered too', () => {
+  const take = delivered({})
+  expect(targetsOf([take])).toEqual(['master', AS_DELIVERED])
+  expect(sourceOf(take, AS_DELIVERED)).toMatchObject({ takeId: 'a', url: '/v1/takes/a/master' })
+  expect(sourceOf(delivered({ container: 'flac' }), AS_DELIVERED)?.url).toBe('/v1/takes/a/master')
+})
+
+test.each([{ bit_depth: 16 }, { container: 'aiff' }, { channels: 6 }, { encoding: 'vorbis' }])(
+  'a master with %o is heard by its preview only',
+  (facts) => {
+    expect(targetsOf([delivered(facts)])).toEqual(['master'])
+    expect(sourceOf(delivered(facts), AS_DELIVERED)?.url).toBe('/v1/sounds/a/preview')
+  },
+)

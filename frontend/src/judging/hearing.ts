@@ -4,6 +4,10 @@ import type { ReviewTake } from './api'
 import { type Level, matchedGainsDb } from './levels'
 
 export const MASTER = 'master'
+/** The master's own file; what plays as `MASTER` has 16 bits. */
+export const AS_DELIVERED = 'as-delivered'
+const PREVIEW_BITS = 16
+const WEB_CONTAINERS: readonly unknown[] = ['wav', 'flac']
 
 /** Where one take can be heard and seen, as master or as the game file of a target. */
 export interface Sound {
@@ -20,17 +24,27 @@ export interface Sound {
 
 export const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'
 
-/** The targets that the takes are rendered to, in the spec's order. */
+/** The master as it is, where it has more bits than its preview and every browser plays it; then the targets in the spec's order. */
 export function targetsOf(takes: readonly ReviewTake[]): string[] {
-  return [MASTER, ...new Set(takes.flatMap((take) => take.renders.map(({ target }) => target)))]
+  const delivered = takes.some(({ facts }) => playsAsDelivered(facts)) ? [AS_DELIVERED] : []
+  return [MASTER, ...delivered, ...new Set(takes.flatMap((take) => take.renders.map(({ target }) => target)))]
 }
+
+/** Whether browsers play a master's own file, and it holds more than its preview of 16 bits. */
+export const playsAsDelivered = ({ container, encoding, bit_depth, channels }: Record<string, unknown>): boolean =>
+  WEB_CONTAINERS.includes(container) &&
+  (encoding === 'pcm' || encoding === 'float') &&
+  Number(bit_depth) > PREVIEW_BITS &&
+  Number(channels) <= 2
+
+export const masterUrl = (takeId: string): string => `/v1/takes/${takeId}/master`
 
 export function soundOf(take: ReviewTake, target: string): Sound {
   const render = take.renders.find((one) => one.target === target)
   const { duration_s, preview_url, peaks_url, spectrum_url, loudness_lufs, true_peak_dbtp } = render ?? take
   return {
     durationS: duration_s ?? take.duration_s ?? secondsOf(take.facts.duration_s),
-    previewUrl: preview_url,
+    previewUrl: target === AS_DELIVERED && playsAsDelivered(take.facts) ? masterUrl(take.id) : preview_url,
     peaksUrl: peaks_url,
     spectrumUrl: spectrum_url,
     refusal: render?.refusal ?? null,

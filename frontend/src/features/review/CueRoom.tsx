@@ -8,7 +8,7 @@ import type { CueReview, ReviewTake } from '@/judging/api'
 import { blockedWords, whyBlocked } from '@/judging/blocked'
 import { isWholeSet, pickedOfSet } from '@/judging/choice'
 import { FirstListen } from '@/judging/FirstListen'
-import { inOrder, MASTER, soundOf, sourceOf, targetsOf, variationName } from '@/judging/hearing'
+import { AS_DELIVERED, inOrder, MASTER, soundOf, sourceOf, targetsOf, variationName } from '@/judging/hearing'
 import { useLabelling } from '@/judging/labels'
 import { matchedWords } from '@/judging/levels'
 import { useReasons } from '@/judging/reasons'
@@ -283,7 +283,7 @@ export function CueRoom(props: CueRoomProps) {
       title: 'Listen to',
       isChoice: true,
       items: targets.map((each) => ({
-        label: each === MASTER ? 'Master' : capital(each),
+        label: each === AS_DELIVERED ? 'Master as delivered' : capital(each),
         checked: each === target,
         run: () => onTarget(each),
       })),
@@ -505,7 +505,8 @@ export function CueRoom(props: CueRoomProps) {
             trouble={source === null ? whySilent(hand, target) : (playing.error ?? props.conditions.trouble)}
             onNext={heard.length > 1 ? () => stepTake(1) : before ? flip : undefined}
             says={present([
-              target !== MASTER && `Hearing the ${target} file`,
+              target !== MASTER &&
+                (target === AS_DELIVERED ? 'Hearing the master as delivered' : `Hearing the ${target} file`),
               condition && `Heard as: ${condition.name}`,
               playing.reversed && 'In reverse',
               blind === null &&

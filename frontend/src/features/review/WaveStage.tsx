@@ -11,7 +11,7 @@ import {
   Waveform,
 } from '@/audio'
 import { type ReviewTake } from '@/judging/api'
-import { MASTER, soundOf } from '@/judging/hearing'
+import { AS_DELIVERED, MASTER, soundOf } from '@/judging/hearing'
 import { useRelease } from '@/judging/useHearing'
 import { sentence } from '@/judging/words'
 import { usePeaks } from '@/judging/peaks'
@@ -45,7 +45,10 @@ export function WaveStage(props: WaveStageProps) {
   useRelease(player, hidden || peaks !== undefined)
   const { spectrumUrl } = sound
   const spectrum = useMemo(() => (hidden || spectrumUrl === null ? null : { src: spectrumUrl }), [hidden, spectrumUrl])
-  const findings = useMemo(() => (hidden || target !== MASTER ? [] : findingMarks(take)), [hidden, target, take])
+  const findings = useMemo(
+    () => (hidden || (target !== MASTER && target !== AS_DELIVERED) ? [] : findingMarks(take)),
+    [hidden, target, take],
+  )
   return (
     <div className={classes.waves}>
       <Waveform

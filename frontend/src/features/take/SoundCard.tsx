@@ -3,6 +3,7 @@ import { useMemo, useState } from 'react'
 
 import { HotkeyButton } from '@/app/keys'
 import { type FindingMark, LevelStrip, type Player, type PlayerState, SpectrumStrip, Waveform } from '@/audio'
+import { AS_DELIVERED, MASTER, masterUrl, playsAsDelivered } from '@/judging/hearing'
 import { usePeaks } from '@/judging/peaks'
 import { Card, CardHead } from '@/ui/Card'
 import { sampleFormat, length, rate } from '@/ui/format'
@@ -11,8 +12,6 @@ import { Segmented } from '@/ui/Segmented'
 
 import type { GameFile, Sounds, Take } from './api'
 import classes from './Take.module.css'
-
-const MASTER = 'master'
 
 interface SoundCardProps {
   take: Take
@@ -35,8 +34,14 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
   const peaks = usePeaks(sound?.peaks_url)
   const spectrumUrl = sound?.spectrum_url ?? null
   const spectrum = useMemo(() => (spectrumUrl === null ? null : { src: spectrumUrl }), [spectrumUrl])
-  const sourceId = file ? `${take.id} ${file.target}` : take.id
-  const url = sound?.preview_url ?? null
+  const hasMoreBits = sounds !== undefined && sounds.closed === null && playsAsDelivered(sounds.master.facts)
+  const choices = [MASTER, ...(hasMoreBits ? [AS_DELIVERED] : []), ...files.map(({ target }) => target)]
+  const playable = (target: string) => {
+    if (target === AS_DELIVERED) return { id: `${take.id} ${target}`, url: masterUrl(take.id) }
+    const heard = files.find((each) => each.target === target)
+    return { id: heard ? `${take.id} ${target}` : take.id, url: (heard ?? sounds?.master)?.preview_url ?? null }
+  }
+  const { id: sourceId, url } = playable(wanted)
   const durationS = sound?.duration_s ?? null
   const isHeard = playing.sourceId === sourceId
   const isPlaying = isHeard && playing.status === 'playing'
@@ -53,10 +58,9 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
   }
   const choose = (target: string) => {
     setWanted(target)
-    const next = target === MASTER ? sounds?.master : files.find((each) => each.target === target)
-    const id = target === MASTER ? take.id : `${take.id} ${target}`
+    const next = playable(target)
     // The other one goes on at the same place.
-    if (next?.preview_url && player.isPlaying()) void player.select({ id, takeId: take.id, url: next.preview_url })
+    if (next.url !== null && player.isPlaying()) void player.select({ id: next.id, takeId: take.id, url: next.url })
   }
   return (
     <Card aria-labelledby="sound">
@@ -65,14 +69,14 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
         title="Sound"
         note={factsOf(sounds, file)}
         end={
-          files.length > 0 && (
+          choices.length > 1 && (
             <Segmented
               label="Master or game file"
-              options={[MASTER, ...files.map(({ target }) => target)].map((target) => ({
+              options={choices.map((target) => ({
                 value: target,
-                label: target.charAt(0).toUpperCase() + target.slice(1),
+                label: target === AS_DELIVERED ? 'As delivered' : target.charAt(0).toUpperCase() + target.slice(1),
               }))}
-              value={file?.target ?? MASTER}
+              value={choices.includes(wanted) ? wanted : MASTER}
               onChange={choose}
             />
           )
