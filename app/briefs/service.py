@@ -1,6 +1,6 @@
 """The brief: answered as people type, published as versions, read by designers."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 from uuid import UUID
@@ -13,7 +13,17 @@ from app.briefs import queries
 from app.briefs.errors import AnswerChanged, BriefVersionNotFound, NothingToPublish
 from app.briefs.models import Brief, BriefRead, BriefVersion
 from app.briefs.questions import BY_KEY
-from app.briefs.rules import completeness, differences, fitted, is_same, number_of, question_of, tidy_text
+from app.briefs.rules import (
+    completeness,
+    differences,
+    fitted,
+    in_words,
+    is_answered,
+    is_same,
+    number_of,
+    question_of,
+    tidy_text,
+)
 from app.core import clock
 from app.core.errors import FieldProblem
 from app.projects.models import Engagement
@@ -60,6 +70,16 @@ def open_answers(session: Session, project_id: UUID) -> Sequence[OpenAnswer]:
             note=answers.get(key, {}).get("note", ""),
         )
         for key in (completeness(answers).open if answers else ())
+    ]
+
+
+def answers_in_words(session: Session, project_id: UUID, keys: Collection[str]) -> list[tuple[str, str]]:
+    """Return the answered ones of some questions of a project's brief, each with its answer in one line."""
+    answers = queries.answers_of(session, project_id)
+    return [
+        (BY_KEY[key].text, in_words(BY_KEY[key], answers[key]).replace("\n", "; "))
+        for key in keys
+        if is_answered(BY_KEY[key], answers)
     ]
 
 

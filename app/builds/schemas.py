@@ -265,6 +265,7 @@ class PlaceholderRead(Schema):
     cue_id: UUID
     cue: str
     name: str
+    trigger: str = Field(description="The event that plays it, as the list says.")
     variation: int
     path: str
     category: str

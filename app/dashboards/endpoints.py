@@ -19,11 +19,13 @@ from app.dashboards.search import schemas as finding_schemas
 from app.dashboards.search import service as finding
 from app.dashboards.steps import service as next_steps
 from app.dashboards.steps.schemas import NextSteps
+from app.dashboards.studio_record.schemas import StudioRecord
+from app.dashboards.studio_record.service import studio_record
 from app.dashboards.track_record.schemas import WorkFigures
 from app.dashboards.track_record.service import own_work, work_of_entry
 from app.dashboards.velocity.schemas import Pace
 from app.dashboards.velocity.service import pace
-from app.hiring.errors import RosterEntryNotFound
+from app.hiring.errors import PostingNotFound, RosterEntryNotFound
 from app.money.errors import MilestoneNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
@@ -94,6 +96,12 @@ def read_roster_work(
 ) -> WorkFigures | None:
     """Return the facts known of a designer on file from work for this studio; null where there was none."""
     return work_of_entry(session, actor, roster_entry_id)
+
+
+@router.get("/postings/{posting_id}/studio-record", responses=problems(PostingNotFound, TeamNeeded))
+def read_studio_record(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> StudioRecord:
+    """Return how the studio of a posting worked with designers so far, to its team and to candidates."""
+    return studio_record(session, actor, posting_id)
 
 
 @router.get("/me/work")

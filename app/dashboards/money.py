@@ -18,6 +18,7 @@ from app.agreements.queries import agreed_in, contract_for
 from app.core import clock
 from app.dashboards import queries, schemas
 from app.dashboards.progress.service import Statuses
+from app.dashboards.steps.questions import asked_questions
 from app.money import queries as money_queries
 from app.money.errors import MilestoneNotFound
 from app.money.estimates.service import estimates_of
@@ -28,7 +29,7 @@ from app.money.schedule_slip import Holder, Turn, growth_days, schedule_slip_of
 from app.money.schemas import FiguresRead, InvoiceRead, MilestoneRead
 from app.money.work.service import day_rate_read
 from app.money.work.worked_hours import HourBook
-from app.projects.service import project_access
+from app.projects.service import ProjectAccess, project_access
 
 
 def project_money(session: Session, actor: Actor, project_id: UUID) -> schemas.ProjectMoney:
@@ -115,6 +116,7 @@ def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schem
         release=contract.release_clause,
         milestone=milestone,
         cues=[schemas.MilestoneCue(**dict(cue), status=status[cue.cue.id]) for cue in milestone.cues],
+        blocked_by=_blocking(session, access, {cue.id for cue in listed}),
         slip=slips.get(milestone_id),
         slips=list(slips.values()),
         slip_growth_days=growth_days([slip.days for slip in slips.values()]),
@@ -126,6 +128,12 @@ def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schem
             if invoice.id in invoiced
         ],
     )
+
+
+def _blocking(session: Session, access: ProjectAccess, cue_ids: Collection[UUID]) -> list[schemas.AskedQuestion]:
+    """Return the open questions that block cues; a designer sees only their own."""
+    asked = queries.questions(session, access.project.id, only_open=True, asked_by=access.only_designer_id)
+    return asked_questions(access.project, [row for row in asked if row[0].blocks and row[0].cue_id in cue_ids])
 
 
 def _next_number(session: Session, contract: Contract) -> int:

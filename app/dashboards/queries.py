@@ -105,6 +105,7 @@ def questions(
         .join(Cue, Cue.id == Question.cue_id)
         .join(Person, Person.id == Question.asked_by)
         .where(Question.project_id == project_id)
+        .options(joinedload(Question.owner))
         .order_by(Question.asked_at)
     )
     if only_open:

@@ -145,6 +145,9 @@ class AskedQuestion(Schema):
     asked_at: datetime
     answer: str | None
     answered_at: datetime | None
+    owner: PersonBrief | None = Field(description="The member of the team who is to answer; null: anybody.")
+    due_on: date | None
+    blocks: bool = Field(description="Work on the cue waits for the answer, and its milestone with it.")
 
 
 class WithOthers(Schema):
@@ -348,6 +351,7 @@ class MilestoneSheet(Schema):
     release: ReleaseClause
     milestone: MilestoneRead
     cues: list[MilestoneCue]
+    blocked_by: list[AskedQuestion] = Field(description="Open questions for which work on its cues waits.")
     slip: MilestoneSlip | None
     slips: list[MilestoneSlip]
     slip_growth_days: float | None

@@ -360,6 +360,17 @@ class ForecastRead(Schema):
     forecast_on: date
 
 
+class PayPerHour(Schema):
+    """The fee of a contract divided by hours; a figure is null without hours."""
+
+    currency: str
+    fee_minor: int = Field(description="Of all milestones as agreed.")
+    estimated_min: int
+    logged_min: int
+    by_estimate_minor: int | None
+    by_log_minor: int | None
+
+
 class EstimatesRead(Schema):
     """Estimates of cues in minutes and of milestones in days, against actual values."""
 
@@ -369,6 +380,7 @@ class EstimatesRead(Schema):
     milestone_habit: HabitRead
     forecasts: Sequence[ForecastRead]
     warning: str | None
+    pay: PayPerHour | None = Field(default=None, description="What an hour earns; for the designer alone.")
 
 
 class CalendarLinkMade(Schema):

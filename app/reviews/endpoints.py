@@ -336,8 +336,8 @@ def cut_cue(cue_id: UUID, body: CueCut, session: DbSession, actor: Actor = allow
     return service.cut_cue(session, actor, cue_id, reason=body.reason)
 
 
-@router.get("/takes/{take_id}/fit", response_model=TakeFitRead, responses=problems(TakeNotFound, TeamNeeded))
-def see_take_fit(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)) -> TakeFitRead:
+@router.get("/takes/{take_id}/fit", response_model=TakeFitRead, responses=problems(TakeNotFound))
+def see_take_fit(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> TakeFitRead:
     """Compare a take with the approved sounds of its category, or of the palette."""
     return fit.take_fit(session, actor, take_id)
 

@@ -23,14 +23,16 @@ NO_PREVIEW = "one of the two has no preview yet"
 def request_comparison(
     session: Session, actor: Actor, take_id: UUID, *, against_take_id: UUID | None, target: str | None
 ) -> Comparison:
-    """Have a version compared with another of its project, or with its own file for a target; for the team."""
-    take, access = take_for(session, actor, take_id)
-    access.ensure_team()
+    """Have a version compared with another of its project, or with its own file for a target.
+
+    A designer compares their own version with what they may hear.
+    """
+    take, _ = take_for(session, actor, take_id)
     if (against_take_id is None) == (target is None):
         raise NothingToCompare("name another version or a target, one of the two")
     sound = queries.preview_of_master(session, take)
     if against_take_id is not None:
-        other, _ = take_for(session, actor, against_take_id)
+        other = queries.opened_take(session, actor, against_take_id) or take_for(session, actor, against_take_id)[0]
         if other.project_id != take.project_id:
             raise NothingToCompare("the two versions are of different projects")
         against = queries.preview_of_master(session, other)
@@ -60,7 +62,7 @@ def _preview_of_file(session: Session, actor: Actor, take_id: UUID, target: str)
 
 
 def visible_comparison(session: Session, actor: Actor, comparison_id: UUID) -> Comparison:
-    """Return a comparison to the team; raise ComparisonNotFound without sight of it."""
+    """Return a comparison of sounds that the caller hears; raise ComparisonNotFound without sight of it."""
     comparison = queries.comparison_by_id(session, comparison_id)
     if comparison is None:
         raise ComparisonNotFound(f"no comparison {comparison_id}")
@@ -68,7 +70,10 @@ def visible_comparison(session: Session, actor: Actor, comparison_id: UUID) -> C
         access = project_access(session, actor, comparison.project_id)
     except ProjectNotFound:
         raise ComparisonNotFound(f"no comparison {comparison_id}") from None
-    access.ensure_team()
+    sounds = {comparison.sound_sha256, comparison.against_sha256}
+    is_designer = access.only_designer_id is not None
+    if is_designer and not queries.hears_previews(session, actor, comparison.project_id, sounds):
+        raise ComparisonNotFound(f"no comparison {comparison_id}")
     return comparison
 
 

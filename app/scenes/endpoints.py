@@ -39,18 +39,19 @@ from app.scenes.schemas import (
 
 router = APIRouter(prefix="/v1", tags=["scenes"])
 TEAM: Actor = allows(Audience.TEAM)
+MAY_SEE: Actor = allows(Audience.PROJECT)
 LANE = "^[0-9a-z-]{1,36}:-?[0-9]{1,2}([.][0-9]{1,2})?$"
 
 
-@router.post("/takes/{take_id}/scene", responses=problems(TakeNotFound, TeamNeeded))
-def open_scene(take_id: UUID, session: DbSession, actor: Actor = TEAM) -> SceneRead:
+@router.post("/takes/{take_id}/scene", responses=problems(TakeNotFound))
+def open_scene(take_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> SceneRead:
     """Return the sounds with a version in the game, and have the unmeasured ones measured."""
     scene = service.scene_of(session, actor, take_id)
     service.ask_for_missing(session, scene)
     return read_scene(scene)
 
 
-@router.get("/takes/{take_id}/masking", responses=problems(TakeNotFound, TeamNeeded, LaneUnknown))
+@router.get("/takes/{take_id}/masking", responses=problems(TakeNotFound, LaneUnknown))
 def get_masking(
     take_id: UUID,
     session: DbSession,
@@ -58,7 +59,7 @@ def get_masking(
         list[Annotated[str, Query(pattern=LANE)]] | None,
         Query(max_length=32, description="Only these lanes, each with its level in dB, as in `music:-12`."),
     ] = None,
-    actor: Actor = TEAM,
+    actor: Actor = MAY_SEE,
 ) -> MaskingRead:
     """Return the bands of a version heard in its scene, and the sounds that cover the others."""
     levels = None
@@ -106,10 +107,10 @@ def remove_bed(bed_id: UUID, session: DbSession, actor: Actor = TEAM) -> None:
 
 @router.get(
     "/scene-sounds/{scene_sound_id}/preview",
-    **downloads("audio/wav", SceneSoundNotFound, SceneSoundNotMade, TeamNeeded, ReferenceUnopened, BlobMissing),
+    **downloads("audio/wav", SceneSoundNotFound, SceneSoundNotMade, ReferenceUnopened, BlobMissing),
 )
 def get_scene_sound(
-    scene_sound_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
+    scene_sound_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
 ) -> Response:
     """Play the part of a reference that is a bed, to people whose opening of it was recorded."""
     sound, sha256 = service.playable_part(session, actor, scene_sound_id)
@@ -117,11 +118,9 @@ def get_scene_sound(
     return blob_response(request, runtime.store, sound.studio_id, sha256, media_type="audio/wav", headers=headers)
 
 
-@router.post(
-    "/takes/{take_id}/comparisons", status_code=201, responses=problems(TakeNotFound, TeamNeeded, NothingToCompare)
-)
+@router.post("/takes/{take_id}/comparisons", status_code=201, responses=problems(TakeNotFound, NothingToCompare))
 def add_comparison(
-    take_id: UUID, body: SoundComparisonAdd, session: DbSession, actor: Actor = TEAM
+    take_id: UUID, body: SoundComparisonAdd, session: DbSession, actor: Actor = MAY_SEE
 ) -> SoundComparisonRead:
     """Have a version compared with another, or with one of its game files; the same two give the same comparison."""
     found = comparisons.request_comparison(
@@ -130,18 +129,18 @@ def add_comparison(
     return comparisons.comparison_read(found)
 
 
-@router.get("/comparisons/{comparison_id}", responses=problems(ComparisonNotFound, TeamNeeded))
-def get_comparison(comparison_id: UUID, session: DbSession, actor: Actor = TEAM) -> SoundComparisonRead:
+@router.get("/comparisons/{comparison_id}", responses=problems(ComparisonNotFound))
+def get_comparison(comparison_id: UUID, session: DbSession, actor: Actor = MAY_SEE) -> SoundComparisonRead:
     """Return whether a comparison is made, and what differs."""
     return comparisons.comparison_read(comparisons.visible_comparison(session, actor, comparison_id))
 
 
 @router.get(
     "/comparisons/{comparison_id}/file",
-    **downloads("audio/wav", ComparisonNotFound, ComparisonNotMade, TeamNeeded, BlobMissing),
+    **downloads("audio/wav", ComparisonNotFound, ComparisonNotMade, BlobMissing),
 )
 def get_comparison_file(
-    comparison_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = TEAM
+    comparison_id: UUID, request: Request, session: DbSession, runtime: CurrentRuntime, actor: Actor = MAY_SEE
 ) -> Response:
     """Play the rest of a version without the other sound."""
     comparison = comparisons.visible_comparison(session, actor, comparison_id)

@@ -4,9 +4,10 @@ from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, Select, and_, case, func, or_, select
+from sqlalchemy import ColumnElement, Select, and_, case, func, or_, select, union
 from sqlalchemy.orm import Session, contains_eager, undefer
 
+from app.accounts.rules import Actor
 from app.builds.audits.models import AuditedSound, BuildAudit
 from app.conformance.models import CheckRun
 from app.core.in_array import in_array
@@ -14,7 +15,8 @@ from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.references.models import Reference, ReferenceVersion
 from app.references.rules import ReferenceKind
-from app.renders.models import Picture
+from app.renders.models import Picture, Render
+from app.renders.other_sounds.queries import opened_takes
 from app.scenes.models import Bed, Comparison, SceneSound
 from app.scenes.rules import BedRole
 from app.sound_lists.models import Cue
@@ -226,6 +228,30 @@ def preview_of_master(session: Session, take: Take) -> str | None:
             Picture.studio_id == take.studio_id, Picture.sound_sha256 == take.master_sha256
         )
     )
+
+
+def opened_take(session: Session, actor: Actor, take_id: UUID) -> Take | None:
+    """Return a take of another designer that its project lets the caller hear."""
+    return session.scalar(select(Take).where(Take.id == take_id, opened_takes(actor)))
+
+
+def hears_previews(session: Session, actor: Actor, project_id: UUID, sha256s: Collection[str]) -> bool:
+    """Whether a designer may hear all of some previews: of their own takes and game files, and of opened takes."""
+    heard = or_(Take.designer_id == actor.person_id, opened_takes(actor))
+    same_studio = Picture.studio_id == Take.studio_id
+    of_takes = (
+        select(Picture.preview_sha256)
+        .join(Take, and_(same_studio, Picture.sound_sha256 == Take.master_sha256))
+        .where(Take.project_id == project_id, heard)
+    )
+    of_files = (
+        select(Picture.preview_sha256)
+        .join(Render, and_(Picture.studio_id == Render.studio_id, Picture.sound_sha256 == Render.sha256))
+        .join(Take, Take.id == Render.take_id)
+        .where(Take.project_id == project_id, Take.designer_id == actor.person_id)
+    )
+    listed = [query.where(in_array(Picture.preview_sha256, sha256s)) for query in (of_takes, of_files)]
+    return set(session.scalars(union(*listed))) >= set(sha256s)
 
 
 def preview_of_picture(session: Session, picture_id: UUID) -> str | None:

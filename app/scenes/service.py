@@ -12,8 +12,10 @@ from app.core import clock
 from app.core.errors import FieldProblem
 from app.core.events import publish
 from app.deliveries.errors import TakeNotFound
+from app.deliveries.models import Take
 from app.deliveries.service import take_for
 from app.projects.errors import ProjectNotFound
+from app.projects.rules import OPENS_APPROVED
 from app.projects.service import ProjectAccess, project_access
 from app.references.models import ReferenceVersion
 from app.references.service import opened_file
@@ -87,15 +89,14 @@ class Scene:
 
 
 def scene_of(session: Session, actor: Actor, take_id: UUID, *, measured: bool = False) -> Scene:
-    """Return the scene of a version of a known cue that is drawn; for the team."""
+    """Return the scene of a version of a known cue that is drawn, with the sounds that the caller may hear."""
     _, access = take_for(session, actor, take_id)
-    access.ensure_team()
     playable = queries.playable_take(session, take_id)
     if playable is None:
         raise TakeNotFound(f"version {take_id} is for no cue yet, or is not drawn")
     cue = playable.cue
     audit = queries.newest_audit(session, cue.project_id)
-    neighbours = _neighbours(session, playable, audit.id if audit else None)
+    neighbours = _neighbours(session, access, playable, audit.id if audit else None)
     gains = (
         queries.gains_in_game(session, audit.id, [cue.id, *(neighbour.cue.id for neighbour in neighbours)])
         if audit
@@ -109,7 +110,7 @@ def scene_of(session: Session, actor: Actor, take_id: UUID, *, measured: bool = 
         _take_lane(str(neighbour.cue.id), neighbour, _starts_of(neighbour.cue, starts), gains)
         for neighbour in neighbours
     ]
-    lanes += _bed_lanes(session, cue)
+    lanes += _bed_lanes(session, access, cue)
     sounds = queries.scene_sounds(
         session, access.project.studio_id, [lane.sound[0] for lane in lanes], measured=measured
     )
@@ -128,11 +129,19 @@ def scene_of(session: Session, actor: Actor, take_id: UUID, *, measured: bool = 
     )
 
 
-def _neighbours(session: Session, playable: PlayableTake, audit_id: UUID | None) -> list[PlayableTake]:
+def is_heard(access: ProjectAccess, take: Take) -> bool:
+    """Whether the caller may hear an approved take: other designers than its own may as the project allows."""
+    return access.only_designer_id in (None, take.designer_id) or access.project.designers_hear in OPENS_APPROVED
+
+
+def _neighbours(
+    session: Session, access: ProjectAccess, playable: PlayableTake, audit_id: UUID | None
+) -> list[PlayableTake]:
     cue = playable.cue
     column = next((name for name in cue.extra if folded(name) in SCENE_COLUMNS), None)
     scene = column_value(cue.extra, SCENE_COLUMNS)
-    found = queries.possible_neighbours(session, cue, (column, scene) if column and scene else None)
+    near = queries.possible_neighbours(session, cue, (column, scene) if column and scene else None)
+    found = [neighbour for neighbour in near if is_heard(access, neighbour.take)]
     gains = queries.gains_in_game(session, audit_id, [one.cue.id for one in found]) if audit_id else {}
     by_cue = {one.cue.id: one for one in found}
     candidates = [_candidate(one, gains) for one in found]
@@ -185,7 +194,7 @@ def _take_lane(lane_id: str, playable: PlayableTake, starts_s: list[float], gain
     )
 
 
-def _bed_lanes(session: Session, cue: Cue) -> Iterator[Lane]:
+def _bed_lanes(session: Session, access: ProjectAccess, cue: Cue) -> Iterator[Lane]:
     found = queries.beds(session, cue.project_id, cue.category)
     takes = queries.approved_takes(session, [bed.take_id for bed in found.values() if bed.take_id])
     ids = [bed.reference_id for bed in found.values() if bed.reference_id]
@@ -195,6 +204,8 @@ def _bed_lanes(session: Session, cue: Cue) -> Iterator[Lane]:
         if bed is None:
             continue
         take = takes.get(bed.take_id) if bed.take_id else None
+        if take is not None and not is_heard(access, take.take):
+            continue
         version = versions.get(bed.reference_id) if bed.reference_id else None
         if take is None and version is None:
             continue  # withdrawn or removed since: nothing of it can be played
@@ -274,11 +285,11 @@ def bed_sources(
 
 
 def playable_part(session: Session, actor: Actor, scene_sound_id: UUID) -> tuple[SceneSound, str]:
-    """Return a part of a reference that can be played and its hash, to a team of which the caller opened it."""
+    """Return a part of a reference that can be played and its hash, to people of its project who opened it."""
     sound = queries.scene_sound_by_id(session, scene_sound_id)
     for version in [] if sound is None else queries.version_of_sound(session, sound):
         try:
-            project_access(session, actor, version.project_id).ensure_team()
+            project_access(session, actor, version.project_id)
         except ProjectNotFound:
             continue
         opened_file(session, actor, version.id)

@@ -29,6 +29,7 @@ from app.sound_lists.errors import (
     OrderInvalid,
     QuestionAnswered,
     QuestionNotFound,
+    QuestionOwnerUnknown,
     RevisionNotFound,
     RowsInvalid,
     SheetUnreadable,
@@ -52,6 +53,7 @@ from app.sound_lists.schemas import (
     PlaceholderSet,
     PreviewProject,
     QuestionAdd,
+    QuestionPatch,
     QuestionRead,
     RevisionRead,
     SoundListRead,
@@ -293,7 +295,20 @@ def ask_question(
     cue_id: UUID, body: QuestionAdd, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> QuestionRead:
     """Ask the team what it means by a cue."""
-    access, question = questions.ask_question(session, actor, cue_id, body.text)
+    access, question = questions.ask_question(session, actor, cue_id, body.text, due_on=body.due_on, blocks=body.blocks)
+    return questions.question_read(question, access)
+
+
+@router.patch(
+    "/questions/{question_id}",
+    response_model=QuestionRead,
+    responses=problems(QuestionNotFound, TeamNeeded, QuestionAnswered, QuestionOwnerUnknown),
+)
+def change_question(
+    question_id: UUID, body: QuestionPatch, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> QuestionRead:
+    """Set who is to answer a question, by which day, and whether work on its cue waits for it."""
+    access, question = questions.change_question(session, actor, question_id, body.model_dump(exclude_unset=True))
     return questions.question_read(question, access)
 
 

@@ -31,6 +31,10 @@ class AdditionInUse(Conflict):
     """The list, or a cue that was added, has changed since the addition."""
 
 
+class QuestionOwnerUnknown(Invalid):
+    """The named owner of a question is no member of the studio."""
+
+
 class QuestionAnswered(Conflict):
     """The question has its answer."""
 

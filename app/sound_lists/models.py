@@ -173,6 +173,10 @@ class Question(ProjectOwned, Base):
     answer: Mapped[str | None]
     answered_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     answered_at: Mapped[datetime | None]
+    owner_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # of the team, who is to answer
+    due_on: Mapped[date | None]
+    blocks: Mapped[bool] = mapped_column(default=False)  # work on the cue waits for the answer
     cue: Mapped[Cue] = relationship(lazy="raise")
+    owner: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[owner_id])
     asker: Mapped[Person] = relationship(lazy="raise", foreign_keys=[asked_by])
     answerer: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[answered_by])

@@ -224,6 +224,9 @@ def changes_between(session: Session, project_id: UUID, first: int, last: int) -
     ).all()
 
 
+QUESTION_PARTS = tuple(joinedload(part) for part in (Question.cue, Question.asker, Question.answerer, Question.owner))
+
+
 def open_question_counts(session: Session, project_id: UUID) -> dict[UUID, int]:
     """Return the number of unanswered questions of each cue."""
     counts = session.execute(
@@ -251,11 +254,7 @@ def questions_of(
         query = query.where(Question.answered_at.is_(None))
     if after is not None:
         query = query.where(Question.id > after)
-    return session.scalars(
-        query.options(joinedload(Question.cue), joinedload(Question.asker), joinedload(Question.answerer))
-        .order_by(Question.id)
-        .limit(limit)
-    ).all()
+    return session.scalars(query.options(*QUESTION_PARTS).order_by(Question.id).limit(limit)).all()
 
 
 def question_by_id(session: Session, question_id: UUID) -> Question | None:
@@ -263,7 +262,7 @@ def question_by_id(session: Session, question_id: UUID) -> Question | None:
     return session.scalar(
         select(Question)
         .where(Question.id == question_id)
-        .options(joinedload(Question.cue), joinedload(Question.asker), joinedload(Question.answerer))
+        .options(*QUESTION_PARTS)
         .execution_options(populate_existing=True)
     )
 

@@ -146,6 +146,16 @@ class QuestionAdd(Schema):
     """A question that a designer needs answered to make the sound."""
 
     text: str = Field(min_length=1, max_length=2000)
+    due_on: date | None = Field(default=None, description="The day by which the answer is needed.")
+    blocks: bool = Field(default=False, description="Work on the cue waits for the answer, and its milestone with it.")
+
+
+class QuestionPatch(Schema):
+    """Changes to an open question; what is left out stays."""
+
+    owner_id: UUID | None = Field(default=None, description="The member of the team who is to answer; null: anybody.")
+    due_on: date | None = None
+    blocks: bool = False
 
 
 class AnswerAdd(Schema):
@@ -168,6 +178,9 @@ class QuestionRead(Schema):
     answer: str | None
     answered_by: PersonBrief | None
     answered_at: datetime | None
+    owner: PersonBrief | None = Field(description="The member of the team who is to answer; null: anybody.")
+    due_on: date | None
+    blocks: bool = Field(description="Work on the cue waits for the answer, and its milestone with it.")
 
 
 class CueDetail(CueRead):

@@ -15,7 +15,7 @@ from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan.queries import cues_of as covered_cues
 from app.agreements.plan.queries import milestones_of
 from app.agreements.rules import ContractKind, ReleaseClause
-from app.briefs.service import OpenAnswer, open_answers
+from app.briefs.service import OpenAnswer, answers_in_words, open_answers
 from app.core.errors import FieldProblem
 from app.core.money import money, percent
 from app.projects.approval.service import approval_rights
@@ -32,6 +32,7 @@ RELEASE_SENTENCES = {
 DEPOSIT_SENTENCE = "Of it {} is a deposit, due when this is agreed."
 HOLDBACK_SENTENCE = "Of each share {} is held back, and due when all cues are accepted."
 OPEN_QUESTIONS = "open_questions"
+STATED = ("platforms", "playback", "effects", "player", "quality", "loudness", "music_style", "similar")  # of the brief
 NONE_YET = "None has been written down yet."
 
 
@@ -73,6 +74,7 @@ def facts_of(
         "cue_count": str(len(cues)),
         "file_count": str(sum(cue.variations for cue in cues)),
         "cues": _cue_table(cues, prices, project.cue_prefix, priced.currency),
+        "brief_answers": _brief_answers(session, project.id),
         OPEN_QUESTIONS: _questions(session, contract, {cue.id for cue in cues}),
         "milestones": _milestone_table(milestones, covered, project.cue_prefix, priced.currency, mark),
         "total": mark("total", money(total_minor, priced.currency)),
@@ -162,6 +164,11 @@ def _questions(session: Session, contract: Contract, cue_ids: Collection[UUID]) 
     ]
     lines += [_open_answer(answer) for answer in open_answers(session, contract.project_id)]
     return "\n".join(lines) or "No question is open."
+
+
+def _brief_answers(session: Session, project_id: UUID) -> str:
+    lines = [f"- {literal(text)} {literal(words)}" for text, words in answers_in_words(session, project_id, STATED)]
+    return "\n".join(lines) or "The brief answers none of this yet."
 
 
 def _open_answer(answer: OpenAnswer) -> str:

@@ -53,6 +53,7 @@ FACTS: Mapping[str, str] = {
     "cue_count": "how many cues the contract covers",
     "file_count": "how many files these cues have, with their variations",
     "cues": "a table of the cues",
+    "brief_answers": "what the brief answers on platforms, playback, the game's own effects and references",
     "open_questions": "a list of the questions on cues that are not answered",
     "milestones": "a table of the milestones with dates and amounts",
     "total": "the price of all milestones and the deposit",

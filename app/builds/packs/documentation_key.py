@@ -12,7 +12,17 @@ from app.sound_lists.rules import spreadsheet_safe
 
 Cell = str | int | float | None
 MADE_AT = datetime(1980, 1, 1)  # noqa: DTZ001  XLSX knows no zone; fixed, so that the same key is the same bytes
-WIDTHS = {"file": 32, "name": 28, "description": 60, "use": 40, "trigger": 30, "note": 40, "sources": 44, "originator": 24, "master": 36}
+WIDTHS = {
+    "file": 32,
+    "name": 28,
+    "description": 60,
+    "use": 40,
+    "trigger": 30,
+    "note": 40,
+    "sources": 44,
+    "originator": 24,
+    "master": 36,
+}
 
 
 @dataclass(frozen=True)

@@ -129,6 +129,7 @@ def _item(prefix: str, slot: Slot, made: PlaceholderFile | None) -> PlaceholderR
         cue_id=slot.cue.id,
         cue=label(prefix, slot.cue.number),
         name=slot.cue.name,
+        trigger=slot.cue.trigger,
         variation=slot.variation,
         path=slot.path,
         category=slot.cue.category,

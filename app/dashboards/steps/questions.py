@@ -30,6 +30,9 @@ def asked_questions(project: Project, rows: Sequence[Row[Question, Cue, Person]]
             asked_at=question.asked_at,
             answer=question.answer,
             answered_at=question.answered_at,
+            owner=PersonBrief.model_validate(question.owner) if question.owner else None,
+            due_on=question.due_on,
+            blocks=question.blocks,
         )
         for question, cue, asker in rows
     ]

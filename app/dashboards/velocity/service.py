@@ -74,8 +74,8 @@ def pace(session: Session, actor: Actor, project_id: UUID) -> Pace:
     )
 
 
-def cue_paces(session: Session, project_id: UUID, designer_id: UUID) -> dict[UUID, CuePace]:
-    """Return the decisions on each cue of a project that a designer sent something for."""
+def cue_paces(session: Session, project_id: UUID, designer_id: UUID | None) -> dict[UUID, CuePace]:
+    """Return the decisions on each cue of a project; of a designer, on those that she sent something for."""
     return _cue_paces(session, project_id, designer_id, pace_queries.cues(session, project_id, designer_id))
 
 

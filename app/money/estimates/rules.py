@@ -57,3 +57,8 @@ def forecast(began_on: date, due_on: date, rate: ErrorRate) -> date | None:
         return None
     days = (due_on - began_on).days
     return began_on + timedelta(days=math.ceil(days * (1 + rate.mean_percent / 100) - 1e-9))
+
+
+def minor_per_hour(fee_minor: int, minutes: int) -> int | None:
+    """Return what an hour earns, rounded to the nearest minor unit; None without time."""
+    return (2 * 60 * fee_minor + minutes) // (2 * minutes) if minutes else None

@@ -14,7 +14,7 @@ from app.agreements.rules import AcceptedBy, ContractState
 from app.core import clock
 from app.money import queries, schemas
 from app.money.errors import CueNotInContract, OtherPartyNeeded
-from app.money.estimates.rules import ErrorRate, Habit, error_percent, error_rate, forecast
+from app.money.estimates.rules import ErrorRate, Habit, error_percent, error_rate, forecast, minor_per_hour
 from app.money.ledger.service import not_agreed
 from app.money.models import WorkLog
 from app.projects.errors import ProducerNeeded
@@ -61,7 +61,28 @@ def estimates(session: Session, actor: Actor, contract_id: UUID) -> schemas.Esti
     contract = visible_contract(session, actor, contract_id)
     if contract.designer_id != actor.person and Role.PRODUCER not in actor.roles_in(contract.studio_id):
         raise ProducerNeeded("a designer's estimates are seen by that designer and the studio's producers only")
-    return estimates_of(session, contract)
+    read = estimates_of(session, contract)
+    if contract.designer_id == actor.person:
+        read.pay = _pay(session, contract)
+    return read
+
+
+def _pay(session: Session, contract: Contract) -> schemas.PayPerHour | None:
+    """Divide the fee of a contract's milestones by its hours; None where no milestone is paid."""
+    fee_minor = sum(milestone.amount_minor for milestone in plan_queries.milestones_of(session, contract.id))
+    if fee_minor <= 0:
+        return None
+    worked = queries.worked_minutes(session, [contract.id])
+    estimated_min = sum(cue.estimate_min or 0 for cue in plan_queries.cues_of(session, contract.id))
+    logged_min = sum(worked.values())
+    return schemas.PayPerHour(
+        currency=contract.currency,
+        fee_minor=fee_minor,
+        estimated_min=estimated_min,
+        logged_min=logged_min,
+        by_estimate_minor=minor_per_hour(fee_minor, estimated_min),
+        by_log_minor=minor_per_hour(fee_minor, logged_min),
+    )
 
 
 def estimates_of(session: Session, contract: Contract) -> schemas.EstimatesRead:

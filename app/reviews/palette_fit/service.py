@@ -10,6 +10,7 @@ from app.accounts.schemas import PersonBrief
 from app.deliveries.schemas import CueBrief
 from app.deliveries.service import delivery_for, take_for
 from app.projects.models import Project
+from app.projects.rules import OPENS_APPROVED
 from app.renders.queries import has_palette
 from app.reviews.palette_fit import queries
 from app.reviews.palette_fit.queries import Compared
@@ -37,14 +38,18 @@ BEING_HEARD = " Spectrum and timbre are still being measured."
 
 
 def take_fit(session: Session, actor: Actor, take_id: UUID) -> TakeFitRead:
-    """Compare a take with the approved sounds of its category; for the team."""
+    """Compare a take with the approved sounds of its category; for its designer with those that they may hear."""
     take, access = take_for(session, actor, take_id)
-    access.ensure_team()
     sound = queries.take_compared(session, take_id)
     delivery, _ = delivery_for(session, actor, take.delivery_id)
-    approved = queries.approved_sounds(session, take.project_id)
-    before = [one for one in approved if one.take.designer_id != delivery.designer_id]
-    first = delivery.id if before and queries.is_first_delivery(session, delivery) else None
+    hears_all = access.only_designer_id is None or access.project.designers_hear in OPENS_APPROVED
+    approved = [
+        compared
+        for compared in queries.approved_sounds(session, take.project_id)
+        if hears_all or compared.take.designer_id == access.only_designer_id
+    ]
+    before = [compared for compared in approved if compared.take.designer_id != delivery.designer_id]
+    first = delivery.id if before and access.is_team and queries.is_first_delivery(session, delivery) else None
     if sound is None:
         return TakeFitRead.nothing(take, NOT_CHECKED, first_delivery_id=first)
     if not has_palette(session, take.project_id):

@@ -101,6 +101,9 @@ export const DESK = {
       asked_at: '2026-11-12T09:00:00Z',
       answer: 'A tool.',
       answered_at: '2026-11-13T09:00:00Z',
+      owner: null,
+      due_on: null,
+      blocks: false,
     },
   ],
 }

@@ -19,6 +19,7 @@ from app.agreements.rules import ContractKind
 WANTED = {
     "parties",
     "services",
+    "brief",
     "acceptance",
     "silence",
     "rounds",

@@ -28,6 +28,17 @@ def test_open_answers_are_printed_into_the_text(world: World, contracts: Contrac
     assert "What kind of game is it?" not in said
 
 
+def test_answers_that_decide_how_a_sound_is_made_stand_in_the_text(world: World, contracts: Contracts) -> None:
+    assert "The brief answers none of this yet." in words_of(contracts.begin())
+    answer(
+        world, 0, platforms={"value": ["handheld"]}, similar={"value": ["the doors of a submarine film", "{total}"]},
+        genre={"value": "A platformer"}, playback={"is_unknown": True},
+    )  # fmt: skip
+    said = words_of(contracts.begin())
+    assert "Which games, films or recordings does it sound like? the doors of a submarine film; {total}" in said
+    assert "A platformer" not in said
+
+
 @pytest.mark.slow
 def test_without_a_brief_nothing_of_it_is_printed_and_all_is_sent(world: World, contracts: Contracts) -> None:
     begun = contracts.begin()

@@ -68,6 +68,26 @@ def test_lateness_and_estimates_for_the_two_parties(agreed: Agreed) -> None:
 
 
 @pytest.mark.slow
+def test_a_question_that_blocks_a_cue_blocks_its_milestone(agreed: Agreed) -> None:
+    world = agreed.world
+    (oath,) = sheet(agreed, "Alpha")["cues"]
+    address = f"/v1/cues/{oath['cue']['id']}/questions"
+    assert world.designer.post(address, json={"text": "Which mood?"}).status_code == 201
+    body = {"text": "Who speaks?", "blocks": True, "due_on": day(2)}
+    blocking = world.designer.post(address, json=body).json()
+    owned = world.producer.patch(f"/v1/questions/{blocking['id']}", json={"owner_id": str(world.approver_id)})
+    assert owned.status_code == 200, owned.text
+    for party in (world.producer, world.designer):
+        (waits,) = sheet(agreed, "Alpha", party)["blocked_by"]
+        assert (waits["text"], waits["due_on"], waits["owner"]["name"]) == (
+            "Who speaks?", day(2), "Audio director",
+        )  # fmt: skip
+    assert sheet(agreed, "Palette")["blocked_by"] == []
+    assert world.approver.post(f"/v1/questions/{blocking['id']}/answer", json={"text": "Mara."}).is_success
+    assert sheet(agreed, "Alpha")["blocked_by"] == []
+
+
+@pytest.mark.slow
 def test_a_cut_cue_says_in_which_state(agreed: Agreed) -> None:
     (oath,) = sheet(agreed, "Alpha")["cues"]
     cut = agreed.world.producer.post(f"/v1/cues/{oath['cue']['id']}/cut", json={"reason": "No voices"})

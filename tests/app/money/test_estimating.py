@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.money.estimates.rules import Habit, error_percent, error_rate, forecast
+from app.money.estimates.rules import Habit, error_percent, error_rate, forecast, minor_per_hour
 
 BEGAN, DUE = date(2027, 3, 1), date(2027, 3, 11)
 
@@ -14,6 +14,11 @@ BEGAN, DUE = date(2027, 3, 1), date(2027, 3, 11)
 def test_an_error_in_percent():
     assert error_percent(2.0, 3.0) == 50
     assert error_percent(4.0, 3.0) == -25
+
+
+@pytest.mark.parametrize(("minutes", "minor"), [(0, None), (60, 10_000), (90, 6_667), (120, 5_000), (1, 600_000)])
+def test_an_hour_earns_the_fee_divided_by_the_hours(minutes: int, minor: int | None):
+    assert minor_per_hour(10_000, minutes) == minor
 
 
 def test_mean_and_spread():

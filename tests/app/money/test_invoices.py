@@ -200,6 +200,15 @@ def test_estimates_are_for_the_two_parties(agreed: Agreed) -> None:
     read = body_of(agreed.world.designer.get(address))
     assert read["cue_habit"]["mean_percent"] == pytest.approx(30)
     assert read["cue_habit"]["habit"] == "steady"
+    assert read["pay"] == {
+        "currency": "USD",
+        "fee_minor": 30_000,
+        "estimated_min": 300,
+        "logged_min": 390,
+        "by_estimate_minor": 6_000,
+        "by_log_minor": 4_615,  # 300.00 of 6.5 hours
+    }
+    assert body_of(agreed.world.producer.get(address))["pay"] is None
     assert refused(agreed.world.approver.get(address)) == (403, "producer-needed")
 
 

@@ -11,8 +11,8 @@ from app.conformance.models import CheckRun
 from app.core.db import new_id
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
-from app.projects.models import Engagement
-from app.projects.rules import EngagementKind
+from app.projects.models import Engagement, Project
+from app.projects.rules import DesignersHear, EngagementKind
 from app.renders.models import Timbre
 from tests.app.reviews.making import Stage, add_take
 from tests.support.server import World
@@ -122,12 +122,29 @@ def test_the_reason_why_nothing_is_compared_is_given(stage: Stage) -> None:
     assert fit_of(stage, unmatched)["says"].startswith("This version has not been checked")
 
 
-def test_designers_do_not_see_how_they_are_compared(stage: Stage) -> None:
+def test_designers_compare_their_own_takes_and_the_team_deliveries(stage: Stage) -> None:
     take_id = stage.take(stage.cue())
-    for address in (f"/v1/takes/{take_id}/fit", f"/v1/deliveries/{stage.delivery_id}/fit"):
-        assert stage.world.designer.get(address).status_code == 403
+    for address, status in ((f"/v1/takes/{take_id}/fit", 200), (f"/v1/deliveries/{stage.delivery_id}/fit", 403)):
+        assert stage.world.designer.get(address).status_code == status
         assert stage.world.other_designer.get(address).status_code == 404
         assert stage.world.stranger.get(address).status_code == 404
+
+
+@pytest.mark.parametrize(("choice", "others"), [(DesignersHear.OWN, 0), (DesignersHear.APPROVED, 3)])
+def test_a_designer_is_compared_with_what_they_may_hear(stage: Stage, choice: DesignersHear, others: int) -> None:
+    world = stage.world
+    palette(stage)
+    mine = sounding(stage, stage.take(stage.cue("ui_new", category="ui")), -13.0, 9.0)
+
+    def given_to_another(session: Session) -> None:
+        session.execute(update(Take).where(Take.id != mine).values(designer_id=world.other_designer_id))
+        session.get_one(Project, world.project_id).designers_hear = choice
+
+    world.server.in_database(given_to_another)
+    fit = world.designer.get(f"/v1/takes/{mine}/fit").json()
+    assert [len(measure["others"]) for measure in fit["measures"][:1]] == [others] * bool(others)
+    assert fit["first_delivery_id"] is None
+    assert len(fit_of(stage, mine)["measures"][0]["others"]) == 3
 
 
 def taken_over(stage: Stage) -> tuple[UUID, UUID]:

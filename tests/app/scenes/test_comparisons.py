@@ -1,10 +1,14 @@
 """A version against another sound: who may ask, what is found, and the track that is played."""
 
 from typing import Any
+from uuid import UUID
 
 import pytest
 
+from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
+from app.projects.models import Project
+from app.projects.rules import DesignersHear
 from tests.app.reviews.making import Stage
 from tests.app.scenes.making import drawn_take
 from tests.support.server import World
@@ -64,12 +68,42 @@ def test_another_project_is_not_within_sight(world: World, versions: tuple[str, 
 
 
 @pytest.mark.slow
-def test_the_team_alone_compares(world: World, versions: tuple[str, str]):
+def test_the_team_and_their_designer_compare(world: World, versions: tuple[str, str]):
     first, second = versions
     body = {"against_take_id": first}
     made = ask(world, second, **body).json()
-    for client, status in ((world.designer, 403), (world.other_designer, 404), (world.stranger, 404)):
+    for client, status in ((world.other_designer, 404), (world.stranger, 404)):
         assert client.post(f"/v1/takes/{second}/comparisons", json=body).status_code == status
         for path in (f"/v1/comparisons/{made['id']}", f"/v1/comparisons/{made['id']}/file"):
             assert client.get(path).status_code == status
     world.server.wait_for_jobs()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("choice", "status"), [(DesignersHear.OWN, 404), (DesignersHear.APPROVED, 200)])
+def test_a_designer_compares_with_others_as_the_project_allows(
+    world: World, versions: tuple[str, str], choice: DesignersHear, status: int
+):
+    rivals, own = versions
+
+    def given_to_another(session) -> None:
+        take = session.get_one(Take, UUID(rivals))
+        take.designer_id, take.state = world.other_designer_id, TakeState.APPROVED
+        session.get_one(Project, world.project_id).designers_hear = choice
+
+    world.server.in_database(given_to_another)
+    made = ask(world, own, against_take_id=rivals).json()
+    world.server.wait_for_jobs()
+    answer = world.designer.post(f"/v1/takes/{own}/comparisons", json={"against_take_id": rivals})
+    assert answer.status_code == (201 if status == 200 else 404)
+    for path in (f"/v1/comparisons/{made['id']}", f"/v1/comparisons/{made['id']}/file"):
+        assert world.designer.get(path).status_code == status
+
+
+@pytest.mark.slow
+def test_a_designer_compares_their_own_versions(world: World, versions: tuple[str, str]):
+    first, second = versions
+    made = world.designer.post(f"/v1/takes/{second}/comparisons", json={"against_take_id": first})
+    assert made.status_code == 201, made.text
+    world.server.wait_for_jobs()
+    assert world.designer.get(f"/v1/comparisons/{made.json()['id']}").json()["is_made"] is True

@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from app.core import clock
+from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
+from app.projects.models import Project
+from app.projects.rules import DesignersHear
 from tests.app.reviews.making import Stage
 from tests.app.scenes.making import add_audit, approved, drawn_take, masking, opened_scene
 from tests.support.references import added
@@ -148,13 +151,39 @@ def test_a_clip_gives_the_scene_its_length_and_the_nearest_pin_comes_first(world
 
 
 @pytest.mark.slow
-def test_the_team_alone_opens_a_scene(world: World, stage: Stage):
+def test_the_team_and_its_designer_open_a_scene(world: World, stage: Stage):
     take_id = waiting(stage)
     for path, method in ((f"/v1/takes/{take_id}/scene", "POST"), (f"/v1/takes/{take_id}/masking", "GET")):
-        assert world.designer.request(method, path).status_code == 403
+        assert world.designer.request(method, path).status_code == 200
         assert world.stranger.request(method, path).status_code == 404
         assert world.other_designer.request(method, path).status_code == 404
         assert world.nobody.request(method, path).status_code == 401
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("choice", "names"), [
+    (DesignersHear.OWN, ["suit_hit", "own_hit"]), (DesignersHear.APPROVED, ["suit_hit", "own_hit", "rivals_hit"]),
+])  # fmt: skip
+def test_a_designer_hears_others_in_the_scene_as_the_project_allows(
+    world: World, stage: Stage, choice: DesignersHear, names: list[str]
+):
+    take_id = waiting(stage)
+    approved(stage, "own_hit")
+    _, rivals = approved(stage, "rivals_hit")
+    bed = {"role": "music", "category": "", "take_id": str(rivals), "level_db": -6.0}
+    assert world.approver.put(f"/v1/projects/{world.project_id}/beds", json=bed).status_code == 200
+
+    def given_to_another(session) -> None:
+        session.get_one(Take, rivals).designer_id = world.other_designer_id
+        session.get_one(Project, world.project_id).designers_hear = choice
+
+    world.server.in_database(given_to_another)
+    scene = world.designer.post(f"/v1/takes/{take_id}/scene").json()
+    assert [lane["name"] for lane in scene["lanes"] if lane["bed"] is None] == names
+    assert [lane["name"] for lane in scene["lanes"] if lane["bed"]] == names[2:]
+    assert scene["may_change"] is False
+    everything = world.reviewer.post(f"/v1/takes/{take_id}/scene").json()
+    assert len(everything["lanes"]) == 4
 
 
 def test_a_version_for_no_cue_has_no_scene(world: World, stage: Stage):

@@ -40,6 +40,22 @@ def test_an_answer_need_not_join(world: World) -> None:
     assert world.designer.get(f"/v1/cues/{cue_id}").json()["description"] == "Something falls in."
 
 
+def test_an_owner_is_of_the_team_and_only_the_team_names_one(world: World) -> None:
+    cue_id = a_cue(world)
+    question = world.designer.post(f"/v1/cues/{cue_id}/questions", json={"text": "When?"}).json()
+    assert (question["owner"], question["due_on"], question["blocks"]) == (None, None, False)
+    address = f"/v1/questions/{question['id']}"
+    for client, status in ((world.designer, 403), (world.other_designer, 404), (world.stranger, 404)):
+        assert client.patch(address, json={"blocks": True}).status_code == status
+    refused = world.producer.patch(address, json={"owner_id": str(world.designer_id)})
+    assert (refused.status_code, refused.json()["code"]) == (422, "question-owner-unknown")
+    changes = {"owner_id": str(world.approver_id), "due_on": "2027-01-15", "blocks": True}
+    changed = world.producer.patch(address, json=changes).json()
+    assert (changed["owner"]["name"], changed["due_on"], changed["blocks"]) == ("Audio director", "2027-01-15", True)
+    assert world.producer.patch(address, json={"owner_id": None}).json()["owner"] is None
+    assert world.designer.get(f"/v1/cues/{cue_id}").json()["questions"][0]["due_on"] == "2027-01-15"
+
+
 @pytest.mark.slow
 def test_designers_do_not_learn_of_one_another(world: World) -> None:
     cue_id = a_cue(world)

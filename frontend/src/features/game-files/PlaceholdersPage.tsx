@@ -84,6 +84,7 @@ export function PlaceholdersPage() {
                 <span className="mono small dim">{one.cue}</span>
                 <span>
                   {one.name} <span className="mono small mid">{one.path}</span>
+                  {one.trigger !== '' && <span className="small mid"> {`on ${one.trigger}`}</span>}
                   {one.refusal && <span className="small mid"> {sentence(one.refusal)}</span>}
                 </span>
                 <span className="small">

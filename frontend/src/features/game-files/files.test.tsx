@@ -241,6 +241,7 @@ describe('placeholders', () => {
     category: '',
     state,
     spoken: false,
+    trigger: '',
     refusal: null,
     ...more,
   })

@@ -13,10 +13,11 @@ import { day } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
 import { type BidLine, type Posting, useAsk, useSaveBid, useSendBid, useWithdrawBid } from './api'
-import { conceptsOf, contentOf, totalOf, type TypedLine, typedBid } from './bid'
+import { conceptsOf, contentOf, perHourOf, totalOf, type TypedLine, typedBid } from './bid'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
 import { SamplesCard } from './SamplesCard'
+import { StudioRecordCard } from './StudioRecordCard'
 import { usePosting } from './usePosting'
 import { EXTRA_WORDS, UNIT_WORDS } from './words'
 
@@ -46,6 +47,7 @@ export function BidPage() {
   return (
     <div className={`page stack ${classes.sheet}`}>
       <PostingFacts posting={posting} ndaOpen={posting.nda_open} postingId={posting.id} />
+      <StudioRecordCard postingId={posting.id} />
       {posting.clashes.length > 0 && <Clashes posting={posting} />}
       {!posting.nda_open && (
         <>
@@ -87,6 +89,7 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
   const withdraw = useWithdrawBid(posting.id)
   const labels = new Map(posting.lines.map(({ key, label }) => [key, label]))
   const put = (changes: Partial<typeof now>) => set((before) => ({ ...before, ...changes }))
+  const perHour = perHourOf(now, currency)
   const concepts = conceptsOf(now, posting.lines, currency)
   const missing = now.lines.filter(({ kind, isOffered }) => kind === 'asked' && !isOffered)
   const keep = async (thenSend: boolean) => {
@@ -184,6 +187,7 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
       </div>
       <p className={classes.total}>
         <span className="strong">{`Total ${money(totalOf(now, currency), currency)}`}</span>
+        {perHour !== null && <span className="small mid">{`${money(perHour, currency)} an hour of the whole work`}</span>}
         {concepts > 0 && (
           <span className="tone-warn">{`${money(concepts, currency)} of it for cues that are concepts still`}</span>
         )}

@@ -34,6 +34,13 @@ export const postingQuery = (postingId: string) =>
       data?.own_bid?.samples.some(({ state }) => state === 'pending') ? CHECKED_SOON_MS : false,
   })
 
+/** How the studio of a posting worked with designers so far. */
+export const studioRecordQuery = (postingId: string) =>
+  queryOptions({
+    queryKey: [...queryKeys.posting(postingId), 'studio record'],
+    queryFn: () => answered(api.GET('/v1/postings/{posting_id}/studio-record', at(postingId))),
+  })
+
 /** The cues that the lines of a posting count. */
 export const askedCuesQuery = (postingId: string) =>
   queryOptions({

@@ -106,3 +106,9 @@ export const conceptsOf = (typed: TypedBid, asked: readonly AskedLine[], currenc
     const of = line.kind === 'asked' ? asked.find(({ key }) => key === line.key) : undefined
     return of && of.cues > 0 ? sum + Math.floor((lineMinor(line, currency) * of.concepts) / of.cues) : sum
   }, 0)
+
+/** What an hour of the whole work earns, in minor units; null without hours. */
+export function perHourOf(typed: TypedBid, currency: string): number | null {
+  const hours = hundredthsOf(typed.hours)
+  return hours ? Math.round((totalOf(typed, currency) * 100) / hours) : null
+}

@@ -281,11 +281,34 @@ test('what was typed before a colleague opened the posting keeps what is fixed a
   )
 })
 
+const RECORD = {
+  studio_name: 'Two Rivers',
+  review_hours: 30,
+  answer_hours: null,
+  days_to_pay: 12,
+  rounds_per_cue: 0.5,
+  bonuses_promised: 2,
+  bonuses_earned: 1,
+  bonuses_paid: 1,
+}
+
+test('a bidder reads how the studio reviews and pays', async () => {
+  bidOpened()
+  const record = await screen.findByRole('region', { name: 'Two Rivers’s record' })
+  expect(within(record).getAllByRole('listitem').map(({ textContent }) => textContent)).toEqual([
+    'Time to a verdict: 30 hours.',
+    'Time to a payment: 12 days.',
+    'Rounds of changes for a cue: 0.5.',
+    'Bonuses: 2 contracts with one, 1 earned, 1 paid.',
+  ])
+})
+
 function bidOpened(more: Partial<Posting> = {}) {
   const server = new ListServer([], {}, 'designer')
   const seen = aPosting({ is_team: false, headings: [], bids: null, ...more })
   server.answers['GET /v1/postings/p1/cues'] = []
   server.answers['GET /v1/postings/p1'] = seen
+  server.answers['GET /v1/postings/p1/studio-record'] = RECORD
   openApp('/postings/p1')
   return { server, seen }
 }

@@ -1,6 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
 
+import type { Schemas } from '@/api'
 import { estimatesQuery } from '@/money/api'
+import { hours, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
 import { day, deviation, figure, plural } from '@/ui/format'
 
@@ -9,7 +11,7 @@ import classes from './Page.module.css'
 /** How estimates turn out; for the two parties only. */
 export function EstimatesCard({ contractId, title }: { contractId: string; title: string }) {
   const { data } = useQuery(estimatesQuery(contractId))
-  if (!data || (data.cues.length === 0 && data.milestones.length === 0)) return null
+  if (!data || (data.cues.length === 0 && data.milestones.length === 0 && !data.pay)) return null
   const id = `estimates-${contractId}`
   const habits = [
     { name: 'Cues', habit: data.cue_habit },
@@ -35,8 +37,26 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
             {due === forecast ? 'on time at this rate' : `${day(forecast)} at this rate, agreed ${day(due)}`}.
           </p>
         ))}
+        {data.pay && <PayLines pay={data.pay} />}
         {data.warning !== null && <p className="small tone-warn">{data.warning}</p>}
       </div>
     </Card>
+  )
+}
+
+/** What an hour earns; the designer alone is told. */
+function PayLines({ pay }: { pay: NonNullable<Schemas['EstimatesRead']['pay']> }) {
+  const { currency, estimated_min, logged_min, by_estimate_minor, by_log_minor } = pay
+  return [
+    { name: 'An hour earns, as estimated', minutes: estimated_min, minor: by_estimate_minor },
+    { name: 'An hour earns, as logged', minutes: logged_min, minor: by_log_minor },
+  ].map(
+    ({ name, minutes, minor }) =>
+      minor !== null && (
+        <p key={name} className={classes.line}>
+          <span className="mid">{name}</span>
+          <span>{`${money(minor, currency)}, of ${hours(minutes)}`}</span>
+        </p>
+      ),
   )
 }

@@ -45,6 +45,7 @@ export function MilestonePage() {
       <Head sheet={sheet} side={side} />
       <div className="columns">
         <div className="stack">
+          {sheet.blocked_by.length > 0 && <BlockedCard sheet={sheet} />}
           <CuesCard sheet={sheet} side={side} />
           <LinesCard sheet={sheet} />
         </div>
@@ -83,6 +84,35 @@ function Head({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
       </div>
       <p className="title">{money(milestone.left_minor, sheet.currency)}</p>
     </header>
+  )
+}
+
+/** The open questions for which its work waits. */
+function BlockedCard({ sheet: { blocked_by: questions, project_id: projectId } }: { sheet: MilestoneSheet }) {
+  return (
+    <Card aria-labelledby="blocked">
+      <CardHead id="blocked" title="Blocked by" end={plural(questions.length, 'question')} />
+      <Rows>
+        {questions.map(({ id, cue, text, owner, due_on }) => (
+          <Row key={id}>
+            <State kind="question" />
+            <div>
+              <p>{text}</p>
+              <p className="small mid">
+                <Link
+                  className="link"
+                  to="/projects/$projectId/sound-list/cues/$cueId"
+                  params={{ projectId, cueId: cue.id }}
+                >
+                  {cue.name}
+                </Link>
+                {` waits for ${owner?.name ?? 'the team'}${due_on === null ? '' : `, due ${dueDay(due_on)}`}.`}
+              </p>
+            </div>
+          </Row>
+        ))}
+      </Rows>
+    </Card>
   )
 }
 

@@ -18,6 +18,7 @@ describe('placeholders', () => {
     category: 'weapon',
     state: 'missing',
     spoken: false,
+    trigger: '',
     refusal: null,
   }
   const COUNTDOWN = {

@@ -138,7 +138,7 @@ export function ReviewPage(): ReactNode {
           money={money ?? null}
           projectId={projectId}
           mayCut={project?.is_producer ?? false}
-          seesScene={project !== undefined && project.part !== 'designer'}
+          seesScene={project !== undefined}
           player={player}
           playing={playing}
           heardHere={heardHere}

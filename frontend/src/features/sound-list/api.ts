@@ -309,8 +309,18 @@ export function useCut(projectId: string, cueId: string) {
 export function useAsk(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (text: string) =>
-      answered(api.POST('/v1/cues/{cue_id}/questions', { ...ofCue(cueId), body: { text } })),
+    mutationFn: (body: Schemas['QuestionAdd']) =>
+      answered(api.POST('/v1/cues/{cue_id}/questions', { ...ofCue(cueId), body })),
+    onSuccess: () => refreshList(client, projectId),
+  })
+}
+
+/** Say who answers a question, by when, and whether work waits for it. */
+export function useQuestionChange(projectId: string, questionId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Partial<Schemas['QuestionPatch']>) =>
+      answered(api.PATCH('/v1/questions/{question_id}', { params: { path: { question_id: questionId } }, body })),
     onSuccess: () => refreshList(client, projectId),
   })
 }

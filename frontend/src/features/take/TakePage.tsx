@@ -204,7 +204,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           <ReversedCard check={check} />
           <UpsampledCard check={check} />
           <LossyCard check={check} />
-          {project?.part === 'team' && <FitCard take={take} />}
+          {project && <FitCard take={take} />}
         </div>
         <aside className="stack" aria-label="Measurements of this version">
           <FiguresCard check={check} findings={findings} />

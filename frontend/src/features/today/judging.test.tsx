@@ -17,6 +17,9 @@ const question = {
   asked_at: '2026-11-15T10:00:00Z',
   answer: null,
   answered_at: null,
+  owner: null,
+  due_on: null,
+  blocks: false,
 }
 
 describe('a verdict', () => {

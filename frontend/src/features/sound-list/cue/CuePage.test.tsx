@@ -23,6 +23,9 @@ const aQuestion = (id: string, cueId: string, more = {}) => ({
   answer: null,
   answered_by: null,
   answered_at: null,
+  owner: null,
+  due_on: null,
+  blocks: false,
   ...more,
 })
 

@@ -1,16 +1,18 @@
-import { Checkbox, Textarea } from '@mantine/core'
+import { Checkbox, NativeSelect, Textarea, TextInput } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
 import { useEffect, useRef, useState } from 'react'
 
+import { projectQuery } from '@/api/project'
 import { useRoles } from '@/api/roles'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
-import { ago } from '@/ui/format'
+import { ago, dueDay } from '@/ui/format'
 import { Person } from '@/ui/Person'
 import { State } from '@/ui/State'
 
-import { type Cue, type Question, useAnswer, useAsk } from '../api'
+import { type Cue, type Question, useAnswer, useAsk, useQuestionChange } from '../api'
 import fields from './CueFields.module.css'
 import classes from './Panel.module.css'
 
@@ -48,6 +50,8 @@ export function QuestionLine({
         asked {ago(question.asked_at)}
       </p>
       <p className={question.answer === null ? 'strong' : ''}>{question.text}</p>
+      {question.answer === null && <Urgency question={question} />}
+      {question.answer === null && mayAnswer && <UrgencyFields question={question} projectId={projectId} />}
       {question.answer !== null && (
         <>
           <p className="small dim">
@@ -66,6 +70,53 @@ export function QuestionLine({
       {question.answer === null && mayAnswer && <AnswerForm question={question} projectId={projectId} opens={opens} />}
       {question.answer === null && !mayAnswer && <p className="small dim">Waiting for the team’s answer.</p>}
     </article>
+  )
+}
+
+/** Who answers, by when, and what waits for it. */
+function Urgency({ question: { owner, due_on, blocks } }: { question: Question }) {
+  const facts = [owner && `${owner.name} answers`, due_on && `due ${dueDay(due_on)}`, blocks && 'work waits for it']
+  const words = facts.filter(Boolean).join(', ')
+  return words === '' ? null : <p className="small mid">{words.charAt(0).toUpperCase() + words.slice(1)}.</p>
+}
+
+function UrgencyFields({ question, projectId }: { question: Question; projectId: string }) {
+  const { data: project } = useQuery(projectQuery(projectId))
+  const change = useQuestionChange(projectId, question.id)
+  const leads = project ? [project.approver, ...project.liaisons] : []
+  const people = new Map([...leads, ...(question.owner ? [question.owner] : [])].map(({ id, name }) => [id, name]))
+  return (
+    <details>
+      <summary className="small">Owner and due date</summary>
+      <div className={classes.say}>
+        <NativeSelect
+          label="Owner"
+          value={question.owner?.id ?? ''}
+          data={[{ value: '', label: 'Anyone on the team' }, ...[...people].map(([value, label]) => ({ value, label }))]}
+          onChange={(event) => change.mutate({ owner_id: event.currentTarget.value || null })}
+        />
+        <TextInput
+          type="date"
+          label="Due"
+          value={question.due_on ?? ''}
+          onChange={(event) => change.mutate({ due_on: event.currentTarget.value || null })}
+        />
+      </div>
+      <BlocksField checked={question.blocks} onChange={(blocks) => change.mutate({ blocks })} />
+      <Refusal error={change.error} />
+    </details>
+  )
+}
+
+function BlocksField({ checked, onChange }: { checked: boolean; onChange: (checked: boolean) => void }) {
+  return (
+    <Checkbox
+      mt="xs"
+      classNames={{ input: fields.box, label: fields.boxLabel }}
+      label="Work on this sound waits for the answer"
+      checked={checked}
+      onChange={(event) => onChange(event.currentTarget.checked)}
+    />
   )
 }
 
@@ -138,6 +189,7 @@ interface AskFormProps {
 /** Ask the team what it means by a cue. */
 export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps) {
   const [text, setText, draft] = useDraft(`ask:${cue.id}`, '')
+  const [blocks, setBlocks] = useState(false)
   const ask = useAsk(projectId, cue.id)
   const field = useRef<HTMLTextAreaElement>(null)
   useEffect(() => {
@@ -146,9 +198,10 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
   const send = () => {
     const said = text.trim()
     if (said === '' || ask.isPending) return
-    ask.mutate(said, {
+    ask.mutate({ text: said, blocks }, {
       onSuccess: () => {
         draft.discard()
+        setBlocks(false)
         showToast(`Question about ${cue.name} sent. The team sees it on Today.`)
         onAsked?.()
       },
@@ -179,6 +232,7 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
           Ask
         </Button>
       </div>
+      {text.trim() !== '' && <BlocksField checked={blocks} onChange={setBlocks} />}
       <DraftNote draft={draft} />
       <Refusal error={ask.error} />
     </form>

@@ -1,0 +1,1 @@
+"""A studio's record as a client, for those who think of bidding."""
