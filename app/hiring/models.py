@@ -24,6 +24,7 @@ class Posting(ProjectOwned, Dated, Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     title: Mapped[str]
     text: Mapped[str] = mapped_column(default="")
+    equipment: Mapped[str] = mapped_column(default="")  # that the work needs
     phase: Mapped[PostingPhase]
     state: Mapped[PostingState] = mapped_column(default=PostingState.DRAFT)
     revision: Mapped[int] = mapped_column(default=1)  # counts changes; a change names the one that was read

@@ -8,7 +8,7 @@ from pydantic import Field, StringConstraints
 
 from app.accounts.schemas import Email, Line, PersonBrief, Prose
 from app.core.web.http import LARGEST_NUMBER, Schema
-from app.hiring.roster.rules import BusyKind
+from app.hiring.roster.rules import BusyKind, Exclusivity
 from app.hiring.rules import (
     DEFAULT_HEADINGS,
     AskedScope,
@@ -46,6 +46,7 @@ class PostingAdd(Schema):
 
     title: Line
     text: Prose = ""
+    equipment: Prose = Field(default="", description="That the work needs; bidders say what of it they have.")
     phase: PostingPhase = PostingPhase.PRODUCTION
     currency: Currency | None = Field(
         default=None, description="Null: as it is; for a new posting that of the project's budget, else the last used."
@@ -136,6 +137,11 @@ class BidContent(Schema):
     hours_hundredths: Hundredths | None = Field(default=None, description="The whole work in hours: 16000 for 160.")
     from_on: date | None = None
     to_on: date | None = None
+    exclusivity: Exclusivity = Field(
+        default=Exclusivity.UNKNOWN, description="Whether the designer works on this project alone while it lasts."
+    )
+    other_work: Prose = Field(default="", description="The designer's other work in these days.")
+    equipment: Prose = Field(default="", description="What the designer has of the equipment that the posting names.")
     note: Prose = ""
 
 
@@ -245,6 +251,7 @@ class PostingRead(Schema):
     nda_open: bool = Field(description="An NDA comes first: until it is signed only title, dates and studio are shown.")
     is_team: bool
     text: str
+    equipment: str = Field(description="That the work needs.")
     price_minor: int | None
     budget_minor: int | None = Field(description="Null where it is not shown to the caller, or not named.")
     is_budget_shown: bool

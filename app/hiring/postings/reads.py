@@ -70,6 +70,7 @@ def preview(
         nda_needed=is_closed,
         project_name="" if is_closed else posting.project.name,
         text="" if is_closed else posting.text,
+        equipment="" if is_closed else posting.equipment,
         currency=posting.currency,
         price_minor=None if is_closed else posting.price_minor,
         budget_minor=posting.budget_minor if posting.is_budget_shown and not is_closed else None,

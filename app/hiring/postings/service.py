@@ -47,6 +47,7 @@ class PostingFields:
 
     title: str
     text: str
+    equipment: str
     phase: PostingPhase
     currency: str | None  # None: as it is; of a new posting the usual one of its project
     price_minor: int | None

@@ -119,6 +119,19 @@ def test_what_does_not_fit_is_refused_with_its_place(world: World, posting: dict
 
 
 @pytest.mark.slow
+def test_a_bid_says_exclusivity_other_work_and_equipment(world: World) -> None:
+    add_cues(world)
+    posting = opened(world, equipment="A contact microphone", **DATES)
+    said = {"exclusivity": "several", "other_work": "A film until May", "equipment": "Two of them"}
+    seen = send(world, posting, world.other_designer, WHOLE, **said)
+    assert seen["equipment"] == "A contact microphone"
+    (bid,) = compared(world, posting)["bids"]
+    assert {name: bid["content"][name] for name in said} == said
+    later = {"revision": seen["own_bid"]["revision"], "exclusivity": "never"}
+    assert save(world.other_designer, posting, WHOLE, **later).status_code == 422
+
+
+@pytest.mark.slow
 def test_a_closed_posting_takes_no_bids_and_keeps_drafts(world: World, posting: dict[str, Any]) -> None:
     join(world, posting, world.other_designer)
     save(world.other_designer, posting, WHOLE)

@@ -16,6 +16,7 @@ import { type BidLine, type Posting, useAsk, useSaveBid, useSendBid, useWithdraw
 import { conceptsOf, contentOf, perHourOf, totalOf, type TypedLine, typedBid } from './bid'
 import classes from './Hiring.module.css'
 import { PostingFacts } from './PostingFacts'
+import { EXCLUSIVITY_WORDS } from './roster/words'
 import { SamplesCard } from './SamplesCard'
 import { StudioRecordCard } from './StudioRecordCard'
 import { usePosting } from './usePosting'
@@ -176,6 +177,33 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
           value={now.to}
           onChange={({ currentTarget }) => put({ to: currentTarget.value })}
         />
+        <Select
+          label="Other projects while it lasts"
+          value={now.exclusivity}
+          onChange={({ currentTarget }) => put({ exclusivity: currentTarget.value as typeof now.exclusivity })}
+        >
+          {Object.entries(EXCLUSIVITY_WORDS).map(([value, words]) => (
+            <option key={value} value={value}>
+              {words}
+            </option>
+          ))}
+        </Select>
+        <TextInput
+          label="Other work in these days"
+          maxLength={5000}
+          value={now.otherWork}
+          onChange={({ currentTarget }) => put({ otherWork: currentTarget.value })}
+        />
+        {(posting.equipment !== '' || now.equipment !== '') && (
+          <TextInput
+            className={classes.wide}
+            label="Equipment"
+            description={posting.equipment && `The studio asks for: ${posting.equipment}`}
+            maxLength={5000}
+            value={now.equipment}
+            onChange={({ currentTarget }) => put({ equipment: currentTarget.value })}
+          />
+        )}
         <Textarea
           className={classes.wide}
           label="Note"

@@ -8,7 +8,7 @@ import { type ComparedBid, type Comparison } from './api'
 import classes from './Hiring.module.css'
 import { SampleLine } from './SampleLine'
 import { type FilePlayer } from './player'
-import { busyInWords } from './roster/words'
+import { busyInWords, EXCLUSIVITY_WORDS } from './roster/words'
 import { EXTRA_WORDS, period, UNIT_WORDS } from './words'
 
 interface BidsTableProps {
@@ -145,6 +145,12 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
                   ))
                 }),
               )}
+          {bids.some(({ content }) => content.exclusivity !== 'unknown') &&
+            row('Other projects', ({ content }) => EXCLUSIVITY_WORDS[content.exclusivity ?? 'unknown'])}
+          {bids.some(({ content }) => content.other_work) &&
+            row('Other work in these days', ({ content }) => <span className={classes.text}>{content.other_work}</span>)}
+          {bids.some(({ content }) => content.equipment) &&
+            row('Equipment', ({ content }) => <span className={classes.text}>{content.equipment}</span>)}
           {row('Note', (bid) => (
             <span className={classes.text}>{bid.content.note}</span>
           ))}

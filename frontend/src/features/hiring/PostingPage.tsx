@@ -128,6 +128,7 @@ const typed = (minor: number | null, currency: string) => (minor === null ? '' :
 const fieldsOf = (posting: Posting) => ({
   title: posting.title,
   text: posting.text,
+  equipment: posting.equipment,
   phase: posting.phase,
   price: typed(posting.price_minor, posting.currency),
   budget: typed(posting.budget_minor, posting.currency),
@@ -163,6 +164,7 @@ function bodyOf(fields: PostingFields, posting: Posting): { body: PostingBody } 
     body: {
       title: fields.title,
       text: fields.text,
+      equipment: fields.equipment,
       phase: fields.phase,
       currency,
       price_minor: sums[0] ?? null,
@@ -276,6 +278,13 @@ function Fields({ posting, fields, set, draft, unsavedCurrency, isSaving, onSubm
           value={fields.text}
           maxLength={5000}
           onChange={({ currentTarget }) => set({ text: currentTarget.value })}
+        />
+        <TextInput
+          className={classes.wide}
+          label="Equipment that the work needs"
+          value={fields.equipment}
+          maxLength={5000}
+          onChange={({ currentTarget }) => set({ equipment: currentTarget.value })}
         />
         <TextInput
           className={classes.wide}

@@ -19,6 +19,9 @@ export interface TypedBid {
   hours: string
   from: string
   to: string
+  exclusivity: NonNullable<BidContent['exclusivity']>
+  otherWork: string
+  equipment: string
   note: string
 }
 
@@ -60,6 +63,9 @@ export function typedBid(asked: readonly AskedLine[], bid: BidContent | null, cu
     hours: typeof bid?.hours_hundredths === 'number' ? shown(bid.hours_hundredths) : '',
     from: bid?.from_on ?? '',
     to: bid?.to_on ?? '',
+    exclusivity: bid?.exclusivity ?? 'unknown',
+    otherWork: bid?.other_work ?? '',
+    equipment: bid?.equipment ?? '',
     note: bid?.note ?? '',
   }
 }
@@ -84,6 +90,9 @@ export function contentOf(typed: TypedBid, currency: string): { content: BidCont
       hours_hundredths: hours,
       from_on: typed.from || null,
       to_on: typed.to || null,
+      exclusivity: typed.exclusivity,
+      other_work: typed.otherWork,
+      equipment: typed.equipment,
       note: typed.note,
     },
   }

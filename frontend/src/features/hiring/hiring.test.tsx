@@ -38,6 +38,7 @@ const aPosting = (more: Partial<Posting> = {}): Posting => ({
   budget_minor: null,
   is_budget_shown: false,
   rate_floor_minor: null,
+  equipment: '',
   scope: 'all',
   categories: [],
   cue_ids: [],

@@ -61,6 +61,7 @@ const POSTING = {
   budget_minor: null,
   is_budget_shown: false,
   rate_floor_minor: null,
+  equipment: '',
   scope: 'all',
   categories: [],
   cue_ids: [],
