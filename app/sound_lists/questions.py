@@ -71,7 +71,8 @@ def change_question(
             fix="choose a member of the team, or leave the question without an owner",
         )
     for name, value in changes.items():
-        setattr(question, name, value)
+        if value is not None or name != "blocks":
+            setattr(question, name, value)
     session.flush()
     session.expire(question, ["owner"])
     return access, _read_again(session, question.id)

@@ -155,7 +155,7 @@ class QuestionPatch(Schema):
 
     owner_id: UUID | None = Field(default=None, description="The member of the team who is to answer; null: anybody.")
     due_on: date | None = None
-    blocks: bool = False
+    blocks: bool | None = None
 
 
 class AnswerAdd(Schema):

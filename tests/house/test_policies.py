@@ -38,6 +38,7 @@ ONE_DESIGNERS = {
     "note_id",
     "playlist_id",  # one that holds sounds of theirs alone
     "master_export_id",
+    "comparison_id",
     "tray_action_id",
     "library_id",
     *("game_task_id", "listening_note_id"),

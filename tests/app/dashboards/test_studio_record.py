@@ -8,6 +8,7 @@ from tests.support.server import World
 
 
 @pytest.mark.slow
+@pytest.mark.both_databases
 def test_bidders_see_how_the_studio_answers_and_pays(world: World) -> None:
     add_cues(world)
     posting = opened(world)

@@ -289,7 +289,9 @@ export function useAsk(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ cueId, text }: { cueId: string; text: string }) =>
-      answered(api.POST('/v1/cues/{cue_id}/questions', { params: { path: { cue_id: cueId } }, body: { text } })),
+      answered(
+        api.POST('/v1/cues/{cue_id}/questions', { params: { path: { cue_id: cueId } }, body: { text, blocks: false } }),
+      ),
     onSuccess: () => invalidate(client, queryKeys.desk(projectId), queryKeys.soundList(projectId)),
   })
 }

@@ -215,7 +215,9 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
       </div>
       <p className={classes.total}>
         <span className="strong">{`Total ${money(totalOf(now, currency), currency)}`}</span>
-        {perHour !== null && <span className="small mid">{`${money(perHour, currency)} an hour of the whole work`}</span>}
+        {perHour !== null && (
+          <span className="small mid">{`${money(perHour, currency)} an hour of the whole work`}</span>
+        )}
         {concepts > 0 && (
           <span className="tone-warn">{`${money(concepts, currency)} of it for cues that are concepts still`}</span>
         )}

@@ -148,7 +148,9 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
           {bids.some(({ content }) => content.exclusivity !== 'unknown') &&
             row('Other projects', ({ content }) => EXCLUSIVITY_WORDS[content.exclusivity ?? 'unknown'])}
           {bids.some(({ content }) => content.other_work) &&
-            row('Other work in these days', ({ content }) => <span className={classes.text}>{content.other_work}</span>)}
+            row('Other work in these days', ({ content }) => (
+              <span className={classes.text}>{content.other_work}</span>
+            ))}
           {bids.some(({ content }) => content.equipment) &&
             row('Equipment', ({ content }) => <span className={classes.text}>{content.equipment}</span>)}
           {row('Note', (bid) => (

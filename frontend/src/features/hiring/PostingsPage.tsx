@@ -81,6 +81,7 @@ function standOf({ state, takes_bids: takesBids, bids_until_on: until }: Posting
 const newPosting = (title: string): PostingAdd => ({
   title,
   text: '',
+  equipment: '',
   phase: 'production',
   is_budget_shown: false,
   scope: 'all',

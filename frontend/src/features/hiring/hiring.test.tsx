@@ -71,6 +71,9 @@ const aBid = (id: string, name: string, more: Partial<ComparedBid> = {}): Compar
     hours_hundredths: 2400,
     from_on: null,
     to_on: null,
+    exclusivity: 'unknown',
+    other_work: '',
+    equipment: '',
     note: '',
   },
   amounts_minor: [81000, 15000],
@@ -296,7 +299,11 @@ const RECORD = {
 test('a bidder reads how the studio reviews and pays', async () => {
   bidOpened()
   const record = await screen.findByRole('region', { name: 'Two Rivers’s record' })
-  expect(within(record).getAllByRole('listitem').map(({ textContent }) => textContent)).toEqual([
+  expect(
+    within(record)
+      .getAllByRole('listitem')
+      .map(({ textContent }) => textContent),
+  ).toEqual([
     'Time to a verdict: 30 hours.',
     'Time to a payment: 12 days.',
     'Rounds of changes for a cue: 0.5.',

@@ -78,7 +78,16 @@ const POSTING = {
   contract_id: null,
 }
 
-const CONTENT = { lines: [], hours_hundredths: null, from_on: null, to_on: null, note: '' }
+const CONTENT = {
+  lines: [],
+  hours_hundredths: null,
+  from_on: null,
+  to_on: null,
+  exclusivity: 'unknown' as const,
+  other_work: '',
+  equipment: '',
+  note: '',
+}
 
 const own = (samples: Sample[]) => ({
   id: 'b1',

@@ -1,6 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
-import type { Schemas } from '@/api'
+import type { components } from '@/api/schema.gen'
 import { estimatesQuery } from '@/money/api'
 import { hours, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
@@ -45,7 +45,7 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
 }
 
 /** What an hour earns; the designer alone is told. */
-function PayLines({ pay }: { pay: NonNullable<Schemas['EstimatesRead']['pay']> }) {
+function PayLines({ pay }: { pay: NonNullable<components['schemas']['EstimatesRead']['pay']> }) {
   const { currency, estimated_min, logged_min, by_estimate_minor, by_log_minor } = pay
   return [
     { name: 'An hour earns, as estimated', minutes: estimated_min, minor: by_estimate_minor },

@@ -49,6 +49,7 @@ function aSheet(more: Partial<MilestoneSheet> = {}): MilestoneSheet {
       { ...ping, status: 'accepted' },
       { ...oath, status: 'to_review' },
     ],
+    blocked_by: [],
     slip,
     slips: [before, slip],
     slip_growth_days: 2,

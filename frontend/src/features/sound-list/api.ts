@@ -319,7 +319,7 @@ export function useAsk(projectId: string, cueId: string) {
 export function useQuestionChange(projectId: string, questionId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Partial<Schemas['QuestionPatch']>) =>
+    mutationFn: (body: Schemas['QuestionPatch']) =>
       answered(api.PATCH('/v1/questions/{question_id}', { params: { path: { question_id: questionId } }, body })),
     onSuccess: () => refreshList(client, projectId),
   })

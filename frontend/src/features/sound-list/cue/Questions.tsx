@@ -92,7 +92,10 @@ function UrgencyFields({ question, projectId }: { question: Question; projectId:
         <NativeSelect
           label="Owner"
           value={question.owner?.id ?? ''}
-          data={[{ value: '', label: 'Anyone on the team' }, ...[...people].map(([value, label]) => ({ value, label }))]}
+          data={[
+            { value: '', label: 'Anyone on the team' },
+            ...[...people].map(([value, label]) => ({ value, label })),
+          ]}
           onChange={(event) => change.mutate({ owner_id: event.currentTarget.value || null })}
         />
         <TextInput
@@ -198,14 +201,17 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
   const send = () => {
     const said = text.trim()
     if (said === '' || ask.isPending) return
-    ask.mutate({ text: said, blocks }, {
-      onSuccess: () => {
-        draft.discard()
-        setBlocks(false)
-        showToast(`Question about ${cue.name} sent. The team sees it on Today.`)
-        onAsked?.()
+    ask.mutate(
+      { text: said, blocks },
+      {
+        onSuccess: () => {
+          draft.discard()
+          setBlocks(false)
+          showToast(`Question about ${cue.name} sent. The team sees it on Today.`)
+          onAsked?.()
+        },
       },
-    })
+    )
   }
   return (
     <form
