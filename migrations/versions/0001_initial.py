@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_201b08b6"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_e5153873"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -861,6 +861,7 @@ def upgrade() -> None:
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("title", sa.String(), nullable=False),
         sa.Column("text", sa.String(), nullable=False),
+        sa.Column("equipment", sa.String(), nullable=False),
         sa.Column("phase", sa.Enum("production", "advisory", name="postingphase", native_enum=False, length=32), nullable=False),
         sa.Column("state", sa.Enum("draft", "open", "closed", "awarded", name="postingstate", native_enum=False, length=32), nullable=False),
         sa.Column("revision", sa.Integer(), nullable=False),
@@ -1881,11 +1882,15 @@ def upgrade() -> None:
         sa.Column("answer", sa.String()),
         sa.Column("answered_by", sa.Uuid()),
         sa.Column("answered_at", sa.DateTime(timezone=True)),
+        sa.Column("owner_id", sa.Uuid()),
+        sa.Column("due_on", sa.Date()),
+        sa.Column("blocks", sa.Boolean(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.ForeignKeyConstraint(["answered_by"], ["accounts_people.id"], name=op.f("fk_sound_lists_questions_answered_by")),
         sa.ForeignKeyConstraint(["asked_by"], ["accounts_people.id"], name=op.f("fk_sound_lists_questions_asked_by")),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_sound_lists_questions_cue_id")),
+        sa.ForeignKeyConstraint(["owner_id"], ["accounts_people.id"], name=op.f("fk_sound_lists_questions_owner_id")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_sound_lists_questions_project_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_sound_lists_questions_studio_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_sound_lists_questions")),

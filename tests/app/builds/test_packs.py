@@ -91,7 +91,7 @@ def test_the_documentation_key_says_what_each_file_is(world: World) -> None:
     assert rows[2]["master_sha256"] == hashlib.sha256(masters["ui_confirm"]).hexdigest()
     assert (rows[0]["sample_rate_hz"], rows[0]["bit_depth"], rows[0]["channels"]) == ("44100", "16", "1")
     assert rows[0]["description"] == "'=bright, thin"
-    designer = world.designer.get("/v1/me").json()["name"]
+    designer = world.designer.get("/v1/me").json()["person"]["name"]
     assert {(row["originator"], row["contract"], row["state"]) for row in rows} == {(designer, "", "approved")}
     cells = [cell for row in rows for cell in row.values()]
     assert not [cell for cell in cells if cell.startswith(FORMULAS)]

@@ -326,7 +326,7 @@ test('a bid says what an hour of it earns', async () => {
   const footsteps = await screen.findByRole('group', { name: 'Footsteps' })
   await userEvent.type(within(footsteps).getByRole('textbox', { name: 'Price, USD' }), '100')
   await userEvent.type(screen.getByRole('textbox', { name: /hours/i }), '7.5')
-  expect(screen.getByText('USD 40.00 an hour of the whole work')).toBeVisible() // 300.00 in 7.5 hours
+  expect(screen.getByText('$40.00 an hour of the whole work')).toBeVisible() // 300.00 in 7.5 hours
 })
 
 test('a designer bids on the asked lines; what cannot be read is said, and what was typed is kept', async () => {
