@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-GUIDES, COPY, BUILT = ROOT / "docs", ROOT / ".make" / "guides", ROOT / ".make" / "help"  # as zensical.toml says
+GUIDES, COPY, BUILT = ROOT / "docs", ROOT / ".make" / "guides", ROOT / ".make" / "help-site"  # as zensical.toml says
 LINK = re.compile(r"(?<!!)\[([^]]+)\]\(((?:\.\./)+[^)#\s]+)(?:#[^)\s]*)?\)")
 SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 
