@@ -1,12 +1,11 @@
 """The contract that ordered a designer's work on a cue."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Mapping
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.agreements.models import Contract
-from app.deliveries.models import Take
 from app.money import queries
 
 Work = tuple[UUID, UUID]  # a cue, and the designer whose takes of it are meant
@@ -21,12 +20,11 @@ def newest_contracts(session: Session, work: Collection[Work]) -> dict[Work, Con
     return newest
 
 
-def contract_references(session: Session, cue_prefix: str, takes: Iterable[Take]) -> dict[UUID, str]:
-    """Return the short name of the contract that ordered each take, as in `SW contract 2`."""
-    work = {take.id: (take.cue_id, take.designer_id) for take in takes if take.cue_id is not None}
-    contracts = newest_contracts(session, set(work.values()))
+def contract_references(session: Session, cue_prefix: str, work_of: Mapping[UUID, Work]) -> dict[UUID, str]:
+    """Return the short name of the contract that ordered each take's work, as in `SW contract 2`, by the take's id."""
+    contracts = newest_contracts(session, set(work_of.values()))
     return {
-        take_id: f"{cue_prefix} contract {contracts[piece].number}"
-        for take_id, piece in work.items()
-        if piece in contracts
+        take_id: f"{cue_prefix} contract {contracts[work].number}"
+        for take_id, work in work_of.items()
+        if work in contracts
     }

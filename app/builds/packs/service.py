@@ -186,7 +186,11 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
         last_marks={path: mark_of(render) for path, render in last_renders.items()},
         marked=takes_with_finding(session, [take.id for _, _, take in accepted], PLACEHOLDER_CODE),
         sources=sources_of(session, [take for _, _, take in accepted]),
-        contracts=contract_references(session, project.cue_prefix, [take for _, _, take in accepted]),
+        contracts=contract_references(
+            session,
+            project.cue_prefix,
+            {take.id: (take.cue_id, take.designer_id) for _, _, take in accepted if take.cue_id is not None},
+        ),
     )
 
 

@@ -68,11 +68,12 @@ def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
 def _provenance(session: Session, take: Take, project: Project) -> Provenance:
     """Return the recorded provenance of a take; the date of recording is known only from its file."""
     studio = session.get_one(Studio, project.studio_id)
+    work_of = {} if take.cue_id is None else {take.id: (take.cue_id, take.designer_id)}
     known = Provenance(
         project=project.name,
         studio=studio.name,
         originator=take.designer.name,
-        contract=contract_references(session, project.cue_prefix, [take]).get(take.id, ""),
+        contract=contract_references(session, project.cue_prefix, work_of).get(take.id, ""),
         state=work_state(take.state, is_placeholder=bool(takes_with_finding(session, [take.id], PLACEHOLDER_CODE))),
     )
     stated = sources_of(session, [take]).get(take.id)
