@@ -158,7 +158,10 @@ describe('beside it', () => {
     await user.type(field, 'How heavy is the door?')
     await user.click(screen.getByRole('button', { name: 'Send question' }))
     expect(await screen.findByText(/Question about airlock_cycle/)).toBeInTheDocument()
-    expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({ text: 'How heavy is the door?' })
+    expect(asked.find(({ method }) => method === 'POST')?.body).toEqual({
+      text: 'How heavy is the door?',
+      blocks: false,
+    })
   })
 })
 
