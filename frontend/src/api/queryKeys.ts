@@ -82,6 +82,7 @@ export const queryKeys = {
   postings: family<[projectId: string]>('postings'),
   ownPostings: family('own-postings'),
   posting: family<[postingId: string]>('posting'),
+  studioRecord: family<[postingId: string]>('studio-record'),
   postingLink: family<[secret: string]>('posting-link'),
   bids: family<[postingId: string]>('bids'),
   roster: family<[studioId: string, search: unknown]>('roster'),

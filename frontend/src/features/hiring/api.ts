@@ -37,7 +37,7 @@ export const postingQuery = (postingId: string) =>
 /** How the studio of a posting worked with designers so far. */
 export const studioRecordQuery = (postingId: string) =>
   queryOptions({
-    queryKey: [...queryKeys.posting(postingId), 'studio record'],
+    queryKey: queryKeys.studioRecord(postingId),
     queryFn: () => answered(api.GET('/v1/postings/{posting_id}/studio-record', at(postingId))),
   })
 
