@@ -39,7 +39,7 @@ quick: setup .make/postgresql .make/librosa  ## Pass the test files nearest to w
 	  test -z "$$files" || $(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m 'not slow' $$files || test $$? = 5
 	@cd frontend && npx vitest run --tags-filter='!slow' --changed $(SINCE) --passWithNoTests
 
-test: .make/s3  ## Set up and pass the fast tests, two parts at a time: about 13 minutes on two cores
+test: .make/s3  ## Set up and pass the fast tests, two parts at a time: about 15 minutes on two cores
 	@$(call in_parallel,$(PARTS))
 
 test-slow: .make/s3  ## Pass every other test: PostgreSQL, kills, attacks, timing, long walks in the browser
