@@ -52,13 +52,13 @@ SIGNED = (ContractState.AGREED, ContractState.ENDED)
 
 
 def project(session: Session, project_id: UUID) -> Project | None:
-    """Return a project by its id."""
-    return session.get(Project, project_id)
+    """Return a project by its id, locked: nobody adds a row to what is being erased."""
+    return session.get(Project, project_id, with_for_update=True)
 
 
 def studio(session: Session, studio_id: UUID) -> Studio | None:
-    """Return a studio by its id."""
-    return session.get(Studio, studio_id)
+    """Return a studio by its id, locked: nobody adds a row to what is being erased."""
+    return session.get(Studio, studio_id, with_for_update=True)
 
 
 def person(session: Session, address: str) -> Person | None:

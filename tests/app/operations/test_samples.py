@@ -54,7 +54,6 @@ def test_no_other_project_is_deleted_as_a_sample(world: World) -> None:
     assert world.producer.get(f"/v1/projects/{world.project_id}").status_code == 200
 
 
-@pytest.mark.slow  # on PostgreSQL it crosses the checks in several ways, not all of which end well yet
 @pytest.mark.both_databases
 def test_a_sample_that_is_deleted_while_its_sounds_are_checked_leaves_nothing(world: World) -> None:
     sample_id = open_sample(world)
