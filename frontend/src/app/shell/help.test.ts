@@ -11,7 +11,7 @@ const DOCS = join(import.meta.dirname, '../../../../docs')
 test.each([
   ['/projects/1/sound-list/cues/2', '/help/how-to/sound-list.html'],
   ['/projects/1/review/2', '/help/how-to/review.html'],
-  ['/projects/1/contracts/2/changes', '/help/how-to/change-contracts.html'],
+  ['/projects/1/contracts/2/changes', '/help/how-to/contracts.html'],
   ['/projects/new', '/help/tutorials/first-project.html'],
   ['/projects/1', '/help/'],
 ])('the guide to %s is %s', (pathname, guide) => {
