@@ -12,7 +12,6 @@ from fastapi.responses import FileResponse, JSONResponse, RedirectResponse
 from app import registry
 from app.accounts.authentication import DEMO_COOKIE, SESSION_COOKIE
 from app.accounts.web.policies import authenticate, caller_key
-from app.core import events
 from app.core.change_feed import ChangeFeed
 from app.core.changes import forget_old_changes
 from app.core.runtime import Runtime
@@ -29,7 +28,7 @@ from app.deliveries.uploads.endpoints import TusHeaders
 from app.migrate import ensure_at_head
 from app.operations.figures import web_collectors
 from app.projects.queries import rights_of
-from app.routers import ROUTERS
+from app.routers import COMMERCIAL_ROUTERS, ROUTERS
 
 SWEEP_EVERY_S = 3600.0
 log = structlog.get_logger(__name__)
@@ -61,7 +60,7 @@ def create_app(runtime: Runtime) -> FastAPI:
     app.state.collectors = web_collectors(runtime)
     app.state.readiness = health.Readiness(runtime, {**health.PROBES, "migrations": ensure_at_head})
     runtime.parsers.connect(registry.PARSERS)
-    events.connect(registry.SUBSCRIBERS, handlers=registry.HANDLERS, low_priority=registry.LOW_PRIORITY_JOBS)
+    registry.rooms_in_use(is_commercial=runtime.settings.commercial).connect()
     error_responses.install(
         app,
         credential_cookies=(SESSION_COOKIE, DEMO_COOKIE),
@@ -69,7 +68,7 @@ def create_app(runtime: Runtime) -> FastAPI:
         caller_key=caller_key,
         authenticate=authenticate,
     )
-    for router in ROUTERS:
+    for router in (*ROUTERS, *COMMERCIAL_ROUTERS) if runtime.settings.commercial else ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
     app.add_route("/v1/openapi.json", ApiDocument(app).respond, include_in_schema=False)

@@ -1,5 +1,11 @@
-"""The jobs of the rooms, and the subscribers of each event; their endpoints are in app/routers.py."""
+"""The jobs of the rooms, and who follows each event and signal; their endpoints are in app/routers.py.
 
+Those of the rooms that SOUNDLIST_COMMERCIAL switches off are in app/commercial.py.
+"""
+
+from typing import Any, NamedTuple
+
+from app import commercial
 from app.accounts.security_log.service import (
     record_joining,
     record_member_change,
@@ -7,22 +13,18 @@ from app.accounts.security_log.service import (
     record_second_factor,
     record_token,
 )
-from app.agreements.record.project_changes import record_list_revision, record_spec_version
-from app.agreements.signing.service import end_signers_of_member
-from app.core.events import Handler
-from app.deliveries.sources.service import ensure_stated_to_invoice
-from app.hiring.postings.service import end_links_of_member as revoke_posting_links
-from app.money.calendar import end_links_of_member as revoke_calendars
-from app.money.ledger.service import charge_deposits
+from app.core import events
+from app.core.events import Handler, Receiver, Signal
 from app.notifications.service import drop_news_of_member
 from app.projects.namings import end_namings
+from app.reviews.reasons.service import record_reasons
+from app.reviews.signals import VerdictsOnFile
 from app.shares.guest_links import end_links_of_member as revoke_guest_links
 from app.webhooks.rules import EVENTS
 from app.webhooks.service import disable_webhooks_of_member, queue_event
 
 JOB_MODULES = (
     "app.projects.jobs",
-    "app.hiring.jobs",
     "app.references.jobs",
     "app.deliveries.jobs",
     "app.conformance.jobs",
@@ -37,13 +39,7 @@ JOB_MODULES = (
     "app.builds.jobs",
     "app.builds.libraries.jobs",
     "app.builds.same_sounds.jobs",
-    "app.agreements.signing.jobs",
-    "app.money.jobs",
-    "app.amendments.jobs",
-    "app.notifications.contract_jobs",
-    "app.notifications.day_jobs",
     "app.notifications.game_jobs",
-    "app.notifications.hiring_jobs",
     "app.notifications.jobs",
     "app.notifications.mail_jobs",
     "app.notifications.notices.jobs",
@@ -105,37 +101,11 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "take.approved": ("notifications.notify_approval", "builds.fingerprint_take", "builds.compare_take"),
     "folder.adopted": ("reviews.check_adopted_takes",),
     "cue.cut": ("notifications.notify_cut",),
-    "contract.notice_given": ("notifications.notify_contract",),
-    "contract.settled": ("notifications.notify_contract",),
-    "change_order.proposed": ("notifications.notify_contract",),
-    "change_order.agreed": ("notifications.notify_contract",),
-    "contract.sent": ("notifications.notify_contract",),
-    "contract.change_requested": ("notifications.notify_contract",),
-    "contract.signed_once": ("notifications.notify_signature",),
-    "amendment.signer_is_next": ("notifications.notify_signer",),
-    "work.logged": ("notifications.notify_work_logged",),
-    "work.refused": ("notifications.notify_work_refused",),
-    "invoice.drafted": (),
-    "invoice.issued": ("notifications.notify_invoice",),
-    "payment.recorded": (),
     "designer.joined": ("notifications.notify_joined",),
-    "contract.agreed": (
-        "notifications.notify_contract",
-        "reviews.add_accepted_cues",
-        "agreements.seal_contract",
-    ),
-    "approver.reminded": ("notifications.notify_reminder",),
-    "cue.deemed_accepted": ("notifications.notify_deemed_acceptance",),
     "build.posted": ("notifications.notify_build",),
     "audit.posted": ("notifications.notify_audit",),
     "game_task.added": ("notifications.notify_game_task",),
     "approver.joined": ("projects.name_invited_approver",),
-    "posting.shared": ("notifications.mail_link",),
-    "posting.awarded": ("notifications.notify_award",),
-    "sample.added": ("hiring.check_sample",),
-    "bid.sent": ("notifications.notify_bid",),
-    "posting_question.asked": ("notifications.notify_posting_question",),
-    "posting_question.answered": ("notifications.notify_posting_answer",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),
     "member.joined": (),
@@ -146,7 +116,6 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "new_address.asked": ("notifications.mail_link",),
     "address.changed": ("notifications.notify_new_address",),
     "sign_up.asked": ("notifications.mail_link",),
-    "signing_code.asked": ("notifications.mail_link",),
     "password.changed": ("notifications.notify_new_password",),
     "device.signed_in": ("notifications.notify_new_device",),
     "second_factor.changed": ("notifications.notify_second_factor",),
@@ -157,16 +126,10 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "mail.written": ("notifications.send_mail",),
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {
-    "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
-    "list.revised": (record_list_revision,),
-    "spec.changed": (record_spec_version,),
-    # Who leaves, or has other roles now, loses at once what the membership gave; the first two may refuse it.
+    # Who leaves, or has other roles now, loses at once what the membership gave; the first may refuse it.
     "member.changed": (
         end_namings,
-        end_signers_of_member,
-        revoke_posting_links,
         revoke_guest_links,
-        revoke_calendars,
         drop_news_of_member,
         disable_webhooks_of_member,
         record_member_change,
@@ -178,13 +141,62 @@ HANDLERS: dict[str, tuple[Handler, ...]] = {
     "second_factor.changed": (record_second_factor,),
     "token.made": (record_token,),
     "member.joined": (record_joining,),
-    "invoice.drafted": (ensure_stated_to_invoice,),  # an invoice without the sources that the contract wants is refused
 }
-for _event in EVENTS:  # what webhooks are called for
-    HANDLERS[_event] = (*HANDLERS.get(_event, ()), queue_event)
+RECEIVERS: dict[type[Signal[Any]], tuple[Receiver, ...]] = {VerdictsOnFile: (record_reasons,)}
+CHORES = (
+    "server.sweep_uploads",
+    "server.send_pending",
+    "server.delete_finished_jobs",
+    "server.delete_expired_rate_limits",
+    "server.delete_old_security_events",
+    "notifications.warn_of_token_ends",
+    "notifications.notify_overdue_checks",
+    "notifications.delete_old_notices",
+    "webhooks.delete_old_calls",
+    "operations.scrub_blobs",
+    "operations.carry_out_erasures",
+    "operations.end_masters",
+)  # jobs that no event asks for
 LOW_PRIORITY_JOBS = frozenset(
     {
         *("builds.fingerprint_take", "builds.compare_take"),
         *("builds.compare_with_libraries", "builds.compare_library"),
     }
 )
+
+
+class Rooms(NamedTuple):
+    """The jobs of the rooms in use, and who follows their events and signals."""
+
+    job_modules: tuple[str, ...]
+    chores: tuple[str, ...]
+    subscribers: dict[str, tuple[str, ...]]
+    handlers: dict[str, tuple[Handler, ...]]
+    receivers: dict[type[Signal[Any]], tuple[Receiver, ...]]
+
+    def connect(self) -> None:
+        """Have events and signals of this process reach who follows them."""
+        events.connect(
+            self.subscribers, handlers=self.handlers, receivers=self.receivers, low_priority=LOW_PRIORITY_JOBS
+        )
+
+
+def rooms_in_use(*, is_commercial: bool) -> Rooms:
+    """Return the rooms of a server, with or without the commercial ones."""
+    if not is_commercial:
+        return Rooms(JOB_MODULES, CHORES, SUBSCRIBERS, _with_webhooks(HANDLERS), RECEIVERS)
+    handlers = {
+        event: (*HANDLERS.get(event, ()), *commercial.HANDLERS.get(event, ()))
+        for event in HANDLERS.keys() | commercial.HANDLERS.keys()
+    }
+    return Rooms(
+        (*JOB_MODULES, *commercial.JOB_MODULES),
+        (*CHORES, *commercial.CHORES),
+        SUBSCRIBERS | commercial.SUBSCRIBERS,
+        _with_webhooks(handlers),
+        RECEIVERS | commercial.RECEIVERS,
+    )
+
+
+def _with_webhooks(handlers: dict[str, tuple[Handler, ...]]) -> dict[str, tuple[Handler, ...]]:
+    return handlers | {event: (*handlers.get(event, ()), queue_event) for event in EVENTS}

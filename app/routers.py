@@ -33,6 +33,7 @@ from app.builds.listening.endpoints import router as listening
 from app.builds.packs.manifest_endpoints import router as manifests
 from app.builds.same_sounds.endpoints import router as same_sounds
 from app.conformance.endpoints import router as conformance
+from app.dashboards.contract_endpoints import router as contract_dashboards
 from app.dashboards.credits.endpoints import router as credit_lists
 from app.dashboards.due.endpoints import router as due_calendars
 from app.dashboards.endpoints import router as dashboards
@@ -115,21 +116,6 @@ ROUTERS: tuple[APIRouter, ...] = (
     cue_people,
     references,
     spotting,
-    hiring,
-    bid_samples,
-    bids,
-    roster,
-    awards,
-    money,
-    work,
-    electronic_invoices,
-    contract_templates,
-    contracts,
-    contract_signing,
-    contract_versions,
-    contract_redlines,
-    verifying,
-    amendments,
     deliveries,
     conformance,
     renders,
@@ -151,11 +137,9 @@ ROUTERS: tuple[APIRouter, ...] = (
     clearance,
     same_sounds,
     sound_libraries,
-    handovers,
     manifests,
     game_files,
     dashboards,
-    due_calendars,
     credit_lists,
     project_hours,
     pictures,
@@ -166,6 +150,26 @@ ROUTERS: tuple[APIRouter, ...] = (
     webhooks,
     operations,
     erasures,
-    master_retention,
     samples,
 )
+COMMERCIAL_ROUTERS: tuple[APIRouter, ...] = (
+    hiring,
+    bid_samples,
+    bids,
+    roster,
+    awards,
+    money,
+    work,
+    electronic_invoices,
+    contract_templates,
+    contracts,
+    contract_signing,
+    contract_versions,
+    contract_redlines,
+    verifying,
+    amendments,
+    handovers,
+    due_calendars,
+    master_retention,
+    contract_dashboards,
+)  # of what SOUNDLIST_COMMERCIAL switches off

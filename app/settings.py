@@ -93,6 +93,9 @@ class Settings(BaseSettings):
     sign_up: Literal["open", "invited"] = Field(
         "invited", description="Whether anyone may open an account and a studio, or only invited people."
     )
+    commercial: bool = Field(
+        True, description="Whether this server has contracts, money and hiring; no: their pages, API and jobs are gone."
+    )
     studios_per_account: int = Field(
         10, ge=1, le=100_000, description="How many studios one account may open; each has quotas of its own."
     )

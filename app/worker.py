@@ -12,7 +12,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from app import registry, tables  # noqa: F401  every model, which relations name
 from app.accounts import rate_limits
 from app.accounts.security_log import service as security_log
-from app.core import clock, events
+from app.core import clock
 from app.core.jobs.queue import Payload, job, job_names
 from app.core.jobs.workers import Worker
 from app.core.runtime import Runtime
@@ -56,37 +56,16 @@ def delete_old_security_events(runtime: Runtime, _payload: Payload) -> None:
         security_log.delete_old(session)
 
 
-CHORES = (
-    "server.sweep_uploads",
-    "server.send_pending",
-    "server.delete_finished_jobs",
-    "server.delete_expired_rate_limits",
-    "server.delete_old_security_events",
-    "reviews.apply_deemed_acceptance",
-    "money.charge_retainers",
-    "amendments.settle_ended",
-    "agreements.seal_unsealed",
-    "notifications.mail_heads",
-    "notifications.remind_of_days",
-    "notifications.warn_of_token_ends",
-    "notifications.notify_overdue_checks",
-    "notifications.delete_old_notices",
-    "webhooks.delete_old_calls",
-    "operations.scrub_blobs",
-    "operations.carry_out_erasures",
-    "operations.end_masters",
-)
-
-
 def start_worker(runtime: Runtime) -> Worker:
     """Start running jobs in this process."""
-    for module in registry.JOB_MODULES:
+    settings = runtime.settings
+    rooms = registry.rooms_in_use(is_commercial=settings.commercial)
+    for module in rooms.job_modules:
         importlib.import_module(module)
-    subscribers = {name for names in registry.SUBSCRIBERS.values() for name in names}
+    subscribers = {name for names in rooms.subscribers.values() for name in names}
     if missing := subscribers - job_names():
         raise RuntimeError(f"no worker runs the jobs {', '.join(sorted(missing))}")
-    events.connect(registry.SUBSCRIBERS, handlers=registry.HANDLERS, low_priority=registry.LOW_PRIORITY_JOBS)
-    settings = runtime.settings
+    rooms.connect()
     worker = Worker(runtime, jobs_at_once=settings.worker_jobs, silent_s=settings.worker_silent_s)
     worker.start()
     return worker
@@ -96,7 +75,7 @@ def request_chores(runtime: Runtime) -> None:
     """Write down what no event asks for; however many workers do so, each is one job in its five minutes."""
     turn = int(clock.now().timestamp()) // CHORES_EVERY_S
     with runtime.database.writing() as session:
-        for chore in CHORES:
+        for chore in registry.rooms_in_use(is_commercial=runtime.settings.commercial).chores:
             runtime.queue.enqueue(session, chore, {}, key=f"{chore}@{turn}", studio_id=None)
 
 

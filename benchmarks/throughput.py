@@ -28,7 +28,6 @@ import numpy as np
 from sqlalchemy.orm import joinedload
 
 from app import registry
-from app.core import events
 from app.core.db import new_id
 from app.core.runtime import Runtime
 from app.deliveries import service
@@ -84,7 +83,7 @@ def main() -> None:
     parser.add_argument("--postgres", action="store_true", help="on PostgreSQL in place of SQLite")
     parser.add_argument("--docs", action="store_true", help="write the table into docs/reference/benchmarks.md")
     options = parser.parse_args()
-    events.connect(registry.SUBSCRIBERS, handlers=registry.HANDLERS, low_priority=registry.LOW_PRIORITY_JOBS)
+    registry.rooms_in_use(is_commercial=True).connect()
     kind = "PostgreSQL" if options.postgres else "SQLite"
     sounds = [sound(seed) for seed in range(options.takes + 2 * max(options.workers))]
     rows: list[list[str]] = []

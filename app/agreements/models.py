@@ -114,15 +114,9 @@ class SigningCode(ProjectOwned, Base):
     used_at: Mapped[datetime | None]
 
 
-class ContractAcceptance(ProjectOwned, Base):
-    """One person's yes to one version: under which name, when, from where, and what shows that it was them."""
+class Acceptance(ProjectOwned):
+    """One person's yes to a text: under which name, when, from where, and what shows that it was them."""
 
-    __tablename__ = "contracts_acceptances"
-    __table_args__ = (UniqueConstraint("version_id", "person_id"),)
-
-    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
-    version_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_versions.id"))
     party: Mapped[Party]
     person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
     name: Mapped[str]  # as typed
@@ -133,6 +127,17 @@ class ContractAcceptance(ProjectOwned, Base):
     code_entered_at: Mapped[datetime | None]  # the code that was mailed to that address; None: none was asked for
     drawing: Mapped[list[list[list[int]]] | None]  # the name as it was drawn, in strokes of points; None: it was not
     accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class ContractAcceptance(Acceptance, Base):
+    """One person's yes to one version of a contract."""
+
+    __tablename__ = "contracts_acceptances"
+    __table_args__ = (UniqueConstraint("version_id", "person_id"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    version_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_versions.id"))
 
 
 class Seal(ProjectOwned, Base):
@@ -243,6 +248,31 @@ class DateReminder(ProjectOwned, Base):
     sent_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
+class ClockPause(ProjectOwned, Base):
+    """A time in which the days of a contract's clause on silence did not count, because a change order was open."""
+
+    __tablename__ = "contracts_clock_pauses"
+    __table_args__ = (CheckConstraint("ended_at is null or ended_at >= began_at", name="ends_after_it_began"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    change_order: Mapped[int]  # its number in the contract
+    began_at: Mapped[datetime] = mapped_column(default=clock.now)
+    ended_at: Mapped[datetime | None]
+
+
+class Reminder(ProjectOwned, Dated, Base):
+    """One mail to the approver of a cue that a clause on silence will accept."""
+
+    __tablename__ = "contracts_approval_reminders"
+    __table_args__ = (UniqueConstraint("cue_id", "waiting_since", "number"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
+    waiting_since: Mapped[datetime]  # another version of the cue starts a new wait
+    number: Mapped[int]
+
+
 # On record: `soundlist verify` holds each of these rows against what was written down of it. What a contract is agreed
 # on is private to the studio while it is a draft, and goes on record whole each time that it is sent.
 declare(
@@ -260,3 +290,4 @@ declare(Milestone, "milestone", is_draft=True)
 declare(ContractCue, "cue of the plan", is_draft=True)
 declare(ContractAcceptance, "signature", digested=("address", "agent"))
 declare(Seal, "seal")
+declare(ClockPause, "pause of the clause on silence")

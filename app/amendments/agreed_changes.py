@@ -4,6 +4,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.agreements.deemed_acceptance.clock_pauses import end_pause
 from app.agreements.models import ContractCue
 from app.agreements.plan.service import record_plan
 from app.agreements.record import service as record
@@ -20,7 +21,6 @@ from app.money.ledger.rules import LineKind
 from app.money.ledger.service import write
 from app.money.settlement import add_round, cancel_cue, charge_round, settle
 from app.reviews.queries import round_counts
-from app.reviews.verdicts.clock_pauses import end_pause
 
 PLANNED = ("add_cue", "reprice_cue", "move_date")  # what milestones and prices follow
 

@@ -10,6 +10,7 @@ from app.accounts.rules import Actor
 from app.agreements.access import party_of, visible_contract
 from app.agreements.clauses.figures import faults_of_prose
 from app.agreements.clauses.text import blocks_of
+from app.agreements.deemed_acceptance.clock_pauses import begin_pause, end_pause
 from app.agreements.drafts.documents import TextPdf, sha256_of
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
@@ -40,7 +41,6 @@ from app.core import clock
 from app.core.errors import FieldProblem
 from app.core.events import publish
 from app.money import overview
-from app.reviews.verdicts.clock_pauses import begin_pause, end_pause
 from app.sound_lists.rules import CueState
 
 

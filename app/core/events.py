@@ -1,11 +1,12 @@
-"""Events: a lower room publishes without knowing the subscribers.
+"""Events and signals: a lower room publishes or sends without knowing who listens.
 
-A subscriber is a durable job, or a function that runs at once in the publisher's transaction, for what must hold when
-the request is answered.
+An event has a name and facts in JSON. Its subscribers are durable jobs, and handlers that run at once in the
+publisher's transaction. A signal is an object of a class, for rows that only the transaction has, and for questions
+that higher rooms answer; its receivers run at once, and their answers are returned.
 """
 
 from collections.abc import Callable, Collection, Mapping
-from typing import Any
+from typing import Any, Generic, TypeVar
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -13,10 +14,18 @@ from sqlalchemy.orm import Session
 from app.core.db import new_id
 from app.core.jobs.queue import BULK, NORMAL, queue_of
 
+Answer = TypeVar("Answer", covariant=True)
 Handler = Callable[[Session, Mapping[str, Any]], None]
+Receiver = Callable[[Session, Any], Any]
+
+
+class Signal(Generic[Answer]):
+    """Something that a room does, or asks, in its transaction; receivers subscribe to its class."""
+
 
 _subscribers: Mapping[str, tuple[str, ...]] = {}
 _handlers: Mapping[str, tuple[Handler, ...]] = {}
+_receivers: Mapping[type[Signal[Any]], tuple[Receiver, ...]] = {}
 _low_priority: Collection[str] = ()
 
 
@@ -28,11 +37,17 @@ def connect(
     subscribers: Mapping[str, tuple[str, ...]],
     *,
     handlers: Mapping[str, tuple[Handler, ...]],
+    receivers: Mapping[type[Signal[Any]], tuple[Receiver, ...]],
     low_priority: Collection[str] = (),
 ) -> None:
-    """Set the jobs that each event starts, its handlers, and the jobs that have low priority whatever the event's."""
-    global _subscribers, _handlers, _low_priority  # set once, when the process starts
-    _subscribers, _handlers, _low_priority = subscribers, handlers, low_priority
+    """Set the jobs and handlers of each event, the receivers of signals, and the jobs of low priority."""
+    global _subscribers, _handlers, _receivers, _low_priority  # set once, when the process starts
+    _subscribers, _handlers, _receivers, _low_priority = subscribers, handlers, receivers, low_priority
+
+
+def send(session: Session, signal: Signal[Answer]) -> list[Answer]:
+    """Call the receivers of a signal in the caller's transaction, and return their answers."""
+    return [receive(session, signal) for receive in _receivers.get(type(signal), ())]
 
 
 def publish(

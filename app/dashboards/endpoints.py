@@ -8,8 +8,8 @@ from fastapi import APIRouter, Query, Response
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.core.web.downloads import downloads, file_response
-from app.core.web.http import BadCursor, DbSession, Page, problems
-from app.dashboards import money, schemas, service
+from app.core.web.http import BadCursor, CurrentRuntime, DbSession, Page, problems
+from app.dashboards import schemas, service
 from app.dashboards.desk.own_desk import own_desk
 from app.dashboards.desk.own_desk_schemas import OwnDesk
 from app.dashboards.desk.reaper_project import reaper_project_of
@@ -19,14 +19,10 @@ from app.dashboards.search import schemas as finding_schemas
 from app.dashboards.search import service as finding
 from app.dashboards.steps import service as next_steps
 from app.dashboards.steps.schemas import NextSteps
-from app.dashboards.studio_record.schemas import StudioRecord
-from app.dashboards.studio_record.service import studio_record
 from app.dashboards.track_record.schemas import WorkFigures
-from app.dashboards.track_record.service import own_work, work_of_entry
+from app.dashboards.track_record.service import own_work
 from app.dashboards.velocity.schemas import Pace
 from app.dashboards.velocity.service import pace
-from app.hiring.errors import PostingNotFound, RosterEntryNotFound
-from app.money.errors import MilestoneNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.endpoints import PageLength
 from app.sound_lists.rules import PAGE
@@ -36,9 +32,9 @@ router = APIRouter(prefix="/v1", tags=["dashboards"])
 
 
 @router.get("/me")
-def read_me(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> schemas.Me:
+def read_me(session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PERSON)) -> schemas.Me:
     """Return the person signed in, and everything they can open."""
-    return service.me(session, actor)
+    return service.me(session, actor, has_contracts=runtime.settings.commercial)
 
 
 @router.get("/projects/{project_id}/sound-list/progress", responses=problems(ProjectNotFound, BadCursor))
@@ -79,29 +75,17 @@ def read_today(project_id: UUID, session: DbSession, actor: Actor = allows(Audie
 
 
 @router.get("/projects/{project_id}/next-steps", responses=problems(ProjectNotFound))
-def read_next_steps(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> NextSteps:
+def read_next_steps(
+    project_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PROJECT)
+) -> NextSteps:
     """Return the caller's next steps in a project, the first thing first, and the people they wait for."""
-    return next_steps.next_steps(session, actor, project_id)
+    return next_steps.next_steps(session, actor, project_id, has_contracts=runtime.settings.commercial)
 
 
 @router.get("/projects/{project_id}/pace", responses=problems(ProjectNotFound, TeamNeeded))
 def read_pace(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Pace:
     """Return the pace of a project: the work's beside the studio's own, for both parties."""
     return pace(session, actor, project_id)
-
-
-@router.get("/roster/{roster_entry_id}/work", responses=problems(RosterEntryNotFound, TeamNeeded))
-def read_roster_work(
-    roster_entry_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
-) -> WorkFigures | None:
-    """Return the facts known of a designer on file from work for this studio; null where there was none."""
-    return work_of_entry(session, actor, roster_entry_id)
-
-
-@router.get("/postings/{posting_id}/studio-record", responses=problems(PostingNotFound, TeamNeeded))
-def read_studio_record(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> StudioRecord:
-    """Return how the studio of a posting worked with designers so far, to its team and to candidates."""
-    return studio_record(session, actor, posting_id)
 
 
 @router.get("/me/work")
@@ -166,22 +150,6 @@ def list_with_approver(
 def read_overview(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> schemas.Overview:
     """Return a project at one glance."""
     return service.overview(session, actor, project_id)
-
-
-@router.get("/projects/{project_id}/money", responses=problems(ProjectNotFound, TeamNeeded))
-def read_project_money(
-    project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> schemas.ProjectMoney:
-    """Return the money of a project; a designer sees that of their own contracts."""
-    return money.project_money(session, actor, project_id)
-
-
-@router.get("/milestones/{milestone_id}", responses=problems(MilestoneNotFound))
-def read_milestone(
-    milestone_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)
-) -> schemas.MilestoneSheet:
-    """Return a milestone with its cues, how late it is, its estimates and its money."""
-    return money.milestone_sheet(session, actor, milestone_id)
 
 
 @router.get("/projects/{project_id}/find", responses=problems(ProjectNotFound))

@@ -8,7 +8,6 @@ from pydantic import Field
 
 from app.accounts.rules import Role
 from app.accounts.schemas import PersonBrief
-from app.agreements.clauses.deemed_acceptance import PausedBy
 from app.agreements.rules import ContractState, ReleaseClause
 from app.core.web.http import Schema
 from app.dashboards.rules import CueStatus
@@ -24,6 +23,7 @@ from app.money.schemas import (
 )
 from app.money.work.schemas import DayRateRead, HoursRead
 from app.projects.rules import EngagementKind
+from app.reviews.rules import PausedBy
 from app.reviews.schemas import CommentRead
 from app.sound_lists.rules import Need
 
@@ -61,6 +61,7 @@ class Me(Schema):
     email: str
     email_verified_at: datetime | None = Field(description="Since when it is known that they read this address.")
     is_operator: bool = Field(description="Whether the caller runs this server.")
+    has_contracts: bool = Field(True, description="Whether this server has contracts, money and hiring.")
     second_factor_required_by: list[str] = Field(
         default_factory=list,
         description="Names of studios that open once the caller has set up a second factor; empty once they have.",

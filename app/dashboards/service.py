@@ -34,7 +34,7 @@ from app.sound_lists.rules import CueState
 STEPS = 500  # cues of which the project page shows one by one where they stand
 
 
-def me(session: Session, actor: Actor) -> schemas.Me:
+def me(session: Session, actor: Actor, *, has_contracts: bool) -> schemas.Me:
     """Return the person signed in, and everything they can open."""
     person = session.get_one(Person, actor.person)
     engagements = {
@@ -56,6 +56,7 @@ def me(session: Session, actor: Actor) -> schemas.Me:
         email=person.email,
         email_verified_at=person.email_verified_at,
         is_operator=accounts.is_operator(session, person.id),
+        has_contracts=has_contracts,
         second_factor_required_by=required_by,
         studios=[
             schemas.MyStudio(id=studio_id, name=named[studio_id], roles=sorted(roles))

@@ -10,13 +10,13 @@ from app.core import clock
 from app.core.events import publish
 from app.core.uploads import FinishedUpload, finished_upload
 from app.deliveries import queries
+from app.deliveries.downloads import ensure_open
 from app.deliveries.errors import DryStemNotFound
 from app.deliveries.models import Delivery, DryStem, Take
 from app.deliveries.rules import dry_stem_for, ensure_no_verdict, stem_of, stored_name
 from app.deliveries.schemas import DryStemRead
 from app.deliveries.service import Origin, ensure_own_designer, own_delivery, take_for, uploader
 from app.deliveries.slots import slot_of_stem
-from app.money.downloads import ensure_open
 
 
 def stem_for_name(session: Session, delivery: Delivery, file_name: str) -> str | None:

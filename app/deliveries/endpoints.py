@@ -23,8 +23,10 @@ from app.core.web.http import (
     uuid_cursor,
 )
 from app.deliveries import dry_stems, labels, queries, service
+from app.deliveries.downloads import ensure_open
 from app.deliveries.errors import (
     DeliveryNotFound,
+    DownloadUnpaid,
     DryStemNotFound,
     InHouseDesignerNeeded,
     MasterDeleted,
@@ -57,8 +59,6 @@ from app.deliveries.tray.endpoints import router as tray_router
 from app.deliveries.uploads.endpoints import router as uploads_router
 from app.deliveries.uploads.file_endpoints import router as files_router
 from app.deliveries.uploads.file_endpoints import take_of
-from app.money.downloads import ensure_open
-from app.money.errors import DownloadUnpaid
 from app.projects.errors import DesignerNeeded, ProjectNotFound
 from app.projects.service import project_access
 from app.sound_lists.errors import CueNotFound

@@ -103,3 +103,7 @@ class GameProjectUnreadable(Invalid):
 
 class PathTwice(Invalid):
     """Two files of a folder have one path."""
+
+
+class DownloadUnpaid(Forbidden):
+    """The contract opens this sound's masters and game files by payment, and it is not paid yet."""

@@ -7,15 +7,15 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.core import clock
-from app.core.events import publish
+from app.core.events import publish, send
 from app.core.jobs.queue import NORMAL
 from app.core.recorded_rows import RowChanges
 from app.deliveries import queries
 from app.deliveries.cue_counts.service import update_cue_sums
 from app.deliveries.models import Take
 from app.deliveries.rules import ReviewClock, TakeState, ensure_may_become
+from app.deliveries.signals import WorkDone
 from app.deliveries.slots import Slot
-from app.money.settlement import record_work
 
 
 def place_take(session: Session, take: Take, slot: Slot, *, by: UUID) -> None:
@@ -60,7 +60,7 @@ def note_take(
     """Record a take's new state in the contract that covers its cue, if there is one."""
     if take.cue_id is not None and take.number is not None:
         entry = {"variation": take.variation, "version": take.number, **facts}
-        record_work(session, take.cue_id, take.designer_id, kind, entry, by=by, on_behalf_of=on_behalf_of, rows=rows)
+        send(session, WorkDone(take.cue_id, take.designer_id, kind, entry, by, on_behalf_of, rows))
 
 
 def start_recheck(session: Session, take: Take, *, by: UUID | None, priority: int = NORMAL) -> None:

@@ -6,9 +6,8 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.agreements.models import Contract
+from app.deliveries.signals import ContractsNamed, Work
 from app.money import queries
-
-Work = tuple[UUID, UUID]  # a cue, and the designer whose takes of it are meant
 
 
 def newest_contracts(session: Session, work: Collection[Work]) -> dict[Work, Contract]:
@@ -28,3 +27,8 @@ def contract_references(session: Session, cue_prefix: str, work_of: Mapping[UUID
         for take_id, work in work_of.items()
         if work in contracts
     }
+
+
+def answer_contract_references(session: Session, asked: ContractsNamed) -> dict[UUID, str]:
+    """Return the short names of contracts to the room that asks for them."""
+    return contract_references(session, asked.cue_prefix, asked.work_of)

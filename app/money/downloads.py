@@ -1,7 +1,6 @@
-"""Sounds closed to the studio until they are paid, and the things that open them."""
+"""Sounds closed to the studio until they are paid."""
 
 from collections.abc import Collection
-from uuid import UUID
 
 from sqlalchemy.orm import Session
 
@@ -12,9 +11,9 @@ from app.agreements.plan import queries as plan_queries
 from app.agreements.plan.queries import terms_of
 from app.agreements.queries import contract_for
 from app.core.money import money
+from app.deliveries.signals import DownloadsClosed, Work
 from app.money import queries
-from app.money.covering import Work, newest_contracts
-from app.money.errors import DownloadUnpaid
+from app.money.covering import newest_contracts
 from app.money.ledger.book import LedgerBook, Line, PricedCue, open_lines
 from app.money.ledger.service import load_ledger_book, priced
 
@@ -28,7 +27,7 @@ def closed_downloads(session: Session, actor: Actor | None, work: Collection[Wor
     """
     newest = newest_contracts(session, work)
     closed: dict[Work, str] = {}
-    for contract in {one.id: one for one in newest.values()}.values():
+    for contract in {contract.id: contract for contract in newest.values()}.values():
         if terms_of(session, contract).downloads_open is not DownloadsOpen.WHEN_PAID:
             continue
         is_seen = actor is not None and contract_for(session, actor, contract.id) is not None
@@ -41,20 +40,9 @@ def closed_downloads(session: Session, actor: Actor | None, work: Collection[Wor
     return closed
 
 
-def ensure_open(session: Session, actor: Actor, cue_id: UUID | None, designer_id: UUID) -> None:
-    """Raise DownloadUnpaid where the files of a designer's work on a cue are closed to the caller."""
-    if reason := closed_to(session, actor, cue_id, designer_id):
-        raise DownloadUnpaid(
-            f"this file cannot be downloaded: {reason}",
-            fix="listen to the preview until then; payments are recorded on the page Money",
-        )
-
-
-def closed_to(session: Session, actor: Actor, cue_id: UUID | None, designer_id: UUID) -> str | None:
-    """Return the reason that the files of a designer's work on a cue are closed to the caller; None if open."""
-    if cue_id is None or actor.person_id == designer_id:
-        return None
-    return closed_downloads(session, actor, {(cue_id, designer_id)}).get((cue_id, designer_id))
+def answer_closed_downloads(session: Session, asked: DownloadsClosed) -> dict[Work, str]:
+    """Return the reasons for closed files of some work to the room that asks for them."""
+    return closed_downloads(session, asked.actor, asked.work)
 
 
 def _words(

@@ -99,10 +99,6 @@ class MilestoneNotFound(NotFound):
     """No milestone of that id within the caller's sight."""
 
 
-class DownloadUnpaid(Forbidden):
-    """The contract opens this sound's masters and game files by payment, and it is not paid yet."""
-
-
 class CapExceeded(Conflict):
     """The days or hours that were agreed on are used up."""
 

@@ -1,7 +1,6 @@
 """Effects of acceptance, cuts and rounds on money; called in the transaction of the verdict or cut itself."""
 
 from collections.abc import Collection, Mapping
-from datetime import date
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -54,7 +53,7 @@ def accept_cue(
     covered.accepted_at, covered.accepted_by = clock.now(), by
     by_clause = by is AcceptedBy.SILENCE
     facts = {"clause": SILENCE} if by_clause else {}
-    _record(session, covered, "accepted", None if by_clause else person_id, facts, rows=rows)
+    record_of_cue(session, covered, "accepted", None if by_clause else person_id, facts, rows=rows)
     settle(session, covered.contract_id, person_id, is_by_server=by_clause)
 
 
@@ -74,19 +73,8 @@ def add_accepted_cue(
         return
     covered.accepted_at, covered.accepted_by = contract.agreed_at, AcceptedBy.ADOPTION
     approved_by = session.get_one(Person, person_id).name if person_id else f"the clause {SILENCE}"
-    _record(session, covered, "adopted", None, {"approved_by": approved_by}, rows=rows)
+    record_of_cue(session, covered, "adopted", None, {"approved_by": approved_by}, rows=rows)
     settle(session, contract_id, person_id, is_by_server=True)
-
-
-def record_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: UUID, last_day: date) -> None:
-    """Record that a person was reminded of a cue, and the last day for its verdict."""
-    covered = plan_queries.cue_of(session, contract_id, cue_id)
-    if covered is None:
-        return
-    prefix = session.get_one(Project, covered.project_id).cue_prefix
-    to = session.get_one(Person, to_id).name
-    facts = {"cue": cue_label(covered.cue, prefix), "to": to, "clause": SILENCE, "waits_until": last_day.isoformat()}
-    record.append(session, contract_id, "reminded", facts, by=None)
 
 
 def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID | None) -> None:
@@ -95,7 +83,7 @@ def reopen_cue(session: Session, cue_id: UUID, *, person_id: UUID | None) -> Non
     if covered is None or covered.accepted_at is None or covered.cut_at is not None:
         return
     covered.accepted_at = covered.accepted_by = None
-    _record(session, covered, "reopened", person_id)
+    record_of_cue(session, covered, "reopened", person_id)
     settle(session, covered.contract_id, person_id)
 
 
@@ -115,7 +103,7 @@ def cancel_cue(session: Session, covered: ContractCue, *, state: WorkState, pers
 def _cut(session: Session, covered: ContractCue, state: WorkState, person_id: UUID) -> None:
     covered.cut_at = clock.now()
     covered.cut_in = WorkState.ACCEPTED if covered.accepted_at is not None else state
-    _record(session, covered, "cut", person_id, {"state": covered.cut_in.value})
+    record_of_cue(session, covered, "cut", person_id, {"state": covered.cut_in.value})
 
 
 def end_statement(session: Session, contract: Contract, states: Mapping[UUID, WorkState]) -> Statement:
@@ -179,7 +167,7 @@ def price_round(session: Session, cue_id: UUID, *, number: int, person_id: UUID)
     ):
         return None  # a change order agreed to it beforehand
     proposed = add_round(session, contract, cue_id, number=number, person_id=person_id)
-    _record(session, covered, "round_proposed", person_id, {"round": number})
+    record_of_cue(session, covered, "round_proposed", person_id, {"round": number})
     return proposed
 
 
@@ -233,7 +221,7 @@ def drop_extra_round(session: Session, actor: Actor, extra_round_id: UUID) -> Ex
         raise OtherPartyNeeded("only the designer can waive the fee of a round", fix="agree to it, or ask for that")
     proposed.dropped_at = clock.now()
     covered = next(cue for cue in plan_queries.cues_of(session, contract.id) if cue.cue_id == proposed.cue_id)
-    _record(session, covered, "round_dropped", actor.person, {"round": proposed.number})
+    record_of_cue(session, covered, "round_dropped", actor.person, {"round": proposed.number})
     return proposed
 
 
@@ -279,27 +267,7 @@ def _priced(covered: ContractCue) -> PricedCue:
     return cue
 
 
-def record_work(
-    session: Session,
-    cue_id: UUID,
-    designer_id: UUID,
-    kind: str,
-    facts: Mapping[str, object],
-    *,
-    by: UUID | None,
-    on_behalf_of: UUID | None = None,
-    rows: RowChanges | None = None,
-) -> None:
-    """Write an event of a designer's work into the record of the contract that covers the cue, if one does.
-
-    `by` is the person or the build token that did it; None: the server. `rows` are the rows that it tells of.
-    """
-    covered = plan_queries.running_cue(session, cue_id, {designer_id})
-    if covered is not None:
-        _record(session, covered, kind, by, facts, on_behalf_of, rows)
-
-
-def _record(
+def record_of_cue(
     session: Session,
     covered: ContractCue,
     kind: str,
@@ -308,6 +276,7 @@ def _record(
     on_behalf_of: UUID | None = None,
     rows: RowChanges | None = None,
 ) -> None:
+    """Record an event of a cue in the contract that covers it; `by` is None for what the server did."""
     prefix = session.get_one(Project, covered.project_id).cue_prefix
     facts = {"cue": cue_label(covered.cue, prefix), "cue_id": str(covered.cue_id), **(facts or {})}
     record.append(session, covered.contract_id, kind, facts, by=by, on_behalf_of=on_behalf_of, rows=rows)

@@ -10,8 +10,7 @@ from app.core.storage import BlobMissing
 from app.core.web.blob_response import blob_response
 from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, Page, cursor_of, problems, uuid_cursor
-from app.deliveries.errors import MasterDeleted, TakeNotFound
-from app.money.errors import DownloadUnpaid
+from app.deliveries.errors import DownloadUnpaid, MasterDeleted, TakeNotFound
 from app.projects.errors import DesignerNeeded, ProjectNotFound, TeamNeeded
 from app.renders import service
 from app.renders.batches import service as batches

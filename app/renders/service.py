@@ -12,10 +12,10 @@ from app.conformance.queries import made_fix_of
 from app.core.db import insert_all_if_absent, insert_if_absent, row_of
 from app.core.events import publish
 from app.core.jobs.queue import BULK
+from app.deliveries.downloads import closed_to, ensure_open
 from app.deliveries.models import Take
 from app.deliveries.queries import stem_of, take_with_cue
 from app.deliveries.service import take_for
-from app.money.downloads import closed_to, ensure_open
 from app.projects.queries import current_spec
 from app.renders import queries
 from app.renders.errors import LossUnknown, NotDrawn, NothingRendered, RenderNotFound, SoundNotFound

@@ -61,31 +61,6 @@ class GameLevel(ProjectOwned, Base):
     plays: Mapped[list[dict[str, Any]]]  # as a manifest for audits has them
 
 
-class ClockPause(ProjectOwned, Base):
-    """A time in which the days of a contract's clause on silence did not count, because a change order was open."""
-
-    __tablename__ = "reviews_clock_pauses"
-    __table_args__ = (CheckConstraint("ended_at is null or ended_at >= began_at", name="ends_after_it_began"),)
-
-    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
-    change_order: Mapped[int]  # its number in the contract
-    began_at: Mapped[datetime] = mapped_column(default=clock.now)
-    ended_at: Mapped[datetime | None]
-
-
-class Reminder(ProjectOwned, Dated, Base):
-    """One mail to the approver of a cue that a clause on silence will accept."""
-
-    __tablename__ = "reviews_reminders"
-    __table_args__ = (UniqueConstraint("cue_id", "waiting_since", "number"),)
-
-    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
-    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"))
-    waiting_since: Mapped[datetime]  # another version of the cue starts a new wait
-    number: Mapped[int]
-
-
 class Feedback(ProjectOwned, Dated, Base):
     """One consolidated set of notes that the approver sent to a designer."""
 
@@ -328,4 +303,3 @@ Index(
 
 declare(Verdict, "verdict", owners=None, left_out=("dropped_draft",))  # which its designer never saw
 declare(Comment, "comment", owners=None, left_out=("resolved_at", "resolved_by", "mentions"))
-declare(ClockPause, "pause of the clause on silence")

@@ -19,11 +19,9 @@ from app.renders.models import Picture
 from app.reviews.models import (
     Acknowledgement,
     ChangeRequest,
-    ClockPause,
     Comment,
     Feedback,
     NoteAnswer,
-    Reminder,
     Round,
     Verdict,
 )
@@ -37,21 +35,9 @@ def answers_nothing() -> ColumnElement[bool]:
     return func.coalesce(Comment.reply_to_id, Comment.change_request_id).is_(None)
 
 
-def reminders_of(session: Session, cue_ids: Collection[UUID]) -> Sequence[Reminder]:
-    """Return the reminders that were sent of cues."""
-    return session.scalars(select(Reminder).where(in_array(Reminder.cue_id, cue_ids))).all()
-
-
 def questions_on(session: Session, cue_ids: Collection[UUID]) -> Sequence[Question]:
     """Return the questions on cues, answered or not."""
     return session.scalars(select(Question).where(in_array(Question.cue_id, cue_ids)).order_by(Question.id)).all()
-
-
-def clock_pauses(session: Session, contract_ids: Collection[UUID]) -> Sequence[ClockPause]:
-    """Return the times in which change orders of contracts were open."""
-    return session.scalars(
-        select(ClockPause).where(in_array(ClockPause.contract_id, contract_ids)).order_by(ClockPause.id)
-    ).all()
 
 
 def round_counts(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, int]:

@@ -4,10 +4,9 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date, datetime, timedelta
 from enum import StrEnum
+from typing import Literal
 from uuid import UUID
 
-from app.agreements.rules import WorkState
-from app.deliveries.rules import TakeState
 from app.reviews.errors import ChecklistInvalid, NotMentionable, RangeInvalid, StaleView, TooLateToUndo
 from app.sound_lists.rules import Need
 
@@ -84,6 +83,7 @@ class QueueFilter:
 
 
 EVERYTHING = QueueFilter()
+PausedBy = Literal["question", "change_order", "undecided_versions"]  # the days that a silent studio has
 UNDO_WITHIN = timedelta(minutes=1)
 SEND_AFTER = timedelta(seconds=10)  # a change request that sends itself; it can be undone until then
 REVERSAL = "the approver reversed an approval"
@@ -152,21 +152,6 @@ def why_not_counted(reversals: Sequence[bool], unanswered_round: int | None = No
     if all(reversals):
         return REVERSAL
     return None if unanswered_round is None else f"part of round {unanswered_round}: nothing was delivered since"
-
-
-def work_state(variations: int, states: Mapping[int, Collection[TakeState]]) -> WorkState:
-    """Return the state of the work on a cue, from the states of each variation's takes.
-
-    A file that the checks returned shows work, and is not delivered yet; one that a change was asked of is work again.
-    """
-    if not any(states.values()):
-        return WorkState.NOT_BEGUN
-    of_each = [states.get(variation, ()) for variation in range(1, variations + 1)]
-    if all(TakeState.APPROVED in of_it for of_it in of_each):
-        return WorkState.ACCEPTED
-    if all({TakeState.APPROVED, TakeState.CONFORMING} & set(of_it) for of_it in of_each):
-        return WorkState.DELIVERED
-    return WorkState.IN_WORK
 
 
 def names_mentioned(text: str, wanted: Collection[UUID], people: Mapping[UUID, str]) -> dict[str, str]:

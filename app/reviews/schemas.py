@@ -7,7 +7,6 @@ from uuid import UUID
 from pydantic import Field
 
 from app.accounts.schemas import PersonBrief
-from app.agreements.clauses.deemed_acceptance import PausedBy
 from app.conformance.schemas import FindingRead
 from app.core.web.http import Schema
 from app.deliveries.rules import TakeState
@@ -15,7 +14,7 @@ from app.renders.rules import RenderState
 from app.renders.schemas import SoundBrief, ThumbRead
 from app.reviews.checklists.schemas import BlockedTake, CueChecklist
 from app.reviews.reasons.schemas import Reasons
-from app.reviews.rules import HistoryKind, QueueKind, VerdictKind
+from app.reviews.rules import HistoryKind, PausedBy, QueueKind, VerdictKind
 from app.sound_lists.rules import CueState, Reverb
 
 MAX_HEARD = 200  # takes that are recorded at once

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_e5153873"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_47e945ba"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -771,7 +771,7 @@ def upgrade() -> None:
         sa.Column("with_masters", sa.Boolean(), nullable=False),
         sa.Column("allow_missing", sa.Boolean(), nullable=False),
         sa.Column("placeholders", sa.Boolean(), nullable=False),
-        sa.Column("handoff", sa.Enum("none", "wwise", "fmod", "unity", "unreal", "godot", name="handoff", native_enum=False, length=32), nullable=False),
+        sa.Column("handoff", sa.Enum("none", "fmod", "godot", "unity", "unreal", "wwise", name="handoff", native_enum=False, length=32), nullable=False),
         sa.Column("state", sa.Enum("sealing", "sealed", "refused", name="packstate", native_enum=False, length=32), nullable=False),
         sa.Column("refusal", sa.String(), nullable=False),
         sa.Column("sealed_by", sa.Uuid(), nullable=False),
@@ -1518,6 +1518,23 @@ def upgrade() -> None:
     op.create_index(op.f("ix_builds_placeholder_files_project_id"), "builds_placeholder_files", ["project_id"])
     op.create_index(op.f("ix_builds_placeholder_files_studio_id"), "builds_placeholder_files", ["studio_id"])
     op.create_table(
+        "contracts_approval_reminders",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("cue_id", sa.Uuid(), nullable=False),
+        sa.Column("waiting_since", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_contracts_approval_reminders_cue_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_contracts_approval_reminders_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_contracts_approval_reminders_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_contracts_approval_reminders")),
+        sa.UniqueConstraint("cue_id", "waiting_since", "number", name=op.f("uq_contracts_approval_reminders_cue_id_waiting_since_number")),
+    )
+    op.create_index(op.f("ix_contracts_approval_reminders_project_id"), "contracts_approval_reminders", ["project_id"])
+    op.create_index(op.f("ix_contracts_approval_reminders_studio_id"), "contracts_approval_reminders", ["studio_id"])
+    op.create_table(
         "contracts_contracts",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
@@ -1786,23 +1803,6 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_reviews_game_levels_project_id"), "reviews_game_levels", ["project_id"])
     op.create_index(op.f("ix_reviews_game_levels_studio_id"), "reviews_game_levels", ["studio_id"])
-    op.create_table(
-        "reviews_reminders",
-        sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("cue_id", sa.Uuid(), nullable=False),
-        sa.Column("waiting_since", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("number", sa.Integer(), nullable=False),
-        sa.Column("project_id", sa.Uuid(), nullable=False),
-        sa.Column("studio_id", sa.Uuid(), nullable=False),
-        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
-        sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_reviews_reminders_cue_id")),
-        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_reminders_project_id")),
-        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_reminders_studio_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews_reminders")),
-        sa.UniqueConstraint("cue_id", "waiting_since", "number", name=op.f("uq_reviews_reminders_cue_id_waiting_since_number")),
-    )
-    op.create_index(op.f("ix_reviews_reminders_project_id"), "reviews_reminders", ["project_id"])
-    op.create_index(op.f("ix_reviews_reminders_studio_id"), "reviews_reminders", ["studio_id"])
     op.create_table(
         "reviews_rounds",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -2088,6 +2088,24 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_contracts_change_orders_project_id"), "contracts_change_orders", ["project_id"])
     op.create_index(op.f("ix_contracts_change_orders_studio_id"), "contracts_change_orders", ["studio_id"])
+    op.create_table(
+        "contracts_clock_pauses",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("contract_id", sa.Uuid(), nullable=False),
+        sa.Column("change_order", sa.Integer(), nullable=False),
+        sa.Column("began_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("ended_at", sa.DateTime(timezone=True)),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.CheckConstraint("ended_at is null or ended_at >= began_at", name=op.f("ck_contracts_clock_pauses_ends_after_it_began")),
+        sa.ForeignKeyConstraint(["contract_id"], ["contracts_contracts.id"], name=op.f("fk_contracts_clock_pauses_contract_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_contracts_clock_pauses_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_contracts_clock_pauses_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_contracts_clock_pauses")),
+    )
+    op.create_index(op.f("ix_contracts_clock_pauses_contract_id"), "contracts_clock_pauses", ["contract_id"])
+    op.create_index(op.f("ix_contracts_clock_pauses_project_id"), "contracts_clock_pauses", ["project_id"])
+    op.create_index(op.f("ix_contracts_clock_pauses_studio_id"), "contracts_clock_pauses", ["studio_id"])
     op.create_table(
         "contracts_date_reminders",
         sa.Column("contract_id", sa.Uuid(), nullable=False),
@@ -2488,24 +2506,6 @@ def upgrade() -> None:
     )
     op.create_index("ix_references_versions_kept", "references_versions", ["studio_id", "sha256", "file_bytes"])
     op.create_index(op.f("ix_references_versions_project_id"), "references_versions", ["project_id"])
-    op.create_table(
-        "reviews_clock_pauses",
-        sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("contract_id", sa.Uuid(), nullable=False),
-        sa.Column("change_order", sa.Integer(), nullable=False),
-        sa.Column("began_at", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("ended_at", sa.DateTime(timezone=True)),
-        sa.Column("project_id", sa.Uuid(), nullable=False),
-        sa.Column("studio_id", sa.Uuid(), nullable=False),
-        sa.CheckConstraint("ended_at is null or ended_at >= began_at", name=op.f("ck_reviews_clock_pauses_ends_after_it_began")),
-        sa.ForeignKeyConstraint(["contract_id"], ["contracts_contracts.id"], name=op.f("fk_reviews_clock_pauses_contract_id")),
-        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_clock_pauses_project_id")),
-        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_clock_pauses_studio_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews_clock_pauses")),
-    )
-    op.create_index(op.f("ix_reviews_clock_pauses_contract_id"), "reviews_clock_pauses", ["contract_id"])
-    op.create_index(op.f("ix_reviews_clock_pauses_project_id"), "reviews_clock_pauses", ["project_id"])
-    op.create_index(op.f("ix_reviews_clock_pauses_studio_id"), "reviews_clock_pauses", ["studio_id"])
     op.create_table(
         "shares_guest_plays",
         sa.Column("visit_id", sa.Uuid(), nullable=False),

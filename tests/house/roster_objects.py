@@ -6,8 +6,8 @@ from sqlalchemy.orm import Session
 
 from app.core import clock
 from app.core.uploads import Upload
+from app.deliveries.uploads.destinations import reel_scope
 from app.hiring.models import ReelSound, RosterEntry
-from app.hiring.roster.reel import upload_scope
 
 
 def add_roster_entry(
@@ -39,7 +39,7 @@ def add_roster_entry(
     upload = Upload(
         studio_id=studio_id,
         owner_id=added_by,
-        scope=upload_scope(entry.id),
+        scope=reel_scope(entry.id),
         file_name="reel.wav",
         length=file_bytes,
         sha256=sha256,

@@ -10,10 +10,10 @@ from uuid import UUID
 
 import pytest
 
+from app.agreements.deemed_acceptance.jobs import apply_deemed_acceptance
 from app.agreements.models import Contract
 from app.amendments.verification import table_faults
 from app.core import clock
-from app.reviews.jobs import apply_deemed_acceptance
 from tests.journeys.people import Designer, Team
 from tests.journeys.test_contract import sound
 from tests.support.server import RunningServer

@@ -51,7 +51,7 @@ def serve() -> None:
 
 
 if __name__ == "__main__":
-    for module in registry.JOB_MODULES:
+    for module in registry.rooms_in_use(is_commercial=True).job_modules:
         __import__(module)
     print("ready", flush=True)  # noqa: T201
     serve()

@@ -8,12 +8,13 @@ points, or Monday to Friday by UTC.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, date, datetime, time, timedelta, tzinfo
-from typing import Any, Literal
+from typing import Any
+
+from app.reviews.rules import PausedBy
 
 CLAUSE = "silence"  # its key in the library
 SATURDAY, DAYS_OF_WEEK = 5, 7
 ONE_DAY = timedelta(days=1)
-PausedBy = Literal["question", "change_order", "undecided_versions"]
 
 
 def working_days(after: date, upto: date) -> int:

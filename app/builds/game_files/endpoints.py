@@ -17,7 +17,7 @@ from app.core.storage import BlobMissing
 from app.core.web.blob_response import blob_response
 from app.core.web.downloads import downloads, file_response
 from app.core.web.http import CurrentRuntime, DbSession, problems
-from app.money.errors import DownloadUnpaid
+from app.deliveries.errors import DownloadUnpaid
 from app.projects.errors import ProducerNeeded, ProjectNotFound, TeamNeeded
 from app.projects.service import project_access
 from app.renders.errors import NothingRendered, RenderNotFound, TargetUnknown

@@ -14,10 +14,10 @@ from app.builds.game_files.schemas import GameFile, GameFileOrigin, GameFilesRea
 from app.builds.packs.placeholders import open_slots
 from app.builds.packs.service import Pack, PackedSound, ensure_team_or_build, mark_of, pack_of
 from app.builds.queries import AdoptedMaster
+from app.deliveries.downloads import ensure_open
 from app.deliveries.models import Take
 from app.deliveries.queries import take_with_cue
 from app.deliveries.rules import TakeState
-from app.money.downloads import ensure_open
 from app.projects.models import Project
 from app.projects.queries import current_spec
 from app.projects.service import project_access

@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 
 import audio_checks
 from app.accounts.rules import Actor
+from app.agreements.deemed_acceptance.cues import last_days
 from app.core.web.http import Page, cursor_of, instant_cursor, place_cursor
 from app.dashboards import queries, schemas
 from app.dashboards.desk import queries as desk_queries
@@ -26,7 +27,6 @@ from app.projects.queries import current_spec
 from app.projects.service import project_access
 from app.reviews.queue.service import comment_read
 from app.reviews.schemas import CommentRead
-from app.reviews.verdicts.deemed_cues import last_days
 from app.sound_lists.models import Cue
 
 WAITING = frozenset({CueStatus.TO_REVIEW})

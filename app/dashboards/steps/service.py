@@ -49,10 +49,10 @@ STEP_OF_AMENDMENT = {
 }
 
 
-def next_steps(session: Session, actor: Actor, project_id: UUID) -> NextSteps:
+def next_steps(session: Session, actor: Actor, project_id: UUID, *, has_contracts: bool) -> NextSteps:
     """Return the caller's next steps in a project, the first thing first, and the people they wait for."""
     access = project_access(session, actor, project_id, before_nda=True)
-    steps = _Steps(session, access)
+    steps = _Steps(session, access, has_contracts=has_contracts)
     if access.is_team:
         steps.of_team()
     else:
@@ -66,8 +66,9 @@ def next_steps(session: Session, actor: Actor, project_id: UUID) -> NextSteps:
 class _Steps:
     """Collects the steps of one caller."""
 
-    def __init__(self, session: Session, access: ProjectAccess) -> None:
+    def __init__(self, session: Session, access: ProjectAccess, *, has_contracts: bool) -> None:
         self._session = session
+        self._has_contracts = has_contracts
         self._access = access
         self._project = access.project
         self.steps: list[NextStep] = []
@@ -78,8 +79,8 @@ class _Steps:
         session, access, project = self._session, self._access, self._project
         counts = counted(progress_queries.cue_groups(session, project.id, project.studio_id))
         speaks = access.is_producer or access.is_liaison or access.is_approver
-        postings = hiring.waiting_postings(session, project.id) if speaks else []
-        if access.is_producer:
+        postings = hiring.waiting_postings(session, project.id) if speaks and self._has_contracts else []
+        if access.is_producer and self._has_contracts:
             self._hires(has_cues=sum(counts.values()) > 0, is_posted=bool(postings))
         if speaks:
             self._postings(postings)
@@ -228,6 +229,8 @@ class _Steps:
         ]
 
     def _contracts(self) -> None:
+        if not self._has_contracts:
+            return
         session, actor = self._session, self._access.actor
         contracts = agreements.contracts_in(session, actor, self._project.id)
         turns = agreements.turns_to_sign(session, contracts)

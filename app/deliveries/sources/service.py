@@ -1,24 +1,22 @@
 """The sources of takes: stated by their designers, for a whole delivery or one take, on record once accepted."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
-from app.agreements.clauses.terms import SourcesNeeded
-from app.agreements.models import Contract
-from app.agreements.plan.queries import running_cue, terms_of
 from app.core import clock
 from app.core.errors import FieldProblem
+from app.core.events import send
 from app.deliveries import queries
 from app.deliveries.errors import NoSourceNamed, SourcesFixed, SourcesMissing
 from app.deliveries.models import Delivery, SourceStatement, Take
 from app.deliveries.rules import TakeState
 from app.deliveries.schemas import DeliverySources, Sources, SourcesRead, TakeSources
 from app.deliveries.service import delivery_for, ensure_own_designer, own_delivery, take_for
+from app.deliveries.signals import SourcesDue
 from app.deliveries.sources import queries as source_queries
 from app.deliveries.sources.statements import open_points, says_something, words_of, words_of_points
 from app.deliveries.take_states import note_take
@@ -139,12 +137,8 @@ def record_sources(session: Session, take: Take) -> None:
 
     Raises SourcesMissing where the contract asks for them before acceptance and they are not all stated.
     """
+    send(session, SourcesDue(take))
     statement = source_queries.source_statements(session, [take.id]).get(take.id)
-    covered = running_cue(session, take.cue_id, {take.designer_id}) if take.cue_id else None
-    if covered is not None:
-        contract = session.get_one(Contract, covered.contract_id)
-        if terms_of(session, contract).sources_needed is SourcesNeeded.BEFORE_ACCEPTANCE:
-            _ensure_stated(session, [take])
     if statement is None:
         return
     sources = sources_in(statement)
@@ -164,15 +158,8 @@ def record_sources(session: Session, take: Take) -> None:
     note_take(session, take, "sources", {"sources": words_of(sources)}, by=take.designer_id)
 
 
-def ensure_stated_to_invoice(session: Session, event: Mapping[str, Any]) -> None:
-    """Raise SourcesMissing where a contract wants the sources of accepted cues before they are invoiced."""
-    contract = session.get_one(Contract, UUID(event["contract_id"]))
-    if terms_of(session, contract).sources_needed is SourcesNeeded.BEFORE_INVOICE:
-        cue_ids = [UUID(cue_id) for cue_id in event["cue_ids"]]
-        _ensure_stated(session, source_queries.approved_takes_of(session, cue_ids, contract.designer_id))
-
-
-def _ensure_stated(session: Session, takes: Sequence[Take]) -> None:
+def ensure_stated(session: Session, takes: Sequence[Take]) -> None:
+    """Raise SourcesMissing unless the sources of takes are all stated, as their contract wants."""
     stated = sources_of(session, takes)
     missing = {take: points for take in takes if (points := open_points(stated.get(take.id)))}
     if not missing:

@@ -7,14 +7,23 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
+from app.core.events import send
 from app.deliveries import service
 from app.deliveries.adoptions import service as adoptions
 from app.deliveries.errors import BadUploadHeader
 from app.deliveries.rules import max_bytes
+from app.deliveries.signals import ReelUpload
 from app.deliveries.uploads.headers import uuid_in
 from app.deliveries.uploads.quotas import ensure_upload_fits
-from app.hiring.roster import reel
 from app.references import service as references
+
+REEL_SCOPE = "roster:"  # of uploads, before the id of the designer on file
+MAX_REEL_SOUND_BYTES = 50_000_000
+
+
+def reel_scope(roster_entry_id: UUID) -> str:
+    """Return the scope of uploads that become sounds of a reel."""
+    return f"{REEL_SCOPE}{roster_entry_id}"
 
 
 @dataclass(frozen=True)
@@ -33,13 +42,13 @@ class Destination:
         if self.adoption_id:
             return f"{adoptions.SCOPE}{self.adoption_id}"
         if self.roster_entry_id:
-            return reel.upload_scope(self.roster_entry_id)
+            return reel_scope(self.roster_entry_id)
         return references.upload_scope(self.project_id) if self.project_id else str(self.delivery_id)
 
     def most_bytes(self, file_name: str, reference_max_bytes: int) -> int:
         """Return the most bytes that a file may have there."""
         if self.roster_entry_id:
-            return reel.MAX_SOUND_BYTES
+            return MAX_REEL_SOUND_BYTES
         return reference_max_bytes if self.project_id else max_bytes(file_name)
 
 
@@ -65,7 +74,7 @@ def ensure_may_send(session: Session, actor: Actor, destination: Destination, le
         ensure_upload_fits(session, studio_id, 0)
         return studio_id
     if destination.roster_entry_id is not None:
-        studio_id = reel.ensure_may_upload(session, actor, destination.roster_entry_id, length)
+        studio_id = _studio_of_reel(session, ReelUpload(actor, destination.roster_entry_id, length))
         ensure_upload_fits(session, studio_id, 0)
         return studio_id
     if destination.adoption_id is not None:
@@ -83,11 +92,18 @@ def ensure_may_send(session: Session, actor: Actor, destination: Destination, le
 
 def ensure_may_continue(session: Session, actor: Actor, scope: str) -> None:
     """Raise unless the caller may still send to where an upload goes; a delivery closed meanwhile takes it."""
-    if scope.startswith(reel.SCOPE):
-        reel.ensure_may_continue(session, actor, scope)
+    if scope.startswith(REEL_SCOPE):
+        _studio_of_reel(session, ReelUpload(actor, UUID(scope.removeprefix(REEL_SCOPE)), None))
     elif scope.startswith(references.SCOPE):
         references.ensure_may_continue(session, actor, scope)
     elif scope.startswith(adoptions.SCOPE):
         adoptions.ensure_may_continue(session, actor, scope)
     else:
         service.own_delivery(session, actor, UUID(scope))
+
+
+def _studio_of_reel(session: Session, upload: ReelUpload) -> UUID:
+    studios = send(session, upload)
+    if not studios:
+        raise BadUploadHeader("Upload-Metadata names roster_entry_id; this server keeps no designers on file")
+    return studios[0]

@@ -9,32 +9,24 @@ from app.accounts.rules import Actor
 from app.core.errors import FieldProblem
 from app.core.storage import Store
 from app.core.uploads import finished_upload
+from app.deliveries.signals import ReelUpload
+from app.deliveries.uploads.destinations import reel_scope
 from app.hiring.errors import NoSound, ReelFull, ReelSoundNotFound
 from app.hiring.models import ReelSound
 from app.hiring.roster import queries as roster_queries
 from app.hiring.roster.service import entry_seen, roster_access
 from app.references.rules import HEAD_BYTES, ReferenceKind, type_of
 
-SCOPE = "roster:"  # of uploads, before the id of their entry
-MAX_SOUND_BYTES = 50_000_000
 MAX_SOUNDS = 20  # of one reel
 
 
-def upload_scope(entry_id: UUID) -> str:
-    """Return the scope of uploads that become sounds of a reel."""
-    return f"{SCOPE}{entry_id}"
-
-
-def ensure_may_upload(session: Session, actor: Actor, entry_id: UUID, length: int) -> UUID:
+def ensure_may_upload(session: Session, upload: ReelUpload) -> UUID:
     """Return the studio that an upload belongs to; raise unless the caller may add it to the reel of a designer."""
-    _, entry = entry_seen(session, actor, entry_id)
-    ensure_quota(session, entry.studio_id, QuotaKind.REEL_BYTES, roster_queries.kept_reel_bytes, added=length)
+    _, entry = entry_seen(session, upload.actor, upload.roster_entry_id)
+    if upload.length is not None:
+        kept_bytes = roster_queries.kept_reel_bytes
+        ensure_quota(session, entry.studio_id, QuotaKind.REEL_BYTES, kept_bytes, added=upload.length)
     return entry.studio_id
-
-
-def ensure_may_continue(session: Session, actor: Actor, scope: str) -> None:
-    """Raise unless the caller still may add to the reel for which an upload of that scope began."""
-    entry_seen(session, actor, UUID(scope.removeprefix(SCOPE)))
 
 
 def add_sound(
@@ -44,7 +36,7 @@ def add_sound(
     _, entry = entry_seen(session, actor, entry_id)
     if len(roster_queries.sounds_of(session, [entry_id]).get(entry_id, [])) >= MAX_SOUNDS:
         raise ReelFull(f"a reel has {MAX_SOUNDS} sounds at most", fix="remove one first")
-    upload = finished_upload(session, upload_id, owner_id=actor.person, scope=upload_scope(entry_id))
+    upload = finished_upload(session, upload_id, owner_id=actor.person, scope=reel_scope(entry_id))
     end = min(HEAD_BYTES, upload.size_bytes)
     file_type = type_of(b"".join(store.stream(entry.studio_id, upload.sha256, 0, end)) if end else b"")
     if file_type.kind is not ReferenceKind.AUDIO:

@@ -15,6 +15,7 @@ from app.agreements.plan.queries import terms_of
 from app.agreements.queries import lock_contract
 from app.agreements.record import service as record
 from app.agreements.rules import ContractState, WorkState
+from app.agreements.sources import ensure_stated_to_invoice
 from app.core.events import publish
 from app.core.money import money, percent
 from app.core.plural import day_in_words
@@ -96,8 +97,8 @@ def issue_invoice(
         )
     book, terms = load_ledger_book(session, contract), terms_of(session, contract)
     billed = book.billable
-    cue_ids = [str(line.cue_id) for line in billed if line.kind in SHARES and line.cue_id]
-    publish(session, "invoice.drafted", studio_id=contract.studio_id, contract_id=contract.id, cue_ids=cue_ids)
+    cue_ids = [line.cue_id for line in billed if line.kind in SHARES and line.cue_id]
+    ensure_stated_to_invoice(session, contract, cue_ids)
     taxes: Sequence[Entry] = tax_entries(billed, tax_rates_of(session, contract), default_bp=terms.invoiced_tax_bp)
     today = plan_queries.today_of(session, contract)
     invoice = Invoice(

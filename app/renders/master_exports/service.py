@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+from collections import ChainMap
 from dataclasses import asdict, replace
 from pathlib import PurePosixPath
 from uuid import UUID
@@ -14,16 +15,16 @@ from app.accounts.security_log.rules import SecurityEventKind
 from app.accounts.security_log.service import record
 from app.conformance.queries import takes_with_finding
 from app.conformance.rules import PLACEHOLDER_CODE
-from app.core.events import publish
+from app.core.events import publish, send
 from app.core.storage import StoredBlob
+from app.deliveries.downloads import ensure_open
 from app.deliveries.models import Take
 from app.deliveries.rules import base_name, ensure_master_kept, shown_name, work_state
 from app.deliveries.schemas import Sources
 from app.deliveries.service import take_for
+from app.deliveries.signals import ContractsNamed
 from app.deliveries.sources.service import sources_of
 from app.deliveries.sources.statements import words_of
-from app.money.covering import contract_references
-from app.money.downloads import ensure_open
 from app.projects.models import Project
 from app.renders import queries
 from app.renders.errors import MasterExportNotFound, MasterExportNotMade
@@ -69,11 +70,12 @@ def _provenance(session: Session, take: Take, project: Project) -> Provenance:
     """Return the recorded provenance of a take; the date of recording is known only from its file."""
     studio = session.get_one(Studio, project.studio_id)
     work_of = {} if take.cue_id is None else {take.id: (take.cue_id, take.designer_id)}
+    contracts = ChainMap(*send(session, ContractsNamed(project.cue_prefix, work_of)))
     known = Provenance(
         project=project.name,
         studio=studio.name,
         originator=take.designer.name,
-        contract=contract_references(session, project.cue_prefix, work_of).get(take.id, ""),
+        contract=contracts.get(take.id, ""),
         state=work_state(take.state, is_placeholder=bool(takes_with_finding(session, [take.id], PLACEHOLDER_CODE))),
     )
     stated = sources_of(session, [take]).get(take.id)

@@ -1,6 +1,6 @@
 """The review queue with all that its cards show, read in few columns; callers have checked access."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from datetime import date, datetime, timedelta
 from functools import cache
 from typing import NamedTuple
@@ -8,7 +8,6 @@ from uuid import UUID
 
 from sqlalchemy import (
     ColumnElement,
-    Row,
     ScalarSelect,
     Select,
     String,
@@ -22,11 +21,9 @@ from sqlalchemy import (
     select,
     tuple_,
 )
-from sqlalchemy.orm import InstrumentedAttribute, Session, aliased, joinedload
+from sqlalchemy.orm import InstrumentedAttribute, Session, aliased
 from sqlalchemy.sql.functions import aggregate_strings
 
-from app.agreements.models import Contract, ContractCue
-from app.agreements.rules import ContractState
 from app.core.exists import row_exists
 from app.core.in_array import in_array
 from app.deliveries.models import Take
@@ -88,7 +85,7 @@ def in_scopes(scopes: Mapping[UUID, ApprovalScope]) -> ColumnElement[bool]:
 
 
 @cache
-def _waits() -> ColumnElement[bool]:
+def waits() -> ColumnElement[bool]:
     """Return the condition of waiting: conforming, cue not cut, drawn, every render made or refused."""
     made = select(RenderSet.take_id).where(
         RenderSet.take_id == Take.id, RenderSet.edition == Take.edition, RenderSet.spec_id == _newest_spec_id()
@@ -184,32 +181,6 @@ def waiting_cues(
     return waiting[:limit]
 
 
-def cues_under_contract(session: Session, cue_ids: Collection[UUID]) -> Sequence[UUID]:
-    """Return those of the cues that an agreed contract covers and that are not settled there."""
-    return session.scalars(
-        select(ContractCue.cue_id)
-        .join(Contract, Contract.id == ContractCue.contract_id)
-        .where(in_array(ContractCue.cue_id, cue_ids), *_is_open())
-    ).all()
-
-
-def _is_open() -> tuple[ColumnElement[bool], ...]:
-    return Contract.state == ContractState.AGREED, ContractCue.accepted_at.is_(None), ContractCue.cut_at.is_(None)
-
-
-def waiting_under_contract(session: Session, reach: ColumnElement[bool]) -> Sequence[Row[Take, Contract, Project]]:
-    """Return the takes that wait of cues that an agreed contract with their designer covers, the newest first."""
-    return session.execute(
-        select(Take, Contract, Project)
-        .join(ContractCue, ContractCue.cue_id == Take.cue_id)
-        .join(Contract, and_(Contract.id == ContractCue.contract_id, Contract.designer_id == Take.designer_id))
-        .join(Project, Project.id == Take.project_id)
-        .where(reach, _waits(), *_is_open())
-        .options(joinedload(Take.cue))
-        .order_by(Take.cue_id, Take.variation, Take.number.desc())
-    ).all()
-
-
 def _waiting_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[UUID]]:
     """Return the takes of some cues that wait, by cue, those first that wait longest."""
     by_cue: dict[UUID, list[UUID]] = {}
@@ -222,7 +193,7 @@ def _waiting_by_cue(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, l
 # Statements of a page are built once: that takes longer than to send them.
 @cache
 def _waiting() -> Select[UUID | None, UUID]:
-    waiting = select(Take.cue_id, Take.id).where(in_array(Take.cue_id, "cue_ids"), _waits())
+    waiting = select(Take.cue_id, Take.id).where(in_array(Take.cue_id, "cue_ids"), waits())
     return waiting.order_by(Take.state_since, Take.id)
 
 
@@ -235,34 +206,28 @@ class CueOnReview(NamedTuple):
     open_comments: int
     approved: list[int]  # the variations that have their approved take
     is_changed: bool  # something was sent of it
-    is_contracted: bool  # an agreed contract covers it, which is not settled there
 
 
 def cues_on_review(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, CueOnReview]:
     """Return these facts of some cues."""
     rows = session.execute(_cues_on_review(), {"cue_ids": cue_ids})
     return {
-        cue_id: CueOnReview(prefix, rounds, requests, comments, sorted(map(int, (approved or "").split())), *whether)
-        for cue_id, prefix, rounds, requests, comments, approved, *whether in rows
+        cue_id: CueOnReview(prefix, rounds, requests, comments, sorted(map(int, (approved or "").split())), is_changed)
+        for cue_id, prefix, rounds, requests, comments, approved, is_changed in rows
     }
 
 
 @cache
-def _cues_on_review() -> Select[UUID, str, int, int, int, str | None, bool, bool]:
+def _cues_on_review() -> Select[UUID, str, int, int, int, str | None, bool]:
     rounds = select(func.count(Round.number)).where(Round.cue_id == Cue.id)
     variations = aggregate_strings(cast(Take.variation, String), " ")
     approved = select(variations).where(Take.cue_id == Cue.id, Take.state == TakeState.APPROVED)
     changed = select(ChangeRequest.id).where(ChangeRequest.cue_id == Cue.id, ChangeRequest.feedback_id.is_not(None))
-    contracted = (
-        select(ContractCue.cue_id)
-        .join(Contract, Contract.id == ContractCue.contract_id)
-        .where(ContractCue.cue_id == Cue.id, *_is_open())
-    )
     return (
         select(
             *(Cue.id, Project.cue_prefix),
             *(each.correlate(Cue).scalar_subquery() for each in (rounds, *_open_notes(), approved)),
-            *(row_exists(each, Cue) for each in (changed, contracted)),
+            row_exists(changed, Cue),
         )
         .join(Project, Project.id == Cue.project_id)
         .where(in_array(Cue.id, "cue_ids"))

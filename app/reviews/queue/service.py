@@ -1,8 +1,8 @@
 """The review room: the queue, one cue with everything said of it, the history of a take."""
 
 import re
-from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections import ChainMap, defaultdict
+from collections.abc import Collection, Iterable, Mapping
 from datetime import datetime
 from typing import Any
 from uuid import UUID
@@ -17,6 +17,7 @@ from app.conformance.schemas import FindingRead
 from app.conformance.service import findings_read, resolved_spec
 from app.conformance.set_findings import SetFinding, findings_of_sets, with_set_finding
 from app.core import clock
+from app.core.events import send
 from app.core.in_array import in_array
 from app.core.web.http import Page, bad_cursor, cursor_of, instant_cursor
 from app.deliveries.rules import TakeState, undecided_groups
@@ -49,9 +50,9 @@ from app.reviews.schemas import (
     RoundRead,
     VerdictRead,
 )
+from app.reviews.signals import LastDay, LastDaysAsked
 from app.reviews.verdicts.approval_blocks import blocked_takes
 from app.reviews.verdicts.carried_notes import carried_notes
-from app.reviews.verdicts.deemed_cues import LastDay, last_days
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState, label
 from app.sound_lists.service import visible_cue
@@ -88,8 +89,7 @@ def review_queue(
     changed = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_changed]
     changes = queue_queries.last_changes(session, changed) if changed else {}
     words = findings_of_sets(session, cues, _specs_of(on_review for takes in by_cue.values() for on_review in takes))
-    contracted = [cue_id for cue_id, of_cue in facts.items() if of_cue.is_contracted]
-    last = last_days(session, contracted) if contracted else {}
+    last = _last_days(session, list(facts))
     items = [
         _queue_item(
             takes,
@@ -105,6 +105,11 @@ def review_queue(
         if (takes := by_cue.get(cue.id))
     ]
     return Page(items=items, next=_cursor_at(waiting[PAGE_CUES - 1][0]) if len(waiting) > PAGE_CUES else None)
+
+
+def _last_days(session: Session, cue_ids: Collection[UUID]) -> Mapping[UUID, LastDay]:
+    """Return by cue the day after which it is deemed accepted, as higher rooms know."""
+    return ChainMap(*send(session, LastDaysAsked(cue_ids)))
 
 
 def _cursor_at(queue_place: QueuePlace) -> str:
@@ -313,7 +318,7 @@ def cue_review(session: Session, actor: Actor, cue_id: UUID) -> CueReviewRead:
     approver_id, *deputy_ids = rights.people_for(cue.category)
     people = people_by_id(session, {approver_id, *deputy_ids})
     waiting = [take.variation for take in takes if take.state is TakeState.CONFORMING]
-    last_day = last_days(session, [cue.id]).get(cue.id)
+    last_day = _last_days(session, [cue.id]).get(cue.id)
     return CueReviewRead(
         cue=review_cue(cue, prefix),
         kind=queue_kind(cue.variations, waiting),

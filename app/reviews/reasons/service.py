@@ -11,12 +11,13 @@ from app.accounts.service import ensure_member_of, ensure_producer_of
 from app.core import clock
 from app.core.db import insert_if_absent
 from app.core.in_array import in_array
-from app.deliveries.models import Take
 from app.projects.service import project_access
 from app.reviews.models import GivenReason, ReasonList, Verdict
 from app.reviews.reasons import queries
 from app.reviews.reasons.rules import OURS, ReasonKind, ensure_distinct
 from app.reviews.reasons.schemas import ReasonListRead, ReviewReasonsRead
+from app.reviews.rules import VerdictKind
+from app.reviews.signals import VerdictsOnFile
 
 
 def reasons_of_studio(session: Session, actor: Actor, studio_id: UUID) -> ReviewReasonsRead:
@@ -57,21 +58,22 @@ def _lists(session: Session, studio_id: UUID) -> ReviewReasonsRead:
     return ReviewReasonsRead(**lists)
 
 
-def record_reasons(session: Session, kind: ReasonKind, given: Sequence[tuple[Verdict, Take, UUID | None]]) -> None:
-    """Record the reasons of verdicts, each with its take and the change request that it sent."""
+def record_reasons(session: Session, on_file: VerdictsOnFile) -> None:
+    """Record the reasons of verdicts that are on file."""
+    kind = ReasonKind.PICK if on_file.kind is VerdictKind.APPROVE else ReasonKind.CHANGE
     session.add_all(
         GivenReason(
-            verdict_id=verdict.id,
+            verdict_id=given.verdict.id,
             reason=reason,
             kind=kind,
-            studio_id=verdict.studio_id,
-            project_id=verdict.project_id,
-            cue_id=verdict.cue_id,
-            designer_id=take.designer_id,
-            change_request_id=change_request_id,
+            studio_id=given.verdict.studio_id,
+            project_id=given.verdict.project_id,
+            cue_id=given.verdict.cue_id,
+            designer_id=given.take.designer_id,
+            change_request_id=given.change_request_id,
         )
-        for verdict, take, change_request_id in given
-        for reason in verdict.reasons
+        for given in on_file.given
+        for reason in given.verdict.reasons
     )
 
 

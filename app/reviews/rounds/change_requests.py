@@ -10,27 +10,23 @@ from app.accounts.queries import actor_for_person
 from app.accounts.rules import Actor
 from app.core import clock
 from app.core.db import new_id
-from app.core.events import publish
+from app.core.events import publish, send
 from app.core.web.http import Page, cursor_of, uuid_cursor
-from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.take_states import change_state
-from app.money.settlement import price_round
 from app.projects.approval.service import approval_rights, ensure_may_approve
 from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
 from app.projects.rules import ApprovalScope
 from app.projects.service import project_access
 from app.reviews import queries
 from app.reviews.errors import AlreadySent, ChangeRequestNotFound, NothingToSend
-from app.reviews.models import ChangeRequest, Feedback, Round, Verdict
+from app.reviews.models import ChangeRequest, Feedback, Round
 from app.reviews.queue.service import change_request_read
-from app.reviews.reasons.rules import ReasonKind
-from app.reviews.reasons.service import record_reasons
 from app.reviews.rounds.mentions import publish_mentions
 from app.reviews.rules import STATE_WORDS, VerdictKind, why_not_counted
 from app.reviews.schemas import ChangeRequestRead, FeedbackRead, HeldBack, RoundRead
-from app.reviews.verdicts.decisions import new_verdict
-from app.reviews.verdicts.settlement import settle_acceptance
+from app.reviews.signals import GivenVerdict, RoundCounted, VerdictsOnFile
+from app.reviews.verdicts.decisions import decide_cue, new_verdict
 from app.sound_lists.models import Cue
 
 PAGE_CHANGE_REQUESTS = 200
@@ -114,7 +110,7 @@ def send_changes(
     session.flush()
     reversals: dict[UUID, list[bool]] = defaultdict(list)
     action_id = new_id()
-    given: list[tuple[Verdict, Take, UUID | None]] = []
+    given: list[GivenVerdict] = []
     for draft in sorted(sendable, key=lambda each: each.cue_id):  # contracts are locked in one order
         reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
         for_whom = rights.on_behalf_of(actor.person, draft.cue.category)
@@ -129,16 +125,16 @@ def send_changes(
             on_behalf_of=for_whom,
         )
         session.add(verdict)
-        given.append((verdict, draft.take, draft.id))
+        given.append(GivenVerdict(verdict, draft.take, draft.id))
         change_state(session, draft.take, TakeState.CHANGE_REQUESTED, reasons=draft.reasons)
         draft.feedback_id = sending.id
     rounds = _count_rounds(session, sending, reversals, joins=cue_id is not None)
     session.flush()
-    record_reasons(session, ReasonKind.CHANGE, given)
+    send(session, VerdictsOnFile(VerdictKind.REQUEST_CHANGE, given))
     for round_ in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
         if round_.number is not None:
-            price_round(session, round_.cue_id, number=round_.number, person_id=actor.person)
-        settle_acceptance(session, session.get_one(Cue, round_.cue_id), person_id=actor.person)
+            send(session, RoundCounted(round_.cue_id, round_.number, actor.person))
+        decide_cue(session, session.get_one(Cue, round_.cue_id), person_id=actor.person)
     session.expire_all()
     publish(session, "changes.sent", studio_id=sending.studio_id, feedback_id=sending.id)
     sent = queries.change_requests_of(session, ChangeRequest.feedback_id == sending.id)

@@ -10,12 +10,10 @@ from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.core import clock
 from app.core.db import insert_if_absent, new_id
-from app.core.events import publish
-from app.core.recorded_rows import RowChanges
+from app.core.events import publish, send
 from app.deliveries.errors import TakeNotFound
 from app.deliveries.models import Take
 from app.deliveries.service import take_for
-from app.money.settlement import record_work
 from app.projects.approval.service import approval_rights
 from app.reviews import queries
 from app.reviews.errors import AcknowledgementNotDue, ChangeRequestNotFound, CommentNotFound
@@ -24,6 +22,7 @@ from app.reviews.queue.service import comment_read
 from app.reviews.rounds.mentions import mentions_in, people_to_mention, publish_mentions
 from app.reviews.rules import ensure_range
 from app.reviews.schemas import CommentRead
+from app.reviews.signals import CommentWritten
 
 
 class Answered(NamedTuple):
@@ -77,7 +76,7 @@ def add_comment(
     session.add(comment)
     session.flush()
     session.refresh(comment, ["author", "acknowledgements"])
-    _record_comment(session, take, comment)
+    send(session, CommentWritten(comment, take))
     publish_mentions(session, comment)
     if asker_id is not None and asker_id != actor.person and str(asker_id) not in comment.mentions:
         publish(session, "note.answered", studio_id=take.studio_id, comment_id=comment.id, person_id=asker_id)
@@ -101,19 +100,8 @@ def add_guest_comment(
     )
     session.add(comment)
     session.flush()
-    _record_comment(session, take, comment)
+    send(session, CommentWritten(comment, take))
     return comment
-
-
-def _record_comment(session: Session, take: Take, comment: Comment) -> None:
-    """Write a comment into the record of the contract that covers its cue, if one does."""
-    if take.cue_id is not None:
-        comment_facts = {"comment_id": str(comment.id), "text": comment.text}
-        if comment.guest_name is not None:
-            comment_facts["guest"] = comment.guest_name
-        facts = {"variation": take.variation, "version": take.number or 0, **comment_facts}
-        rows = RowChanges().add(comment)
-        record_work(session, take.cue_id, take.designer_id, "commented", facts, by=comment.written_by, rows=rows)
 
 
 def _note_answered(session: Session, take_id: UUID, answers: Answered) -> tuple[Answered, UUID | None]:

@@ -1,28 +1,22 @@
-"""Decisions on takes: their verdicts, what gives way to them, and the record of the contract."""
+"""Decisions on takes: their verdicts, and what gives way to them; the rest follows from the signals that they send."""
 
 from collections.abc import Sequence
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses.deemed_acceptance import CLAUSE as SILENCE
-from app.agreements.rules import AcceptedBy
 from app.core import clock
 from app.core.db import new_id
-from app.core.events import publish
-from app.core.recorded_rows import RowChanges
+from app.core.events import publish, send
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.deliveries.sources.service import record_sources
 from app.deliveries.take_states import change_state
-from app.money.settlement import record_work
 from app.reviews import queries
 from app.reviews.errors import NotReviewable
 from app.reviews.models import Verdict
-from app.reviews.reasons.rules import ReasonKind
-from app.reviews.reasons.service import record_reasons
-from app.reviews.rules import VerdictKind
-from app.reviews.verdicts.settlement import settle_acceptance
+from app.reviews.rules import VerdictKind, missing_variations
+from app.reviews.signals import CueDecided, GivenVerdict, TakeJudged, VerdictsOnFile
 from app.sound_lists.models import Cue
 
 SUPERSEDED = "another version was picked"
@@ -65,7 +59,7 @@ class Decision:
             take, VerdictKind.APPROVE, self._note, reasons=self._reasons, without_listening=without_listening
         )
         self._session.flush()
-        record_reasons(self._session, ReasonKind.PICK, [(verdict, take, None)])
+        send(self._session, VerdictsOnFile(VerdictKind.APPROVE, [GivenVerdict(verdict, take)]))
         record_sources(self._session, take)
         self.approved.append(take)
 
@@ -79,10 +73,10 @@ class Decision:
         self._session.flush()
 
     def finish(self, cue: Cue) -> bool:
-        """Settle the sums owed, publish the approvals, and return whether the cue is accepted now."""
-        by = AcceptedBy.VERDICT if self._silence_contract_id is None else AcceptedBy.SILENCE
-        accepted = settle_acceptance(self._session, cue, person_id=self._person_id, by=by)
-        for take in self.approved if by is AcceptedBy.VERDICT else ():
+        """Send and publish what was decided, and return whether the cue is accepted now."""
+        is_deemed = self._silence_contract_id is not None
+        accepted = decide_cue(self._session, cue, person_id=self._person_id, is_deemed=is_deemed)
+        for take in () if is_deemed else self.approved:
             publish(self._session, "take.approved", studio_id=take.studio_id, take_id=take.id, cue_accepted=accepted)
         return accepted
 
@@ -118,6 +112,14 @@ class Decision:
         return verdict
 
 
+def decide_cue(session: Session, cue: Cue, *, person_id: UUID | None, is_deemed: bool = False) -> bool:
+    """Send whether a cue is accepted now, to all that follows from it, and return it."""
+    approved = queries.approved_takes(session, cue.id)
+    is_accepted = not missing_variations(cue.variations, [take.variation for take in approved])
+    send(session, CueDecided(cue, is_accepted, approved, person_id, is_deemed))
+    return is_accepted
+
+
 def new_verdict(
     session: Session,
     person_id: UUID | None,
@@ -132,7 +134,7 @@ def new_verdict(
     without_listening: bool = False,
     withdraws_id: UUID | None = None,
 ) -> Verdict:
-    """Return a verdict to record before the take moves; the record of its contract has it at once."""
+    """Return a verdict to add before the take moves, and send it."""
     verdict = Verdict(
         id=new_id(),
         studio_id=take.studio_id,
@@ -152,21 +154,5 @@ def new_verdict(
         withdraws_id=withdraws_id,
         created_at=clock.now(),
     )
-    if take.cue_id is not None:
-        facts: dict[str, str | int | bool] = {
-            "verdict": kind.value,
-            "variation": take.variation,
-            "version": take.number or 0,
-            "note": note,
-            "verdict_id": str(verdict.id),
-        }
-        if without_listening:
-            facts["without_listening"] = True
-        if deemed_by_contract_id is not None:
-            facts["clause"] = SILENCE
-        by = person_id if deemed_by_contract_id is None else None
-        rows = RowChanges().add(verdict, take)
-        record_work(
-            session, take.cue_id, take.designer_id, "judged", facts, by=by, on_behalf_of=on_behalf_of, rows=rows
-        )
+    send(session, TakeJudged(verdict, take))
     return verdict

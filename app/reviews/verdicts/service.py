@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.core import clock, kill_points
 from app.core.db import new_id
-from app.core.events import publish
+from app.core.events import publish, send
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState, shown_name, undecided_groups
 from app.deliveries.service import take_for
@@ -51,9 +51,9 @@ from app.reviews.schemas import (
     VerdictGiven,
     VerdictUndone,
 )
+from app.reviews.signals import CueCut
 from app.reviews.verdicts.approval_blocks import ensure_nothing_open
-from app.reviews.verdicts.decisions import STATE_AFTER, Decision, new_verdict
-from app.reviews.verdicts.settlement import settle_acceptance, settle_cut
+from app.reviews.verdicts.decisions import STATE_AFTER, Decision, decide_cue, new_verdict
 from app.sound_lists.errors import CueIsCut
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import lock_list
@@ -256,7 +256,7 @@ def undo_verdict(session: Session, actor: Actor, take_id: UUID) -> VerdictUndone
     takes = queries.takes_by_id(session, [verdict.take_id for verdict in decided])
     _ensure_nothing_since(session, decided, takes)
     restored = _take_back(session, access, decided, takes, for_whom)
-    settle_acceptance(session, cue, person_id=actor.person)
+    decide_cue(session, cue, person_id=actor.person)
     return VerdictUndone(takes=restored, draft_dropped=False)
 
 
@@ -432,7 +432,7 @@ def cut_cue(session: Session, actor: Actor, cue_id: UUID, *, reason: str) -> Cue
         session, ChangeRequest.cue_id == cue.id, ChangeRequest.feedback_id.is_(None)
     ):
         session.delete(draft)
-    settle_cut(session, cue, person_id=actor.person)
+    send(session, CueCut(cue, actor.person))
     cut_from_list(session, actor, cue, reason)
     publish(session, "cue.cut", studio_id=cue.studio_id, cue_id=cue.id)
     return cue

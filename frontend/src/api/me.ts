@@ -30,7 +30,13 @@ export function useMyProject(projectId: string): MyProject | undefined {
   return data?.projects.find(({ id }) => id === projectId)
 }
 
-/** Whether contracts and money are between this person and another: who only reviews or implements sees neither. */
-export const isParty = (project: MyProject | undefined): boolean =>
+/** Whether a person speaks for a side of the project: who only reviews or implements does not. */
+export const speaksFor = (project: MyProject | undefined): boolean =>
   project !== undefined &&
   (project.part === 'designer' || project.is_producer || project.is_liaison || project.is_approver)
+
+/** Whether contracts and money are between this person and another; a server may have none at all. */
+export function useIsParty(projectId: string): boolean {
+  const { data: me } = useQuery(meQuery)
+  return me?.has_contracts !== false && speaksFor(useMyProject(projectId))
+}

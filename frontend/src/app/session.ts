@@ -16,8 +16,10 @@ export interface ShellData {
   project: ShellProject | null
   /** The project is closed to this person until its NDA is agreed; then all but its contracts is. */
   ndaOpen: boolean
-  /** The project's contracts and money are this person's to see. */
-  isParty: boolean
+  /** Speaks for a side of the project: its contracts and money are this person's to see. */
+  speaks: boolean
+  /** The server has contracts, money and hiring. */
+  hasContracts: boolean
   /** A producer of the project's studio. */
   isProducer: boolean
   /** In the studio to put sounds into the game, and for nothing else. */
@@ -51,7 +53,8 @@ export const NOBODY: ShellData = {
   side: 'studio',
   project: null,
   ndaOpen: false,
-  isParty: false,
+  speaks: false,
+  hasContracts: true,
   isProducer: false,
   isImplementer: false,
   projects: [],

@@ -9,7 +9,7 @@ import pytest
 import sqlalchemy as sa
 from pypdf import PdfReader
 
-from app import worker
+from app import commercial
 from app.agreements.models import Contract
 from app.agreements.queries import events_of
 from app.agreements.rules import ContractState, ReleaseClause
@@ -207,7 +207,7 @@ def test_without_agreement_the_last_day_settles_it_once(agreed: Agreed) -> None:
     assert (agreed.figures(), state_of(agreed)) == (forecast, "ended")
     assert agreed.owed()[-2:] == [("cut", 15_750), ("cut", 23_625)]
     assert entries(agreed).count("settled") == 1
-    assert "amendments.settle_ended" in worker.CHORES
+    assert "amendments.settle_ended" in commercial.CHORES
 
 
 @pytest.mark.slow

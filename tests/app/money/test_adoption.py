@@ -8,7 +8,7 @@ import pytest
 from app.agreements.models import ContractCue
 from app.agreements.rules import AcceptedBy
 from app.deliveries.rules import TakeState
-from app.reviews import jobs
+from app.money import jobs
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import day
 from tests.app.reviews.making import Stage

@@ -8,7 +8,7 @@ from uuid import UUID
 import pytest
 import sqlalchemy as sa
 
-from app import worker
+from app import commercial
 from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract
 from app.agreements.queries import contract_by_id, events_of
@@ -195,7 +195,7 @@ def test_a_contract_without_hours_takes_none(world: World) -> None:
 @pytest.mark.both_databases
 def test_a_retainer_is_due_each_month_once_and_includes_hours(world: World) -> None:
     agreed = agreed_with(world, **HOURS, **RETAINER)
-    assert "money.charge_retainers" in worker.CHORES
+    assert "money.charge_retainers" in commercial.CHORES
     for _ in range(2):
         jobs.charge_retainers(world.server.runtime, {})
         assert lines(agreed) == [("retainer", 90_000, "retainer")]

@@ -7,6 +7,7 @@ import pytest
 from app.agreements.clauses.rules import library
 from app.agreements.rules import WORK_STATE_WORDS, WorkState
 from app.deliveries.rules import TakeState
+from app.money.verdicts import work_state
 from app.reviews.errors import RangeInvalid, StaleView, TooLateToUndo
 from app.reviews.rules import (
     QueueKind,
@@ -16,7 +17,6 @@ from app.reviews.rules import (
     missing_variations,
     queue_kind,
     why_not_counted,
-    work_state,
 )
 
 NOON = datetime(2026, 11, 20, 12, tzinfo=UTC)

@@ -12,12 +12,12 @@ from sqlalchemy.orm import Session
 
 from app.agreements.clauses.deemed_acceptance import DeemedAcceptance
 from app.agreements.clauses.rules import default_clauses, terms_in_force
+from app.agreements.deemed_acceptance import jobs
 from app.agreements.models import Contract, ContractEvent
 from app.agreements.queries import events_of
 from app.agreements.record.service import WRITTEN
 from app.agreements.rules import ContractKind
 from app.deliveries.models import Take
-from app.reviews import jobs
 from app.sound_lists.models import Question
 from tests.app.money.agreed import Agreed, milestone
 from tests.app.reviews.making import body_of, refused
@@ -284,9 +284,9 @@ def test_screens_say_until_when_a_cue_waits(moved: MovedClock) -> None:
 
 
 def test_it_is_one_of_the_chores() -> None:
-    from app import worker
+    from app import commercial
 
-    assert "reviews.apply_deemed_acceptance" in worker.CHORES
+    assert "agreements.apply_deemed_acceptance" in commercial.CHORES
 
 
 BY_CALENDAR = {**CLAUSE, "silence_calendar": "studio"}

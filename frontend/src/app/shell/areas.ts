@@ -36,8 +36,9 @@ const isTeam: Sees = ({ side }) => side === 'studio'
 const isDesigner: Sees = ({ side }) => side === 'designer'
 const isImplementer: Sees = (viewer) => isTeam(viewer) && viewer.isImplementer
 const judges: Sees = (viewer) => isTeam(viewer) && !viewer.isImplementer
-const isParty: Sees = (viewer) => viewer.isParty
-const leads: Sees = (viewer) => isTeam(viewer) && viewer.isParty
+const isParty: Sees = (viewer) => viewer.speaks && viewer.hasContracts
+const leads: Sees = (viewer) => isTeam(viewer) && viewer.speaks
+const hires: Sees = (viewer) => judges(viewer) && viewer.hasContracts
 const isProducer: Sees = (viewer) => viewer.isProducer
 const isAnyone: Sees = () => true
 
@@ -144,8 +145,8 @@ export const HOMES: readonly PageHome[] = [
     sees: judges,
     also: ['invite', 'designer', 'members', 'hours', 'credits'],
   },
-  { area: 'people', label: 'Roster', routes: ['/roster'], sees: judges, also: ['hire', 'on file', 'reel'] },
-  { area: 'people', label: 'Postings', routes: ['P/postings'], sees: leads, also: ['hire', 'bid', 'award', 'job'] },
+  { area: 'people', label: 'Roster', routes: ['/roster'], sees: hires, also: ['hire', 'on file', 'reel'] },
+  { area: 'people', label: 'Postings', routes: ['P/postings'], sees: (viewer) => leads(viewer) && hires(viewer), also: ['hire', 'bid', 'award', 'job'] },
 
   {
     area: 'money',
@@ -162,7 +163,20 @@ export const HOMES: readonly PageHome[] = [
     also: ['money', 'pay', 'ledger', 'deposit', 'milestones'],
   },
 
-  { area: 'money', label: 'Credits', routes: ['P/credits'], sees: isDesigner, also: ['name in the credits'] },
+  {
+    area: 'money',
+    label: 'Credits',
+    routes: ['P/credits'],
+    sees: (viewer) => isDesigner(viewer) && viewer.hasContracts,
+    also: ['name in the credits'],
+  },
+  {
+    area: 'deliveries',
+    label: 'Credits',
+    routes: ['P/credits'],
+    sees: (viewer) => isDesigner(viewer) && !viewer.hasContracts,
+    also: ['name in the credits'],
+  },
 
   { area: 'settings', label: 'Delivery spec', routes: ['P/spec'], sees: leads, also: ['limits', 'loudness', 'toml'] },
   {

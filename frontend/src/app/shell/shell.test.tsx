@@ -23,7 +23,8 @@ const PRODUCER: ShellData = {
     { id: 'p2', name: 'Deep Field' },
   ],
   ndaOpen: false,
-  isParty: true,
+  speaks: true,
+  hasContracts: true,
   isProducer: true,
   isImplementer: false,
   counts: { review: 4 },
@@ -126,12 +127,20 @@ test('a designer begins with Deliveries', async () => {
   expect(pages('Deliveries')[0]).toHaveTextContent('To do3 waiting')
 })
 
-const REVIEWER: ShellData = { ...PRODUCER, isParty: false, isProducer: false, operates: false }
+const REVIEWER: ShellData = { ...PRODUCER, speaks: false, isProducer: false, operates: false }
 const IMPLEMENTER: ShellData = { ...REVIEWER, isImplementer: true }
 
 test('who implements has the game and no verdicts; who only reviews has no contract and no money', () => {
   expect(labels(IMPLEMENTER)).toEqual(['Today', 'Sounds', 'Game', 'Settings'])
   expect(labels(REVIEWER)).toEqual(['Today', 'Sounds', 'Review', 'Game', 'People', 'Settings'])
+})
+
+test('a server without contracts has no entry of contracts, money and hiring', () => {
+  const producer = { ...PRODUCER, hasContracts: false }
+  expect(labels(producer)).toEqual(['Today', 'Sounds', 'Review', 'Game', 'People', 'Settings'])
+  const people = areasOf(producer).find(({ id }) => id === 'people')
+  expect(people?.pages.map(({ label }) => label)).toEqual(['Team'])
+  expect(labels({ ...DESIGNER, hasContracts: false })).toEqual(['Deliveries', 'Sounds', 'Review', 'Settings'])
 })
 
 test('without a project there are the pages that need none', () => {

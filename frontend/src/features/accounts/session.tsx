@@ -4,7 +4,7 @@ import { lazy, Suspense, useEffect } from 'react'
 
 import { answered, api, ApiProblem, goOnLater, leaveSession } from '@/api'
 import { type Me, meQuery } from '@/api/me'
-import { isParty } from '@/api/me'
+import { speaksFor } from '@/api/me'
 import { cameBack, deskQuery } from '@/app/desk'
 import { forgetDrafts, openDraftsOf } from '@/app/drafts'
 import { followChanges } from '@/app/liveChanges'
@@ -95,7 +95,8 @@ function useShell(): ShellData {
     side: project ? (isTeam ? 'studio' : 'designer') : me.studios.length > 0 ? 'studio' : 'designer',
     project: project ? { id: project.id, name: project.name, isSample: project.is_sample } : null,
     ndaOpen: project?.nda_open ?? false,
-    isParty: isParty(project),
+    speaks: speaksFor(project),
+    hasContracts: me.has_contracts !== false,
     isProducer: project ? project.is_producer : roles.includes('producer'),
     isImplementer: project?.is_approver !== true && roles.length > 0 && roles.every((role) => role === 'implementer'),
     projects: me.projects.map(({ id, name }) => ({ id, name })),

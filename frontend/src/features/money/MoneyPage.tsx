@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { isParty, useMyProject } from '@/api/me'
+import { useIsParty, useMyProject } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { moneyQuery, type ContractMoney } from '@/money/api'
 import { MilestonesCard } from '@/money/MilestonesCard'
@@ -24,7 +24,7 @@ export function MoneyPage() {
   useTitle('Money')
   const { projectId } = useParams({ from: '/shell/projects/$projectId/money' })
   const project = useMyProject(projectId)
-  const mayLook = isParty(project)
+  const mayLook = useIsParty(projectId)
   const { data, error } = useQuery({ ...moneyQuery(projectId), enabled: mayLook })
   const side = project?.part === 'designer' ? 'designer' : 'team'
   return (

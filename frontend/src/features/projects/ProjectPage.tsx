@@ -3,7 +3,7 @@ import { Link, type LinkProps, useNavigate, useParams } from '@tanstack/react-ro
 import type { ReactNode } from 'react'
 
 import { ApiProblem } from '@/api'
-import { isParty, useMyProject } from '@/api/me'
+import { useIsParty } from '@/api/me'
 import { projectQuery, studioPeopleQuery } from '@/api/project'
 import { useHotkeys } from '@/app/keys'
 import { awaitedWords, nextStepsQuery, wordsOf } from '@/app/nextSteps'
@@ -32,7 +32,7 @@ export function ProjectPage() {
   useTitle('Overview')
   const { projectId } = useParams({ from: '/shell/projects/$projectId' })
   const { data: project, error } = useQuery(projectQuery(projectId))
-  const mine = useMyProject(projectId)
+  const isParty = useIsParty(projectId)
   if (error instanceof ApiProblem && error.status === 404) return <NotFoundPage />
   if (project === undefined && error === null) return <PageSkeleton />
   return (
@@ -51,7 +51,7 @@ export function ProjectPage() {
           <div className={classes.cards}>
             <SoundsCard projectId={projectId} />
             <PeopleCard project={project} />
-            {isParty(mine) && <MoneyCard projectId={projectId} />}
+            {isParty && <MoneyCard projectId={projectId} />}
             {project.mine.is_team ? <NextPackCard projectId={projectId} /> : <PlaylistsCard projectId={projectId} />}
           </div>
         </>
@@ -125,7 +125,7 @@ function OverviewCard({ title, note, link, error, children }: OverviewCardProps)
 
 function SoundsCard({ projectId }: { projectId: string }) {
   const { data: overview, error } = useQuery(overviewQuery(projectId))
-  const { data: earned } = useQuery({ ...moneyQuery(projectId), enabled: isParty(useMyProject(projectId)) })
+  const { data: earned } = useQuery({ ...moneyQuery(projectId), enabled: useIsParty(projectId) })
   const counts = overview?.counts ?? {}
   const statuses = (Object.keys(STATUSES) as Status[]).filter((status) => (counts[status] ?? 0) > 0)
   const milestones = (earned?.contracts ?? []).flatMap((contract) => contract.milestones).filter((m) => !m.is_deposit)

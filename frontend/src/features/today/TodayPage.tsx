@@ -3,7 +3,7 @@ import { Link, useParams } from '@tanstack/react-router'
 import { type ReactNode, useRef } from 'react'
 
 import { ApiProblem } from '@/api'
-import { isParty, useMyProject } from '@/api/me'
+import { useIsParty, useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { NextCard } from '@/app/NextCard'
 import { nextStepsQuery, stepsToName } from '@/app/nextSteps'
@@ -52,7 +52,7 @@ export function TodayPage(): ReactNode {
   const isRunning = project?.is_producer === true && !mayApprove
   const first = isRunning ? undefined : queue.open[0]
   const rest = queue.items.filter((item) => item !== first)
-  const money = useQuery({ ...moneyQuery(projectId), enabled: isParty(project) })
+  const money = useQuery({ ...moneyQuery(projectId), enabled: useIsParty(projectId) })
   const ofFirst = useQuery({ ...cueMoneyQuery(first?.cue.id ?? ''), enabled: first !== undefined })
   const questions = today.data?.questions ?? []
   useReady(player, first?.takes ?? [], rest[0])

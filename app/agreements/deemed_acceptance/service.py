@@ -1,23 +1,29 @@
-"""Jobs of cues under a deemed-acceptance clause: reminders, and acceptance when the days are over."""
+"""What is due of cues under a deemed-acceptance clause: reminders, and acceptance when the days are over."""
 
-from datetime import datetime
+from datetime import date, datetime
 from uuid import UUID
 
 from sqlalchemy import true
 from sqlalchemy.orm import Session
 
+from app.accounts.models import Person
+from app.agreements.clauses.deemed_acceptance import CLAUSE
+from app.agreements.deemed_acceptance import queries
+from app.agreements.deemed_acceptance.cues import DeemedCue, deemed_cues
+from app.agreements.models import Reminder
+from app.agreements.plan import queries as plan_queries
+from app.agreements.record import service as record
 from app.core import clock
 from app.core.db import insert_if_absent, new_id
 from app.core.events import publish
 from app.core.plural import counted
 from app.deliveries.models import Take
 from app.deliveries.rules import shown_name
-from app.money.settlement import record_reminder
 from app.projects.approval.service import approval_rights
-from app.reviews import queries
-from app.reviews.models import Reminder
+from app.projects.models import Project
+from app.reviews.queries import lock_cue
 from app.reviews.verdicts.decisions import Decision
-from app.reviews.verdicts.deemed_cues import DeemedCue, deemed_cues
+from app.sound_lists.rules import label
 
 
 def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
@@ -25,7 +31,7 @@ def deemed_cues_due(session: Session, now: datetime) -> list[UUID]:
     waiting = deemed_cues(session, true())
     sent = {
         (reminder.cue_id, reminder.waiting_since, reminder.number)
-        for reminder in queries.reminders_of(session, [w.cue.id for w in waiting])
+        for reminder in queries.reminders_of(session, [deemed.cue.id for deemed in waiting])
     }
     return [
         deemed.cue.id
@@ -40,7 +46,7 @@ def apply_deemed(session: Session, cue_id: UUID, now: datetime) -> None:
 
     A cue with two files of one delivery for one place is not accepted: the reminder names them.
     """
-    queries.lock_cue(session, cue_id)
+    lock_cue(session, cue_id)
     for deemed_cue in deemed_cues(session, Take.cue_id == cue_id):
         if deemed_cue.is_over(now):
             _accept(session, deemed_cue, now)
@@ -81,7 +87,7 @@ def _remind(session: Session, deemed: DeemedCue, number: int, now: datetime) -> 
         return
     last_day = deemed.wait.last_day(now)
     for person_id in approval_rights(session, deemed.project).people_for(deemed.cue.category):
-        record_reminder(session, deemed.contract.id, deemed.cue.id, to_id=person_id, last_day=last_day)
+        _record_reminder(session, deemed.contract.id, deemed.cue.id, to_id=person_id, last_day=last_day)
         publish(
             session,
             "approver.reminded",
@@ -91,3 +97,15 @@ def _remind(session: Session, deemed: DeemedCue, number: int, now: datetime) -> 
             last_day=last_day.isoformat(),
             undecided=[" and ".join(shown_name(take.file_name) for take in group) for group in deemed.undecided],
         )
+
+
+def _record_reminder(session: Session, contract_id: UUID, cue_id: UUID, *, to_id: UUID, last_day: date) -> None:
+    """Record that a person was reminded of a cue, and the last day for its verdict."""
+    covered = plan_queries.cue_of(session, contract_id, cue_id)
+    if covered is None:
+        return
+    prefix = session.get_one(Project, covered.project_id).cue_prefix
+    cue = f"{label(prefix, covered.cue.number)} {covered.cue.name}"
+    to = session.get_one(Person, to_id).name
+    facts = {"cue": cue, "to": to, "clause": CLAUSE, "waits_until": last_day.isoformat()}
+    record.append(session, contract_id, "reminded", facts, by=None)

@@ -10,8 +10,9 @@ from sqlalchemy import ColumnElement
 from sqlalchemy.orm import Session
 
 from app.accounts.calendars.service import holidays_of, time_zones_of
-from app.agreements.clauses.deemed_acceptance import DeemedAcceptance, Pause, PausedBy, Wait, WorkCalendar
+from app.agreements.clauses.deemed_acceptance import DeemedAcceptance, Pause, Wait, WorkCalendar
 from app.agreements.clauses.terms import MoneyTerms, SourcesNeeded
+from app.agreements.deemed_acceptance.queries import clock_pauses, cues_under_contract, waiting_under_contract
 from app.agreements.models import Contract
 from app.agreements.plan.queries import agreed_terms
 from app.core import clock
@@ -24,8 +25,8 @@ from app.deliveries.sources.statements import open_points
 from app.deliveries.tray.service import open_take_of
 from app.projects.models import Project
 from app.reviews import queries
-from app.reviews.queue import queries as queue_queries
-from app.reviews.rules import missing_variations
+from app.reviews.rules import PausedBy, missing_variations
+from app.reviews.signals import LastDay, LastDaysAsked
 from app.sound_lists.models import Cue
 
 
@@ -83,7 +84,7 @@ def deemed_cues(session: Session, reach: ColumnElement[bool]) -> list[DeemedCue]
     """
     by_cue: dict[UUID, list[Take]] = {}
     contracts: dict[UUID, tuple[Contract, Project]] = {}
-    for take, contract, project in queue_queries.waiting_under_contract(session, reach):
+    for take, contract, project in waiting_under_contract(session, reach):
         if take.cue_id is not None:
             by_cue.setdefault(take.cue_id, []).append(take)
             contracts[take.cue_id] = contract, project
@@ -166,7 +167,7 @@ def _pauses(session: Session, waiting: Sequence[_Waiting]) -> Mapping[UUID, Iter
         if question.asked_by == contracts[question.cue_id].designer_id:
             by_cue[question.cue_id].append(Pause("question", question.asked_at, question.answered_at))
     of_contracts: dict[UUID, list[Pause]] = {}
-    for pause in queries.clock_pauses(session, {contract.id for contract in contracts.values()}):
+    for pause in clock_pauses(session, {contract.id for contract in contracts.values()}):
         change_order = Pause("change_order", pause.began_at, pause.ended_at)
         of_contracts.setdefault(pause.contract_id, []).append(change_order)
     return {cue_id: [*own, *of_contracts.get(contracts[cue_id].id, [])] for cue_id, own in by_cue.items()}
@@ -182,17 +183,14 @@ def _stated(session: Session, takes: Sequence[Take]) -> dict[UUID, datetime]:
     }
 
 
-@dataclass(frozen=True)
-class LastDay:
-    """The day after which a cue is deemed accepted, and what stops the count until then."""
-
-    day: date
-    paused_by: PausedBy | None
+def answer_last_days(session: Session, asked: LastDaysAsked) -> dict[UUID, LastDay]:
+    """Return the last days of cues to the room that asks for them."""
+    return last_days(session, asked.cue_ids)
 
 
 def last_days(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, LastDay]:
     """Return by cue the day after which it is deemed accepted; others are left out."""
-    owed, now = queue_queries.cues_under_contract(session, cue_ids), clock.now()
+    owed, now = cues_under_contract(session, cue_ids), clock.now()
     if not owed:
         return {}
     return {

@@ -2,10 +2,9 @@
 
 from sqlalchemy.orm import Session
 
-from app.agreements.models import Contract
+from app.agreements.deemed_acceptance import queries
+from app.agreements.models import ClockPause, Contract
 from app.core import clock
-from app.reviews import queries
-from app.reviews.models import ClockPause
 
 
 def begin_pause(session: Session, contract: Contract, change_order: int) -> None:

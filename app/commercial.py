@@ -1,0 +1,87 @@
+"""The jobs of the commercial rooms, and what they follow: contracts, money, change orders, and hiring.
+
+SOUNDLIST_COMMERCIAL=no leaves them out, with their endpoints.
+"""
+
+from typing import Any
+
+from app.agreements.deemed_acceptance.cues import answer_last_days
+from app.agreements.record.project_changes import record_list_revision, record_spec_version
+from app.agreements.signing.service import end_signers_of_member
+from app.agreements.sources import ensure_stated_to_accept
+from app.core.events import Handler, Receiver, Signal
+from app.deliveries import signals as deliveries
+from app.hiring.postings.service import end_links_of_member as revoke_posting_links
+from app.hiring.roster.reel import ensure_may_upload
+from app.money import verdicts
+from app.money.calendar import end_links_of_member as revoke_calendars
+from app.money.covering import answer_contract_references
+from app.money.downloads import answer_closed_downloads
+from app.money.ledger.service import charge_deposits
+from app.reviews import signals as reviews
+
+JOB_MODULES = (
+    "app.hiring.jobs",
+    "app.agreements.deemed_acceptance.jobs",
+    "app.agreements.signing.jobs",
+    "app.money.jobs",
+    "app.amendments.jobs",
+    "app.notifications.contract_jobs",
+    "app.notifications.day_jobs",
+    "app.notifications.hiring_jobs",
+)
+CHORES = (
+    "agreements.apply_deemed_acceptance",
+    "money.charge_retainers",
+    "amendments.settle_ended",
+    "agreements.seal_unsealed",
+    "notifications.mail_heads",
+    "notifications.remind_of_days",
+)
+SUBSCRIBERS: dict[str, tuple[str, ...]] = {
+    "contract.notice_given": ("notifications.notify_contract",),
+    "contract.settled": ("notifications.notify_contract",),
+    "change_order.proposed": ("notifications.notify_contract",),
+    "change_order.agreed": ("notifications.notify_contract",),
+    "contract.sent": ("notifications.notify_contract",),
+    "contract.change_requested": ("notifications.notify_contract",),
+    "contract.agreed": (
+        "notifications.notify_contract",
+        "money.add_accepted_cues",
+        "agreements.seal_contract",
+    ),
+    "contract.signed_once": ("notifications.notify_signature",),
+    "amendment.signer_is_next": ("notifications.notify_signer",),
+    "work.logged": ("notifications.notify_work_logged",),
+    "work.refused": ("notifications.notify_work_refused",),
+    "invoice.issued": ("notifications.notify_invoice",),
+    "payment.recorded": (),
+    "approver.reminded": ("notifications.notify_reminder",),
+    "cue.deemed_accepted": ("notifications.notify_deemed_acceptance",),
+    "posting.shared": ("notifications.mail_link",),
+    "posting.awarded": ("notifications.notify_award",),
+    "sample.added": ("hiring.check_sample",),
+    "bid.sent": ("notifications.notify_bid",),
+    "posting_question.asked": ("notifications.notify_posting_question",),
+    "posting_question.answered": ("notifications.notify_posting_answer",),
+    "signing_code.asked": ("notifications.mail_link",),
+}
+HANDLERS: dict[str, tuple[Handler, ...]] = {
+    "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
+    "list.revised": (record_list_revision,),
+    "spec.changed": (record_spec_version,),
+    "member.changed": (end_signers_of_member, revoke_posting_links, revoke_calendars),  # the first may refuse it
+}
+RECEIVERS: dict[type[Signal[Any]], tuple[Receiver, ...]] = {
+    deliveries.WorkDone: (verdicts.record_work,),
+    deliveries.SourcesDue: (ensure_stated_to_accept,),
+    deliveries.DownloadsClosed: (answer_closed_downloads,),
+    deliveries.ContractsNamed: (answer_contract_references,),
+    deliveries.ReelUpload: (ensure_may_upload,),
+    reviews.TakeJudged: (verdicts.record_verdict,),
+    reviews.CueDecided: (verdicts.settle_decision,),
+    reviews.CueCut: (verdicts.settle_cut,),
+    reviews.RoundCounted: (verdicts.price_round,),
+    reviews.CommentWritten: (verdicts.record_comment,),
+    reviews.LastDaysAsked: (answer_last_days,),
+}
