@@ -8,7 +8,7 @@ from sqlalchemy import CheckConstraint, ForeignKey, Index, UniqueConstraint, tex
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
-from app.accounts.rules import AddressProof
+from app.agreements.models import Acceptance
 from app.agreements.rules import Party
 from app.amendments.rules import ChangeOrderState
 from app.core import clock
@@ -76,8 +76,8 @@ class ChangeOrder(ProjectOwned, Base):
     proposer: Mapped[Person] = relationship(lazy="raise")
 
 
-class AmendmentAcceptance(ProjectOwned, Base):
-    """A person's yes to the text of a statement or change order: for which party, by which name, when, from where."""
+class AmendmentAcceptance(Acceptance, Base):
+    """One person's yes to the text of a statement or change order."""
 
     __tablename__ = "contracts_amendment_acceptances"
     __table_args__ = (
@@ -87,16 +87,6 @@ class AmendmentAcceptance(ProjectOwned, Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     contract_id: Mapped[UUID] = mapped_column(ForeignKey("contracts_contracts.id"))
     text_sha256: Mapped[str]
-    party: Mapped[Party]
-    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
-    name: Mapped[str]  # as typed
-    email: Mapped[str]
-    email_proof: Mapped[AddressProof | None]  # that they read the mail of that address; None: it was not shown
-    address: Mapped[str]  # on the network
-    agent: Mapped[str] = mapped_column(default="")  # the browser and its system, as it names them
-    code_entered_at: Mapped[datetime | None]  # the code that was mailed to that address; None: none was asked for
-    drawing: Mapped[list[list[list[int]]] | None]  # the name as it was drawn, in strokes of points; None: it was not
-    accepted_at: Mapped[datetime] = mapped_column(default=clock.now)
 
 
 declare(Notice, "notice", digested=("statement",))

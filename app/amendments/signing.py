@@ -2,22 +2,20 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Person
-from app.accounts.rules import Actor, SecondFactorUse
-from app.accounts.second_factors.requirements import ensure_second_factor_for
+from app.accounts.rules import Actor
 from app.agreements.access import party_of, visible_contract
 from app.agreements.errors import NotYourContract
 from app.agreements.models import Contract
 from app.agreements.queries import lock_contract
 from app.agreements.record import service as record
-from app.agreements.rules import Party, ensure_another_person, ensure_same_text
-from app.agreements.signing.rules import Signature
-from app.agreements.signing.service import SignatureRequest, amendment_order_of, facts_of_signature, proof_of
+from app.agreements.rules import Party, ensure_same_text
+from app.agreements.signing.service import SignatureRequest, amendment_order_of, sign_text, yeses
 from app.amendments import queries
 from app.amendments.models import AmendmentAcceptance
 from app.core.events import publish
@@ -50,41 +48,18 @@ def sign(
     """
     ensure_same_text(signature.text_sha256, text_sha256)
     given = queries.acceptances_of(session, contract.id, text_sha256)
-    order = amendment_order_of(session, contract)
-    order.ensure_turn(party, actor.person, _yeses(given))
-    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.SIGNING)
-    person = session.get_one(Person, actor.person)
-    others = [(each.person_id, each.email) for each in given if each.party is not party]
-    ensure_another_person(person.id, person.email, others)
-    acceptance = AmendmentAcceptance(
-        studio_id=contract.studio_id,
-        project_id=contract.project_id,
-        contract_id=contract.id,
-        text_sha256=text_sha256,
-        party=party,
-        person_id=person.id,
-        name=signature.name,
-        email=person.email,
-        email_proof=person.email_proof,
-        address=signature.address,
-        agent=signature.agent,
-        code_entered_at=proof_of(session, person, signature),
-        drawing=signature.drawing,
-    )
-    session.add(acceptance)
-    session.flush()
-    record.append(
+    facts = {**facts, "text_sha256_of_amendment": text_sha256}
+    _, turn = sign_text(
         session,
-        contract.id,
-        kind,
-        {
-            **facts,
-            "text_sha256_of_amendment": text_sha256,
-            **facts_of_signature(person, party, signature),
-        },
-        by=person.id,
+        actor,
+        contract,
+        party,
+        signature,
+        order=amendment_order_of(session, contract),
+        given=given,
+        new_acceptance=partial(AmendmentAcceptance, text_sha256=text_sha256),
+        put_on_record=lambda signed: record.append(session, contract.id, kind, facts | signed, by=actor.person),
     )
-    turn = order.turn([*_yeses(given), Signature(party, person.id)])
     if Party.STUDIO in turn.parties and turn.signer is not None:
         publish(
             session,
@@ -114,13 +89,9 @@ def signatures(
 ) -> Signatures:
     """Return the state of a text's signatures, for a person of a party."""
     order = amendment_order_of(session, contract)
-    turn = order.turn(_yeses(given))
+    turn = order.turn(yeses(given))
     is_mine = party is not None and person_id is not None and turn.is_of(party, person_id)
     return Signatures(1 + max(1, len(order.signers)), is_mine)
-
-
-def _yeses(given: Sequence[AmendmentAcceptance]) -> list[Signature]:
-    return [Signature(acceptance.party, acceptance.person_id) for acceptance in given]
 
 
 def _called(kind: str) -> str:

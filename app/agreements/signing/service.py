@@ -1,9 +1,10 @@
 """Signing the text that was sent: who is named for it, in which order, and what is kept of each signature."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any
+from functools import partial
+from typing import Any, TypeVar
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -18,7 +19,7 @@ from app.agreements.access import contract_to_change, party_of, visible_contract
 from app.agreements.clauses.text_faults import ensure_text_whole
 from app.agreements.drafts.versions import newest_of
 from app.agreements.errors import AlreadyAccepted, NotASigner, NotYourContract, NotYourTurn
-from app.agreements.models import Contract, ContractAcceptance, ContractSigner, ContractVersion
+from app.agreements.models import Acceptance, Contract, ContractAcceptance, ContractSigner, ContractVersion
 from app.agreements.plan.service import activate_plan
 from app.agreements.record import service as record
 from app.agreements.rules import (
@@ -32,12 +33,22 @@ from app.agreements.rules import (
 )
 from app.agreements.signing.codes import CodeCheck, use
 from app.agreements.signing.drawn_signatures import drawing_sha256
-from app.agreements.signing.rules import BY_CODE, CONSENT, WITHOUT_CODE, Signature, SigningOrder, ensure_signers_fit
+from app.agreements.signing.rules import (
+    BY_CODE,
+    CONSENT,
+    WITHOUT_CODE,
+    Signature,
+    SigningOrder,
+    Turn,
+    ensure_signers_fit,
+)
 from app.core import clock
 from app.core.db import bypass_row_policies
 from app.core.errors import FieldProblem
 from app.core.events import publish
 from app.projects.engagements import record_nda
+
+AnyAcceptance = TypeVar("AnyAcceptance", bound=Acceptance)
 
 
 @dataclass(frozen=True)
@@ -67,7 +78,7 @@ def amendment_order_of(session: Session, contract: Contract) -> SigningOrder:
     return SigningOrder([signer for signer in order_of(session, contract).signers if signer in producers])
 
 
-def yeses(acceptances: Sequence[ContractAcceptance]) -> list[Signature]:
+def yeses(acceptances: Sequence[Acceptance]) -> list[Signature]:
     """Return the signatures, as the rules on order take them."""
     return [Signature(acceptance.party, acceptance.person_id) for acceptance in acceptances]
 
@@ -155,7 +166,7 @@ def signing_facts(session: Session, contract: Contract) -> dict[str, Any]:
     return facts
 
 
-def proof_of(session: Session, person: Person, signature: SignatureRequest) -> datetime | None:
+def _proof_of(session: Session, person: Person, signature: SignatureRequest) -> datetime | None:
     """Check address and code of who signs, and return when the code was entered; None where mail is off."""
     if signature.code is None:
         return None
@@ -164,7 +175,7 @@ def proof_of(session: Session, person: Person, signature: SignatureRequest) -> d
     return clock.now()
 
 
-def facts_of_signature(person: Person, party: Party, signature: SignatureRequest) -> dict[str, Any]:
+def _facts_of_signature(person: Person, party: Party, signature: SignatureRequest) -> dict[str, Any]:
     """Return the facts of a signature for the record."""
     drawn = {"drawing_sha256": drawing_sha256(signature.drawing)} if signature.drawing is not None else {}
     return drawn | {
@@ -177,6 +188,48 @@ def facts_of_signature(person: Person, party: Party, signature: SignatureRequest
         "code": BY_CODE if signature.code else WITHOUT_CODE,
         "consent": CONSENT,
     }
+
+
+def sign_text(
+    session: Session,
+    actor: Actor,
+    contract: Contract,
+    party: Party,
+    signature: SignatureRequest,
+    *,
+    order: SigningOrder,
+    given: Sequence[Acceptance],
+    new_acceptance: Callable[..., AnyAcceptance],
+    put_on_record: Callable[[Mapping[str, Any]], object],
+) -> tuple[AnyAcceptance, Turn]:
+    """Record a person's yes to a text, under the contract's lock; return it, and whose turn it is next.
+
+    Raises AlreadyAccepted, NotASigner or NotYourTurn by the order, SamePersonOnBothSides where the other party's yes is
+    the same person's, and, where the server sends mail, AddressNotProven or what is wrong with the code.
+    """
+    order.ensure_turn(party, actor.person, yeses(given))
+    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.SIGNING)
+    person = session.get_one(Person, actor.person)
+    others = [(acceptance.person_id, acceptance.email) for acceptance in given if acceptance.party is not party]
+    ensure_another_person(person.id, person.email, others)
+    acceptance = new_acceptance(
+        studio_id=contract.studio_id,
+        project_id=contract.project_id,
+        contract_id=contract.id,
+        party=party,
+        person_id=person.id,
+        name=signature.name,
+        email=person.email,
+        email_proof=person.email_proof,
+        address=signature.address,
+        agent=signature.agent,
+        code_entered_at=_proof_of(session, person, signature),
+        drawing=signature.drawing,
+    )
+    session.add(acceptance)
+    session.flush()
+    put_on_record(_facts_of_signature(person, party, signature))
+    return acceptance, order.turn([*yeses(given), Signature(party, person.id)])
 
 
 def accept(session: Session, actor: Actor, contract_id: UUID, signature: SignatureRequest) -> ContractAcceptance:
@@ -196,33 +249,18 @@ def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signatu
     version = newest_of(session, contract)
     ensure_same_text(signature.text_sha256, version.text_sha256)
     ensure_text_whole(session, contract, version, "nothing was signed")
-    given = queries.acceptances_of(session, version.id)
-    order = order_of(session, contract)
-    order.ensure_turn(party, actor.person, yeses(given))
-    ensure_second_factor_for(session, actor, contract.studio_id, SecondFactorUse.SIGNING)
-    person = session.get_one(Person, actor.person)
-    others = [(each.person_id, each.email) for each in given if each.party is not party]
-    ensure_another_person(person.id, person.email, others)
-    acceptance = ContractAcceptance(
-        studio_id=contract.studio_id,
-        project_id=contract.project_id,
-        contract_id=contract.id,
-        version_id=version.id,
-        party=party,
-        person_id=person.id,
-        name=signature.name,
-        email=person.email,
-        email_proof=person.email_proof,
-        address=signature.address,
-        agent=signature.agent,
-        code_entered_at=proof_of(session, person, signature),
-        drawing=signature.drawing,
+    acceptance, turn = sign_text(
+        session,
+        actor,
+        contract,
+        party,
+        signature,
+        order=order_of(session, contract),
+        given=queries.acceptances_of(session, version.id),
+        new_acceptance=partial(ContractAcceptance, version_id=version.id),
+        put_on_record=lambda facts: record.append_by(session, actor, contract, "accepted_by", version, **facts),
     )
-    session.add(acceptance)
-    session.flush()
-    facts = facts_of_signature(person, party, signature)
-    record.append_by(session, actor, contract, "accepted_by", version, **facts)
-    if not order.parties_left([*yeses(given), Signature(party, person.id)]):
+    if not turn.parties:
         _agree(session, actor, contract, version)
     else:
         publish(
