@@ -1,12 +1,13 @@
 """The content of a hand-off: cues with their files, and names that every engine accepts."""
 
+import pkgutil
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from pathlib import PurePosixPath
-from typing import Literal
+from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING, Literal, Never
 
 STREAMED_FROM_S = 10.0  # music, ambience and long speech
 DECOMPRESSED_BELOW_S = 2.0
@@ -18,15 +19,22 @@ _EVENT_PREFIX = re.compile(r"^(event:|[/\\]+events(?=[/\\]))", re.IGNORECASE)
 _BREAKS = re.compile(r"[\s\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 
 
-class Handoff(StrEnum):
-    """The engine or middleware whose import files a pack contains."""
+class _Engine(StrEnum):
+    @classmethod
+    def _missing_(cls, value: object) -> Never:
+        raise ValueError(f"no engine {value!r}; write one of {', '.join(cls)}")
 
-    NONE = "none"
-    WWISE = "wwise"
-    FMOD = "fmod"
-    UNITY = "unity"
-    UNREAL = "unreal"
-    GODOT = "godot"
+
+ENGINES = sorted(module.name for module in pkgutil.iter_modules([str(Path(__file__).with_name("engines"))]))
+if TYPE_CHECKING:
+
+    class Handoff(_Engine):
+        """One value for each engine, which mypy cannot see."""
+
+        NONE = "none"
+else:
+    Handoff = _Engine("Handoff", {"NONE": "none"} | {name.upper(): name for name in ENGINES}, module=__name__)
+    Handoff.__doc__ = "The engine or middleware whose import files a pack contains."
 
 
 @dataclass(frozen=True)

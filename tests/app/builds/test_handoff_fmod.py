@@ -114,8 +114,16 @@ def test_hostile_names_are_only_names(tmp_path_factory, cues: list[ExportedCue])
     assert sum(len(event["assets"]) for event in found["events"]) == sum(len(one.files) for one in cues)
 
 
-def test_each_engine_that_can_be_chosen_has_its_module():
+def test_each_module_is_an_engine_that_can_be_chosen():
     modules = {path.stem for path in Path(engines.__file__).parent.glob("*.py")} - {"__init__"}
-    assert modules == set(Handoff) - {Handoff.NONE}
+    assert set(Handoff) == modules | {"none"}
+    assert len(modules) >= 5
     for name in modules:
         assert callable(import_module(f"{engines.__name__}.{name}").import_files)
+
+
+def test_an_unknown_engine_is_refused_with_those_that_there_are():
+    with pytest.raises(
+        ValueError, match="one of none, fmod, godot, unity, unreal, wwise"
+    ):
+        Handoff("renderware")

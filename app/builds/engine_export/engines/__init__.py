@@ -1,4 +1,4 @@
-"""The import files of each engine: one module for each value of `Handoff`, found by its name."""
+"""The import files of each engine: a module here is an engine, and `import_files` in it makes them."""
 
 from collections.abc import Collection, Sequence
 from importlib import import_module
