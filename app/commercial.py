@@ -26,10 +26,8 @@ JOB_MODULES = (
     "app.agreements.signing.jobs",
     "app.money.jobs",
     "app.amendments.jobs",
-    "app.notifications.contract_jobs",
-    "app.notifications.day_jobs",
-    "app.notifications.hiring_jobs",
 )
+NOTICE_MODULES = ("app.notifications.contract_jobs", "app.notifications.day_jobs", "app.notifications.hiring_jobs")
 CHORES = (
     "agreements.apply_deemed_acceptance",
     "money.charge_retainers",
@@ -39,31 +37,10 @@ CHORES = (
     "notifications.remind_of_days",
 )
 SUBSCRIBERS: dict[str, tuple[str, ...]] = {
-    "contract.notice_given": ("notifications.notify_contract",),
-    "contract.settled": ("notifications.notify_contract",),
-    "change_order.proposed": ("notifications.notify_contract",),
-    "change_order.agreed": ("notifications.notify_contract",),
-    "contract.sent": ("notifications.notify_contract",),
-    "contract.change_requested": ("notifications.notify_contract",),
-    "contract.agreed": (
-        "notifications.notify_contract",
-        "money.add_accepted_cues",
-        "agreements.seal_contract",
-    ),
-    "contract.signed_once": ("notifications.notify_signature",),
-    "amendment.signer_is_next": ("notifications.notify_signer",),
-    "work.logged": ("notifications.notify_work_logged",),
-    "work.refused": ("notifications.notify_work_refused",),
-    "invoice.issued": ("notifications.notify_invoice",),
+    "contract.agreed": ("money.add_accepted_cues", "agreements.seal_contract"),
     "payment.recorded": (),
-    "approver.reminded": ("notifications.notify_reminder",),
-    "cue.deemed_accepted": ("notifications.notify_deemed_acceptance",),
     "posting.shared": ("notifications.mail_link",),
-    "posting.awarded": ("notifications.notify_award",),
     "sample.added": ("hiring.check_sample",),
-    "bid.sent": ("notifications.notify_bid",),
-    "posting_question.asked": ("notifications.notify_posting_question",),
-    "posting_question.answered": ("notifications.notify_posting_answer",),
     "signing_code.asked": ("notifications.mail_link",),
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {

@@ -3,9 +3,12 @@
 Those of the rooms that SOUNDLIST_COMMERCIAL switches off are in app/commercial.py.
 """
 
-from typing import Any, NamedTuple
+import pkgutil
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any, NamedTuple, TypeVar
 
-from app import commercial
+from app import commercial, notifications
 from app.accounts.security_log.service import (
     record_joining,
     record_member_change,
@@ -15,6 +18,7 @@ from app.accounts.security_log.service import (
 )
 from app.core import events
 from app.core.events import Handler, Receiver, Signal
+from app.notifications.kinds import subscribers_of
 from app.notifications.service import drop_news_of_member
 from app.projects.namings import end_namings
 from app.reviews.reasons.service import record_reasons
@@ -23,6 +27,8 @@ from app.shares.guest_links import end_links_of_member as revoke_guest_links
 from app.webhooks.rules import EVENTS
 from app.webhooks.service import disable_webhooks_of_member, queue_event
 
+Key = TypeVar("Key")
+Follower = TypeVar("Follower")
 JOB_MODULES = (
     "app.projects.jobs",
     "app.references.jobs",
@@ -39,14 +45,12 @@ JOB_MODULES = (
     "app.builds.jobs",
     "app.builds.libraries.jobs",
     "app.builds.same_sounds.jobs",
-    "app.notifications.game_jobs",
-    "app.notifications.jobs",
-    "app.notifications.mail_jobs",
     "app.notifications.notices.jobs",
-    "app.notifications.security_jobs",
     "app.webhooks.jobs",
     "app.operations.jobs",
 )
+_NOTIFICATIONS = {f"app.notifications.{module.name}" for module in pkgutil.iter_modules(notifications.__path__)}
+NOTICE_MODULES = tuple(sorted(name for name in _NOTIFICATIONS - {*commercial.NOTICE_MODULES} if name.endswith("jobs")))
 PARSERS = (
     "app.accounts.pictures.drawing",
     "PIL.ImageOps",
@@ -63,12 +67,11 @@ PARSERS = (
     "audio_checks.audit.same_sound",
     "audio_checks.spec.delivery_spec",
 )  # of what strangers send
-SUBSCRIBERS: dict[str, tuple[str, ...]] = {
+SUBSCRIBERS: dict[str, tuple[str, ...]] = {  # beside kinds of notices, which name their events themselves
     "reference.added": ("references.draw_preview",),
     "guest_copy.asked": ("shares.make_guest_copy",),
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
-    "takes.checked": ("notifications.notify_checks",),
     "take.in_review": ("builds.compare_take",),
     "take.fingerprinted": ("builds.compare_with_libraries",),
     "library.added": ("builds.compare_library",),
@@ -91,20 +94,9 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "scene_sound.asked": ("scenes.measure_sound",),
     "comparison.asked": ("scenes.compare_sounds",),
     "master_export.asked": ("renders.export_master",),
-    "list.revised": ("notifications.notify_list_revised",),
-    "question.asked": ("notifications.notify_question",),
-    "question.answered": ("notifications.notify_answer",),
     "change.requested": ("reviews.send_change_request",),
-    "changes.sent": ("notifications.notify_changes",),
-    "note.answered": ("notifications.notify_reply",),
-    "person.mentioned": ("notifications.notify_mention",),
-    "take.approved": ("notifications.notify_approval", "builds.fingerprint_take", "builds.compare_take"),
+    "take.approved": ("builds.fingerprint_take", "builds.compare_take"),
     "folder.adopted": ("reviews.check_adopted_takes",),
-    "cue.cut": ("notifications.notify_cut",),
-    "designer.joined": ("notifications.notify_joined",),
-    "build.posted": ("notifications.notify_build",),
-    "audit.posted": ("notifications.notify_audit",),
-    "game_task.added": ("notifications.notify_game_task",),
     "approver.joined": ("projects.name_invited_approver",),
     "designer.invited": ("notifications.mail_link",),
     "member.invited": ("notifications.mail_link",),
@@ -114,15 +106,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "address.verification_asked": ("notifications.mail_link",),
     "old_address.asked": ("notifications.mail_link",),
     "new_address.asked": ("notifications.mail_link",),
-    "address.changed": ("notifications.notify_new_address",),
     "sign_up.asked": ("notifications.mail_link",),
-    "password.changed": ("notifications.notify_new_password",),
-    "device.signed_in": ("notifications.notify_new_device",),
-    "second_factor.changed": ("notifications.notify_second_factor",),
-    "desk_token.made": ("notifications.notify_desk_token",),
-    "token.made": ("notifications.notify_token",),
-    "sign_in_provider.changed": ("notifications.notify_sign_in_provider",),
-    "producer.named": ("notifications.notify_producer",),
     "mail.written": ("notifications.send_mail",),
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {
@@ -183,20 +167,22 @@ class Rooms(NamedTuple):
 
 def rooms_in_use(*, is_commercial: bool) -> Rooms:
     """Return the rooms of a server, with or without the commercial ones."""
-    if not is_commercial:
-        return Rooms(JOB_MODULES, CHORES, SUBSCRIBERS, _with_webhooks(HANDLERS), RECEIVERS)
-    handlers = {
-        event: (*HANDLERS.get(event, ()), *commercial.HANDLERS.get(event, ()))
-        for event in HANDLERS.keys() | commercial.HANDLERS.keys()
-    }
+    notices = (*NOTICE_MODULES, *commercial.NOTICE_MODULES) if is_commercial else NOTICE_MODULES
+    for module in notices:
+        import_module(module)
+    webhooks: dict[str, tuple[Handler, ...]] = dict.fromkeys(EVENTS, (queue_event,))
     return Rooms(
-        (*JOB_MODULES, *commercial.JOB_MODULES),
-        (*CHORES, *commercial.CHORES),
-        SUBSCRIBERS | commercial.SUBSCRIBERS,
-        _with_webhooks(handlers),
-        RECEIVERS | commercial.RECEIVERS,
+        (*JOB_MODULES, *notices, *(commercial.JOB_MODULES if is_commercial else ())),
+        (*CHORES, *(commercial.CHORES if is_commercial else ())),
+        _merged(SUBSCRIBERS, commercial.SUBSCRIBERS if is_commercial else {}, subscribers_of(notices)),
+        _merged(HANDLERS, commercial.HANDLERS if is_commercial else {}, webhooks),
+        _merged(RECEIVERS, commercial.RECEIVERS if is_commercial else {}),
     )
 
 
-def _with_webhooks(handlers: dict[str, tuple[Handler, ...]]) -> dict[str, tuple[Handler, ...]]:
-    return handlers | {event: (*handlers.get(event, ()), queue_event) for event in EVENTS}
+def _merged(*followers: Mapping[Key, tuple[Follower, ...]]) -> dict[Key, tuple[Follower, ...]]:
+    merged: dict[Key, tuple[Follower, ...]] = {}
+    for by_key in followers:
+        for key, of_key in by_key.items():
+            merged[key] = (*merged.get(key, ()), *of_key)
+    return merged

@@ -14,19 +14,25 @@ from app.agreements.record import signed_checkpoints as heads
 from app.agreements.rules import ContractState, Party
 from app.agreements.signing.service import people_to_sign
 from app.core import clock
-from app.core.jobs.queue import Payload, job
+from app.core.jobs.queue import Payload
 from app.core.money import money
 from app.core.plural import counted
 from app.core.runtime import Runtime
 from app.money.models import Invoice, WorkedDay
 from app.money.work.service import called_work
 from app.notifications import queries
+from app.notifications.kinds import notice
 from app.notifications.notifier import Notifier, cue_label
+from app.notifications.preferences.rules import News
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 
 
-@job("notifications.notify_contract")
+@notice(
+    *("contract.sent", "contract.change_requested", "contract.agreed", "contract.notice_given", "contract.settled"),
+    *("change_order.proposed", "change_order.agreed"),
+    topics={"contract": News.CONTRACTS, "deposit": News.CONTRACTS},
+)
 def notify_contract(runtime: Runtime, payload: Payload) -> None:
     """Notify the party whose step is next of a contract's new state, and both once it is agreed."""
     with runtime.database.writing() as session:
@@ -87,7 +93,7 @@ def _first_to_sign(session: Session, contract: Contract) -> set[str]:
     return {queries.address_of(session, person_id) for person_id in people_to_sign(session, contract)}
 
 
-@job("notifications.notify_signature")
+@notice("contract.signed_once")
 def notify_signature(runtime: Runtime, payload: Payload) -> None:
     """Notify those whose turn it is now that a contract needs their signature."""
     with runtime.database.writing() as session:
@@ -104,7 +110,7 @@ def notify_signature(runtime: Runtime, payload: Payload) -> None:
             )
 
 
-@job("notifications.notify_signer")
+@notice("amendment.signer_is_next")
 def notify_signer(runtime: Runtime, payload: Payload) -> None:
     """Notify the studio's signer whose turn it is that a change order or a statement needs their signature."""
     with runtime.database.writing() as session:
@@ -117,7 +123,7 @@ def notify_signer(runtime: Runtime, payload: Payload) -> None:
         notifier.notify(signer, "contract:signer", "a text needs your signature", line, page=page)
 
 
-@job("notifications.notify_invoice")
+@notice("invoice.issued", topics={"invoices": News.CONTRACTS})
 def notify_invoice(runtime: Runtime, payload: Payload) -> None:
     """Notify the producers of an invoice: its sum, and the day until which it is to be paid."""
     with runtime.database.writing() as session:
@@ -133,7 +139,7 @@ def notify_invoice(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "invoices", "an invoice to pay", line, page="money")
 
 
-@job("notifications.notify_work_logged")
+@notice("work.logged", topics={"work": News.CONTRACTS})
 def notify_work_logged(runtime: Runtime, payload: Payload) -> None:
     """Notify the producers of days or hours to agree to, unless that is done or they were taken back."""
     with runtime.database.writing() as session:
@@ -148,7 +154,7 @@ def notify_work_logged(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "work", "logged work to agree to", line, page="money")
 
 
-@job("notifications.notify_work_refused")
+@notice("work.refused")
 def notify_work_refused(runtime: Runtime, payload: Payload) -> None:
     """Notify the designer of days or hours that the studio refused, and why."""
     with runtime.database.writing() as session:
@@ -162,7 +168,7 @@ def notify_work_refused(runtime: Runtime, payload: Payload) -> None:
         notifier.notify(designer, "work", "logged work was refused", line, page="money")
 
 
-@job("notifications.notify_reminder")
+@notice("approver.reminded", topics={"reminders": News.SOUNDS})
 def notify_reminder(runtime: Runtime, payload: Payload) -> None:
     """Remind the approver of the day after which a cue is deemed accepted."""
     with runtime.database.writing() as session:
@@ -182,7 +188,7 @@ def notify_reminder(runtime: Runtime, payload: Payload) -> None:
         notifier.notify(approver, "reminders", "sounds to review soon", line, page="review")
 
 
-@job("notifications.notify_deemed_acceptance")
+@notice("cue.deemed_accepted", topics={"silence": News.SOUNDS})
 def notify_deemed_acceptance(runtime: Runtime, payload: Payload) -> None:
     """Notify designer, approver and producers that a cue was deemed accepted."""
     with runtime.database.writing() as session:
@@ -204,7 +210,7 @@ def notify_deemed_acceptance(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "silence", "sounds auto-accepted", line, page="sound-list")
 
 
-@job("notifications.mail_heads")
+@notice(topics={"head": News.CONTRACTS})
 def mail_heads(runtime: Runtime, _payload: Payload) -> None:
     """Mail the signed heads of records that have grown to both parties, once a day for each contract."""
     today = clock.now().date()

@@ -6,13 +6,14 @@ from app.agreements.models import DateReminder
 from app.agreements.reminders import near_days
 from app.core import clock
 from app.core.db import insert_if_absent
-from app.core.jobs.queue import Payload, job
+from app.core.jobs.queue import Payload
 from app.core.runtime import Runtime
 from app.notifications import queries
+from app.notifications.kinds import notice
 from app.notifications.notifier import Notifier
 
 
-@job("notifications.remind_of_days")
+@notice()
 def remind_of_days(runtime: Runtime, _payload: Payload) -> None:
     """Remind both parties once of each day that their contract names, two weeks before it."""
     today = clock.now().date()

@@ -4,11 +4,13 @@ from uuid import UUID
 
 from app.builds.audits.models import BuildAudit, GameTask
 from app.builds.audits.rules import TaskKind, TaskRole
-from app.core.jobs.queue import Payload, job
+from app.core.jobs.queue import Payload
 from app.core.plural import counted
 from app.core.runtime import Runtime
 from app.notifications import queries
+from app.notifications.kinds import notice
 from app.notifications.notifier import Notifier, cue_label
+from app.notifications.preferences.rules import News
 from app.projects.models import Project
 from app.sound_lists.models import Cue
 
@@ -23,7 +25,7 @@ KIND_WORDS = {
 }
 
 
-@job("notifications.notify_audit")
+@notice("audit.posted", topics={"drift": News.LIST})
 def notify_audit(runtime: Runtime, payload: Payload) -> None:
     """Notify producers and approvers of sounds that play otherwise than approved since the audit before."""
     with runtime.database.writing() as session:
@@ -39,7 +41,7 @@ def notify_audit(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "drift", "sounds drifted in a build", line, page="drift")
 
 
-@job("notifications.notify_game_task")
+@notice("game_task.added", topics={"tasks": News.SOUNDS})
 def notify_game_task(runtime: Runtime, payload: Payload) -> None:
     """Notify the implementers, or the designer, of a task; one that was taken back meanwhile is left out."""
     with runtime.database.writing() as session:

@@ -5,12 +5,14 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, Studio
-from app.core.jobs.queue import Payload, job
+from app.core.jobs.queue import Payload
 from app.core.runtime import Runtime
 from app.hiring.models import Bid, Posting, PostingQuestion
 from app.hiring.queries import candidates_of, sent_bids
 from app.notifications import queries, service
+from app.notifications.kinds import notice
 from app.notifications.notifier import Notifier
+from app.notifications.preferences.rules import News
 from app.projects.models import Project
 
 
@@ -47,7 +49,7 @@ def _mail(
     )
 
 
-@job("notifications.notify_bid")
+@notice("bid.sent", topics={"bids": News.HIRING})
 def notify_bid(runtime: Runtime, payload: Payload) -> None:
     """Notify those who act for the studio of a bid; without its figures, which are for the page."""
     with runtime.database.writing() as session:
@@ -57,7 +59,7 @@ def notify_bid(runtime: Runtime, payload: Payload) -> None:
         _notify_team(runtime, session, payload, posting, "bids", f"{designer.name} sent a bid on {posting.title}.")
 
 
-@job("notifications.notify_posting_question")
+@notice("posting_question.asked", topics={"posting-questions": News.HIRING})
 def notify_posting_question(runtime: Runtime, payload: Payload) -> None:
     """Notify those who act for the studio of a candidate's question."""
     with runtime.database.writing() as session:
@@ -68,7 +70,7 @@ def notify_posting_question(runtime: Runtime, payload: Payload) -> None:
         _notify_team(runtime, session, payload, posting, "posting-questions", line)
 
 
-@job("notifications.notify_posting_answer")
+@notice("posting_question.answered")
 def notify_posting_answer(runtime: Runtime, payload: Payload) -> None:
     """Notify the candidate who asked, or all of them where the answer is for all."""
     with runtime.database.writing() as session:
@@ -82,7 +84,7 @@ def notify_posting_answer(runtime: Runtime, payload: Payload) -> None:
             _mail(runtime, session, payload, posting, address, "a question was answered", line)
 
 
-@job("notifications.notify_award")
+@notice("posting.awarded", topics={"posting": News.HIRING})
 def notify_award(runtime: Runtime, payload: Payload) -> None:
     """Notify the designer who was chosen, and thank the others who sent a bid."""
     with runtime.database.writing() as session:

@@ -12,14 +12,16 @@ from app.conformance.models import CheckRun
 from app.conformance.queries import mark_notified, projects_to_notify, runs_of
 from app.core import clock
 from app.core.db import new_id
-from app.core.jobs.queue import Payload, job
+from app.core.jobs.queue import Payload
 from app.core.plural import counted
 from app.core.runtime import Runtime
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
 from app.notifications import queries
 from app.notifications.audio_excerpts.rules import SpotLine, spot_of
+from app.notifications.kinds import notice
 from app.notifications.notifier import Notifier, cue_label
+from app.notifications.preferences.rules import News
 from app.notifications.rules import finding_line
 from app.projects.models import Engagement, Project
 from app.projects.visibility import nda_is_pending
@@ -29,14 +31,14 @@ from app.sound_lists.models import Cue, Question
 NOTIFICATION_OVERDUE_AFTER = timedelta(minutes=1)
 
 
-@job("notifications.notify_checks")
+@notice("takes.checked", topics={"to-review": News.SOUNDS, "returned": News.SOUNDS})
 def notify_checks(runtime: Runtime, payload: Payload) -> None:
     """Notify designers of returned takes, and the approver of takes to review, since the last notification."""
     with runtime.database.writing() as session:
         _notify_runs(runtime, session, payload["event_id"], mark_notified(session, UUID(payload["project_id"])))
 
 
-@job("notifications.notify_overdue_checks")
+@notice()
 def notify_overdue_checks(runtime: Runtime, _payload: Payload) -> None:
     """Notify of checks that were committed after the notification of their window."""
     with runtime.database.reading() as session:
@@ -85,7 +87,7 @@ def _why_returned(run: CheckRun) -> str:
     return "".join(f"\n  {each}" for each in lines)
 
 
-@job("notifications.notify_changes")
+@notice("changes.sent", topics={"changes": News.SOUNDS})
 def notify_changes(runtime: Runtime, payload: Payload) -> None:
     """Notify each designer of the change requests that were sent together."""
     with runtime.database.writing() as session:
@@ -111,7 +113,7 @@ def _at(start_s: float | None) -> str:
     return f" at {start_s:.3f} s" if start_s is not None else ""
 
 
-@job("notifications.notify_reply")
+@notice("note.answered", topics={"replies": News.TALK})
 def notify_reply(runtime: Runtime, payload: Payload) -> None:
     """Notify the author of a note of its answer, while they work on the project."""
     with runtime.database.writing() as session:
@@ -132,7 +134,7 @@ def notify_reply(runtime: Runtime, payload: Payload) -> None:
         )
 
 
-@job("notifications.notify_mention")
+@notice("person.mentioned", topics={"mentions": News.MENTIONS})
 def notify_mention(runtime: Runtime, payload: Payload) -> None:
     """Notify a person who is mentioned in a comment, a reply or a change request, while they work on the project."""
     with runtime.database.writing() as session:
@@ -152,7 +154,7 @@ def notify_mention(runtime: Runtime, payload: Payload) -> None:
         )
 
 
-@job("notifications.notify_approval")
+@notice("take.approved", topics={"approved": News.SOUNDS})
 def notify_approval(runtime: Runtime, payload: Payload) -> None:
     """Notify the designer that a take was approved, unless the verdict was undone meanwhile."""
     with runtime.database.writing() as session:
@@ -166,7 +168,7 @@ def notify_approval(runtime: Runtime, payload: Payload) -> None:
         notifier.notify(designer, "approved", subject, line, page="sound-list")
 
 
-@job("notifications.notify_question")
+@notice("question.asked", topics={"questions": News.TALK})
 def notify_question(runtime: Runtime, payload: Payload) -> None:
     """Notify those who act for the team of a question on a cue."""
     with runtime.database.writing() as session:
@@ -181,7 +183,7 @@ def notify_question(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "questions", "a question on the sound list", line, page=page)
 
 
-@job("notifications.notify_answer")
+@notice("question.answered", topics={"answers": News.TALK})
 def notify_answer(runtime: Runtime, payload: Payload) -> None:
     """Notify the asker of the answer, while they work on the project."""
     with runtime.database.writing() as session:
@@ -199,7 +201,7 @@ def notify_answer(runtime: Runtime, payload: Payload) -> None:
         )
 
 
-@job("notifications.notify_list_revised")
+@notice("list.revised", topics={"list": News.LIST})
 def notify_list_revised(runtime: Runtime, payload: Payload) -> None:
     """Notify the engaged designers that the list changed."""
     with runtime.database.writing() as session:
@@ -216,7 +218,7 @@ def notify_list_revised(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "list", "the sound list changed", line, page="sound-list")
 
 
-@job("notifications.notify_cut")
+@notice("cue.cut", topics={"cut": News.LIST})
 def notify_cut(runtime: Runtime, payload: Payload) -> None:
     """Notify the engaged designers that a cue was cut, and why."""
     with runtime.database.writing() as session:
@@ -228,7 +230,7 @@ def notify_cut(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "cut", notifier.fold("cue cut", "cues cut"), line, page="sound-list")
 
 
-@job("notifications.notify_build")
+@notice("build.posted", topics={"builds": News.LIST})
 def notify_build(runtime: Runtime, payload: Payload) -> None:
     """Notify producers and approver that the game's CI refused audio."""
     with runtime.database.writing() as session:
@@ -244,7 +246,7 @@ def notify_build(runtime: Runtime, payload: Payload) -> None:
             notifier.notify(recipient, "builds", "a build was refused", line, page="")
 
 
-@job("notifications.notify_joined")
+@notice("designer.joined", topics={"joined": News.LIST})
 def notify_joined(runtime: Runtime, payload: Payload) -> None:
     """Notify the producers that a designer joined, and of an NDA that is to be sent first."""
     with runtime.database.writing() as session:

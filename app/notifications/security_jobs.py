@@ -9,17 +9,19 @@ from app.accounts.models import DeskToken, Person, Studio, Token
 from app.accounts.queries import tokens_that_end_before
 from app.accounts.rules import TOKEN_WARNED_BEFORE, is_end_near
 from app.core import clock
-from app.core.jobs.queue import Payload, job
+from app.core.jobs.queue import Payload
 from app.core.plural import day_in_words
 from app.core.runtime import Runtime
 from app.notifications import queries, service
+from app.notifications.kinds import notice
 from app.notifications.notices import service as notices
+from app.notifications.preferences.rules import News
 from app.projects.models import Project
 
 NOT_YOU = "If it was not you, set a new password now: that signs out every browser and ends every desk token."
 
 
-@job("notifications.notify_new_password")
+@notice("password.changed")
 def notify_new_password(runtime: Runtime, payload: Payload) -> None:
     """Tell a person that their password was changed."""
     line = f"The password of your account was changed, and its other sign-ins were ended. {NOT_YOU}"
@@ -27,7 +29,7 @@ def notify_new_password(runtime: Runtime, payload: Payload) -> None:
         _tell_person(runtime, session, payload, "Your password was changed", line, page="forgotten-password")
 
 
-@job("notifications.notify_new_device")
+@notice("device.signed_in")
 def notify_new_device(runtime: Runtime, payload: Payload) -> None:
     """Tell a person that a browser signed in that had not before."""
     line = f"{payload['device']} signed in to your account from {payload['place']}, for the first time. {NOT_YOU}"
@@ -35,7 +37,7 @@ def notify_new_device(runtime: Runtime, payload: Payload) -> None:
         _tell_person(runtime, session, payload, "A new browser signed in to your account", line, page="account")
 
 
-@job("notifications.notify_new_address")
+@notice("address.changed")
 def notify_new_address(runtime: Runtime, payload: Payload) -> None:
     """Tell both addresses that the address of an account was changed."""
     old_email, new_email = payload["old_email"], payload["new_email"]
@@ -57,7 +59,7 @@ def notify_new_address(runtime: Runtime, payload: Payload) -> None:
             )
 
 
-@job("notifications.notify_second_factor")
+@notice("second_factor.changed")
 def notify_second_factor(runtime: Runtime, payload: Payload) -> None:
     """Tell a person of a change to the second factor of their account."""
     line = f"{payload['change']} {NOT_YOU}"
@@ -65,7 +67,7 @@ def notify_second_factor(runtime: Runtime, payload: Payload) -> None:
         _tell_person(runtime, session, payload, "The second factor of your account", line, page="account")
 
 
-@job("notifications.notify_desk_token")
+@notice("desk_token.made")
 def notify_desk_token(runtime: Runtime, payload: Payload) -> None:
     """Tell a person that a desk token of theirs was made."""
     line = f"The desk token “{payload['name']}” was made for your account. {NOT_YOU}"
@@ -73,7 +75,7 @@ def notify_desk_token(runtime: Runtime, payload: Payload) -> None:
         _tell_person(runtime, session, payload, "A new desk token of your account", line, page="account")
 
 
-@job("notifications.notify_token")
+@notice("token.made", topics={"tokens": News.LIST})
 def notify_token(runtime: Runtime, payload: Payload) -> None:
     """Tell the producers of a studio that a token for builds was made."""
     with runtime.database.writing() as session:
@@ -87,7 +89,7 @@ def notify_token(runtime: Runtime, payload: Payload) -> None:
         _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path)
 
 
-@job("notifications.notify_producer")
+@notice("producer.named", topics={"producers": News.LIST})
 def notify_producer(runtime: Runtime, payload: Payload) -> None:
     """Tell the other producers of a studio that a person became one."""
     with runtime.database.writing() as session:
@@ -102,7 +104,7 @@ def notify_producer(runtime: Runtime, payload: Payload) -> None:
         _tell_producers(runtime, session, event_id, studio_id, "producers", subject, line, path, but=person.email)
 
 
-@job("notifications.notify_sign_in_provider")
+@notice("sign_in_provider.changed", topics={"providers": News.LIST})
 def notify_sign_in_provider(runtime: Runtime, payload: Payload) -> None:
     """Tell the producers of a studio that its sign-in provider was set, changed or removed."""
     with runtime.database.writing() as session:
@@ -117,7 +119,7 @@ def notify_sign_in_provider(runtime: Runtime, payload: Payload) -> None:
         _tell_producers(runtime, session, event_id, studio_id, "providers", subject, line, path)
 
 
-@job("notifications.warn_of_token_ends")
+@notice()
 def warn_of_token_ends(runtime: Runtime, _payload: Payload) -> None:
     """Announce once the end of each token: of builds to the producers, of a desk to its person."""
     now = clock.now()

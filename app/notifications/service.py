@@ -16,10 +16,11 @@ from app.core.events import publish
 from app.notifications import queries
 from app.notifications.audio_excerpts.rules import SpotLine
 from app.notifications.errors import MailBusy, MailNotFound
+from app.notifications.kinds import news_of
 from app.notifications.models import Mail
 from app.notifications.notices import service as notices
 from app.notifications.preferences import service as preferences
-from app.notifications.preferences.rules import Cadence, news_of
+from app.notifications.preferences.rules import Cadence
 from app.notifications.rules import DigestPart, Fold
 from app.projects.service import project_access
 

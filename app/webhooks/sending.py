@@ -10,6 +10,8 @@ from sqlalchemy.orm import Session
 from app.core import clock, outgoing
 from app.core.outgoing import AddressRefused, Answer, RequestFailed, Resolver
 from app.core.runtime import Runtime
+from app.notifications.kinds import declare_topics
+from app.notifications.preferences.rules import News
 from app.notifications.queries import producer_addresses
 from app.notifications.service import write_news
 from app.webhooks import queries
@@ -18,6 +20,7 @@ from app.webhooks.rules import DISABLED_AFTER, CallState, is_delivered, pause_af
 from app.webhooks.service import schedule, valid_secrets
 
 AGENT = "Soundlist-Webhooks/1"
+declare_topics({"webhooks": News.LIST})
 
 
 @dataclass(frozen=True)

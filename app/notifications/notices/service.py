@@ -13,8 +13,8 @@ from app.core import clock
 from app.core.db import insert_if_absent, new_id
 from app.core.in_array import in_array
 from app.notifications import queries
+from app.notifications.kinds import news_of
 from app.notifications.models import Notice
-from app.notifications.preferences.rules import news_of
 from app.notifications.rules import Fold, folded_text
 
 COUNTED = 99  # more is shown as "99+"

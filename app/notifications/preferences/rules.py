@@ -28,16 +28,6 @@ class Cadence(StrEnum):
 
 
 ALWAYS_MAILED = frozenset({News.CONTRACTS})  # at the rarest daily: money and signatures have days to keep
-NEWS_OF_TOPIC: Mapping[str, News] = {  # by the first word of a mail's topic
-    **dict.fromkeys(("to-review", "returned", "approved", "changes", "reminders", "silence", "tasks"), News.SOUNDS),
-    **dict.fromkeys(("questions", "answers", "replies"), News.TALK),
-    "mentions": News.MENTIONS,
-    **dict.fromkeys(
-        ("list", "cut", "builds", "drift", "joined", "webhooks", "tokens", "producers", "providers"), News.LIST
-    ),
-    **dict.fromkeys(("contract", "deposit", "invoices", "work", "head"), News.CONTRACTS),
-    **dict.fromkeys(("bids", "posting-questions", "posting"), News.HIRING),
-}
 
 
 @dataclass(frozen=True)
@@ -53,11 +43,6 @@ class Preferences:
     def cadence(self, news: News) -> Cadence:
         """Return the frequency that the person wants for news of a kind."""
         return self.cadences.get(news, Cadence.AT_ONCE)
-
-
-def news_of(topic: str) -> News:
-    """Return the kind of news of a mail's topic."""
-    return NEWS_OF_TOPIC[topic.partition(":")[0]]
 
 
 def send_after(wishes: Preferences, cadence: Cadence, now: datetime, delay: timedelta) -> datetime:
