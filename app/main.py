@@ -28,7 +28,7 @@ from app.deliveries.uploads.endpoints import TusHeaders
 from app.migrate import ensure_at_head
 from app.operations.figures import web_collectors
 from app.projects.queries import rights_of
-from app.routers import COMMERCIAL_ROUTERS, ROUTERS
+from app.routers import BASE_ROUTERS, ROUTERS
 
 SWEEP_EVERY_S = 3600.0
 log = structlog.get_logger(__name__)
@@ -68,7 +68,7 @@ def create_app(runtime: Runtime) -> FastAPI:
         caller_key=caller_key,
         authenticate=authenticate,
     )
-    for router in (*ROUTERS, *COMMERCIAL_ROUTERS) if runtime.settings.commercial else ROUTERS:
+    for router in ROUTERS if runtime.settings.commercial else BASE_ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
     app.add_route("/v1/openapi.json", ApiDocument(app).respond, include_in_schema=False)

@@ -86,7 +86,7 @@ from app.voice_lines.endpoints import router as voice_lines
 from app.voice_lines.release_endpoints import router as voice_releases
 from app.webhooks.endpoints import router as webhooks
 
-ROUTERS: tuple[APIRouter, ...] = (
+BASE_ROUTERS: tuple[APIRouter, ...] = (
     accounts,
     sign_up,
     me,
@@ -173,3 +173,4 @@ COMMERCIAL_ROUTERS: tuple[APIRouter, ...] = (
     master_retention,
     contract_dashboards,
 )  # of what SOUNDLIST_COMMERCIAL switches off
+ROUTERS = (*BASE_ROUTERS, *COMMERCIAL_ROUTERS)

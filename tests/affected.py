@@ -19,7 +19,14 @@ from pathlib import Path, PurePosixPath
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = ("app", "audio_checks", "benchmarks", "tests", "training")
 # These import every package of the server.
-PUT_TOGETHER = {"app/main.py", "app/registry.py", "app/tables.py", "app/worker.py", "tests/support/server.py"}
+PUT_TOGETHER = {
+    "app/commercial.py",
+    "app/main.py",
+    "app/registry.py",
+    "app/tables.py",
+    "app/worker.py",
+    "tests/support/server.py",
+}
 NEIGHBOUR = 2  # steps to a test that lies in the folder of tests of the changed module's package
 
 

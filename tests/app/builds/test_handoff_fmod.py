@@ -123,7 +123,5 @@ def test_each_module_is_an_engine_that_can_be_chosen():
 
 
 def test_an_unknown_engine_is_refused_with_those_that_there_are():
-    with pytest.raises(
-        ValueError, match="one of none, fmod, godot, unity, unreal, wwise"
-    ):
+    with pytest.raises(ValueError, match="one of none, fmod, godot, unity, unreal, wwise"):
         Handoff("renderware")
