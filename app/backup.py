@@ -157,9 +157,10 @@ def _reread_share(store: Store, backup: FolderStore, share: int, copied: Copied)
 def _expire(folder: Path, blobs: FolderStore, unnamed: set[tuple[UUID, str]], now: datetime, copied: Copied) -> None:
     """Delete the blobs of a backup that were unnamed before the oldest database in it was copied."""
     file, oldest = folder / UNNAMED, _databases(folder)[0].name.removeprefix(PREFIX).partition("Z")[0]
-    known = json.loads(file.read_text()) if file.exists() else {}
+    backups_kept = json.loads(file.read_text()) if file.exists() else {}
     since = {
-        f"{studio_id}/{sha256}": known.get(f"{studio_id}/{sha256}", now.isoformat()) for studio_id, sha256 in unnamed
+        f"{studio_id}/{sha256}": backups_kept.get(f"{studio_id}/{sha256}", now.isoformat())
+        for studio_id, sha256 in unnamed
     }
     for studio_id, sha256 in unnamed:
         if datetime.fromisoformat(since[f"{studio_id}/{sha256}"]) < datetime.strptime(f"{oldest}Z", STAMP).replace(
@@ -182,8 +183,8 @@ def restore(runtime: Runtime, folder: Path, database: Path | None = None) -> Cop
     if database is None and not databases:
         raise BackupRefused(f"{folder} holds no backup; name the folder that `soundlist backup` wrote to")
     source = database or databases[-1]
-    wanted = SQLITE if runtime.database.is_sqlite else POSTGRES
-    if source.suffix != wanted:
+    database_file = SQLITE if runtime.database.is_sqlite else POSTGRES
+    if source.suffix != database_file:
         raise BackupRefused(
             f"{source.name} is of another kind of database than SOUNDLIST_DATABASE_URL names; a backup goes back into "
             "the kind that it was made of"

@@ -98,14 +98,14 @@ def ensure_at_head(runtime: Runtime) -> None:
     """Raise NotReady where the database lacks tables of this version; one that a newer version changed will do."""
     with runtime.database.reading() as session:
         revision = MigrationContext.configure(session.connection()).get_current_revision()
-    known = _history()
+    revisions = _history()
     try:
         ensure_made_since_release(revision)
     except MadeBeforeRelease as error:
         raise NotReady(str(error)) from None
-    if revision in known[1:] or revision is None:
+    if revision in revisions[1:] or revision is None:
         raise NotReady(
-            f"the database is at revision {revision or 'none'}, and this version wants {known[0]}; "
+            f"the database is at revision {revision or 'none'}, and this version wants {revisions[0]}; "
             "run: soundlist migrate"
         )
     ensure_rows_are_guarded(runtime)

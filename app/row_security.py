@@ -127,8 +127,8 @@ def written(table: sa.Table) -> str | None:
         return f"studio_id = {STUDIOS}"
     columns = set(table.columns.keys())
     if {"designer_id", "studio_id", "project_id"} <= columns:
-        own = f"project_id = {ENGAGEMENTS} and designer_id = {ME}"
-        return f"studio_id = {STUDIOS} or ({own}) or project_id = {THIS_PROJECT}"
+        is_own = f"project_id = {ENGAGEMENTS} and designer_id = {ME}"
+        return f"studio_id = {STUDIOS} or ({is_own}) or project_id = {THIS_PROJECT}"
     return None
 
 
@@ -236,15 +236,15 @@ def _guard(table: sa.Table) -> Iterator[str]:
         yield f"drop policy if exists {policy} on {table.name}"
     if not is_guarded(table):
         return
-    rows, own = condition(table) or "true", written(table)
+    rows, is_written = condition(table) or "true", written(table)
     yield f"alter table {table.name} enable row level security"
-    if own is None:
+    if is_written is None:
         # Members may read their own memberships, but must not insert one.
         check = f"studio_id = {STUDIOS}" if table.name == "accounts_memberships" else rows
         yield f"create policy {POLICY} on {table.name} to {REQUEST_ROLE} using ({rows}) with check ({check})"
         return
-    added = "true" if table.name in UNGUARDED else own  # a new account has no owner yet
+    added = "true" if table.name in UNGUARDED else is_written  # a new account has no owner yet
     yield f"create policy {POLICY} on {table.name} for select to {REQUEST_ROLE} using ({rows})"
     yield f"create policy {POLICY}_insert on {table.name} for insert to {REQUEST_ROLE} with check ({added})"
     for act in WRITING[1:]:
-        yield f"create policy {POLICY}_{act} on {table.name} for {act} to {REQUEST_ROLE} using ({own})"
+        yield f"create policy {POLICY}_{act} on {table.name} for {act} to {REQUEST_ROLE} using ({is_written})"

@@ -297,12 +297,12 @@ def read_settings(*, serving: bool = False) -> Settings:
 
 
 def _unknown_names() -> list[str]:
-    known = {name.upper() for name in Settings.model_fields}
+    setting_names = {name.upper() for name in Settings.model_fields}
     lines = []
     for name in sorted(os.environ.keys() - NOT_SETTINGS):
         bare = name.removeprefix(PREFIX)
-        if bare != name and bare not in known:
-            near = difflib.get_close_matches(bare, known, n=1, cutoff=0.7)
+        if bare != name and bare not in setting_names:
+            near = difflib.get_close_matches(bare, setting_names, n=1, cutoff=0.7)
             hint = f"is it {PREFIX}{near[0]}?" if near else "docs/reference/settings.md lists them"
             lines.append(f"{name} is not a setting; {hint}")
     return lines

@@ -85,8 +85,8 @@ def caller_key(credentials: RequestCredentials) -> str:
     scheme, secret = _authorization(credentials)
     if not scheme:
         secret = credentials.cookies.get(SESSION_COOKIE, "")
-    known = _KNOWN_CALLERS.get(sha256_of(secret)) if secret else None
-    return known or f"network {network_of(credentials.client_host)}"
+    known_caller = _KNOWN_CALLERS.get(sha256_of(secret)) if secret else None
+    return known_caller or f"network {network_of(credentials.client_host)}"
 
 
 def _remember(secret: str, auth: AuthResult) -> AuthResult:
@@ -190,8 +190,8 @@ def authenticate_request(
     if secret:
         _KNOWN_CALLERS.drop(sha256_of(secret))
     if is_demo_request(settings, credentials):
-        wanted = credentials.cookies.get(DEMO_COOKIE, "")
-        part = wanted if wanted in DEMO_PARTS else DEMO_PARTS[0]
+        demo_part = credentials.cookies.get(DEMO_COOKIE, "")
+        part = demo_part if demo_part in DEMO_PARTS else DEMO_PARTS[0]
         with database.reading() as session:
             actor = queries.actor_for_demo_part(session, part)
         if actor is not None:

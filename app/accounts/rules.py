@@ -149,10 +149,12 @@ def _why_weak(password: str, address: str, names: Collection[str]) -> str | None
     """Return in words why a password is easily guessed; None where it is not."""
     from zxcvbn import zxcvbn  # its lists take 0.2 s to load, which the command line need not wait for
 
-    known = [word for text in (address, *names) for word in (text, *re.split(r"[^\w]+", text)) if len(word) > 2]
+    personal_words = [
+        word for text in (address, *names) for word in (text, *re.split(r"[^\w]+", text)) if len(word) > 2
+    ]
     if is_common(password):
         return WEAKNESS_MESSAGES["passwords"]
-    estimate = zxcvbn(password[:MEASURED_LENGTH], user_inputs=[*PRODUCT_WORDS, *known])
+    estimate = zxcvbn(password[:MEASURED_LENGTH], user_inputs=[*PRODUCT_WORDS, *personal_words])
     if estimate["guesses"] >= FEWEST_GUESSES:
         return None
     longest = max(estimate["sequence"], key=lambda match: len(match["token"]))
@@ -189,9 +191,9 @@ def device_of(user_agent: str) -> str:
     return f"{browser} on {system}" if system else browser
 
 
-def ensure_producer_remains(others: Collection["frozenset[Role]"], wanted: "frozenset[Role]") -> None:
+def ensure_producer_remains(others: Collection["frozenset[Role]"], new_roles: "frozenset[Role]") -> None:
     """Raise LastProducer when a change would leave a studio without a producer."""
-    if Role.PRODUCER not in wanted and not any(Role.PRODUCER in roles for roles in others):
+    if Role.PRODUCER not in new_roles and not any(Role.PRODUCER in roles for roles in others):
         raise LastProducer("a studio needs a producer; make someone else a producer first")
 
 

@@ -201,7 +201,7 @@ def _publish_change(
 
 
 def _membership_to_change(
-    session: Session, actor: Actor, studio_id: UUID, person_id: UUID, wanted: frozenset[Role]
+    session: Session, actor: Actor, studio_id: UUID, person_id: UUID, new_roles: frozenset[Role]
 ) -> Membership:
     ensure_producer_of(session, actor, studio_id)
     queries.studio_locked(session, studio_id)  # two producers leaving at once would leave none
@@ -209,7 +209,7 @@ def _membership_to_change(
     if person_id not in places:
         raise MemberNotFound(f"no person {person_id} in this studio")
     others = [frozenset(Role(role) for role in member.roles) for id_, member in places.items() if id_ != person_id]
-    ensure_producer_remains(others, wanted)
+    ensure_producer_remains(others, new_roles)
     return places[person_id]
 
 

@@ -88,9 +88,9 @@ STATE_WORDS = {
 }
 
 
-def ensure_state(now: ContractState, wanted: Collection[ContractState], fix: str) -> None:
+def ensure_state(now: ContractState, allowed_states: Collection[ContractState], fix: str) -> None:
     """Raise WrongState unless a contract is in one of the states in which this can be done."""
-    if now not in wanted:
+    if now not in allowed_states:
         raise WrongState(f"this contract {STATE_WORDS[now]}", fix=fix)
 
 

@@ -89,14 +89,16 @@ def apply(session: Session, reviewer: Reviewer, order: ChangeOrder, review: Revi
 def _agree_round(session: Session, reviewer: Reviewer, cue_id: UUID, *, person_id: UUID) -> None:
     """Agree to a cue's next round: the one that was proposed, else the one after those included and counted."""
     contract = reviewer.contract
-    known = [
+    proposed_rounds = [
         extra_round
         for extra_round in money_queries.extra_rounds_of(session, contract.id)
         if extra_round.cue_id == cue_id
     ]
-    proposed = next((round_ for round_ in known if round_.agreed_at is None and round_.dropped_at is None), None)
+    proposed = next(
+        (round_ for round_ in proposed_rounds if round_.agreed_at is None and round_.dropped_at is None), None
+    )
     if proposed is None:
         counted = round_counts(session, [cue_id]).get(cue_id, 0)
-        number = max([reviewer.terms.rounds_included, counted, *(round_.number for round_ in known)]) + 1
+        number = max([reviewer.terms.rounds_included, counted, *(round_.number for round_ in proposed_rounds)]) + 1
         proposed = add_round(session, contract, cue_id, number=number, person_id=person_id)
     charge_round(session, contract, proposed, person_id=person_id)

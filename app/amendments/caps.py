@@ -34,27 +34,27 @@ class Caps:
 
     def problems(self, change: SetCaps) -> list[str]:
         """Return the faults of a change, each with a way on."""
-        wanted = change.terms
-        for name in wanted:
+        terms = change.terms
+        for name in terms:
             if not self._pays_by(name):
                 return [f"the contract does not pay by the {UNITS[name]}; {self._instead()}"]
-        if all(cap == getattr(self.terms, name) for name, cap in wanted.items()):
+        if all(cap == getattr(self.terms, name) for name, cap in terms.items()):
             return ["these caps hold already; give another number"]
         return [
             f"{used}; the cap can be {_many(name, least)} or more"
             for name, least, used in self._used()
-            if wanted.get(name, least) < least
+            if terms.get(name, least) < least
         ]
 
     def sentence(self, change: SetCaps) -> str:
         """Return a change in words."""
-        wanted, parts = change.terms, []
+        terms, parts = change.terms, []
         for name, tail in (("hours_cap", "in all"), ("hours_month_cap", "in a month"), ("days_cap", "in all")):
-            was, cap = getattr(self.terms, name), wanted.get(name)
+            was, cap = getattr(self.terms, name), terms.get(name)
             if cap is not None and cap != was:
                 parts.append(f"{_many(name, cap)} {tail} instead of {was}")
-        rate_minor = self.terms.day_rate_minor if "days_cap" in wanted else self.terms.hour_rate_minor
-        unit = "a day" if "days_cap" in wanted else "an hour"
+        rate_minor = self.terms.day_rate_minor if "days_cap" in terms else self.terms.hour_rate_minor
+        unit = "a day" if "days_cap" in terms else "an hour"
         return f"At most {' and '.join(parts)} are paid, at {money(rate_minor, self.contract.currency)} {unit}."
 
     def added_minor(self, change: SetCaps) -> int:

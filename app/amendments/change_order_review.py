@@ -62,8 +62,12 @@ class Reviewer:
 
     def is_done(self, milestone_id: UUID) -> bool:
         """Whether a milestone has cues and all of them are settled."""
-        own = [contract_cue for contract_cue in self.covered.values() if contract_cue.milestone_id == milestone_id]
-        return bool(own) and all(contract_cue.accepted_at or contract_cue.cut_at for contract_cue in own)
+        milestone_cues = [
+            contract_cue for contract_cue in self.covered.values() if contract_cue.milestone_id == milestone_id
+        ]
+        return bool(milestone_cues) and all(
+            contract_cue.accepted_at or contract_cue.cut_at for contract_cue in milestone_cues
+        )
 
     def round_minor(self, covered: ContractCue) -> int:
         """Return the cost of a further round of a cue by the contract."""
@@ -222,14 +226,16 @@ class Reviewer:
 
     def plan(self) -> list[Planned]:
         """Return the milestones as they stand; cues that were cut no longer count."""
-        wanted = [contract_cue.milestone_id for contract_cue in self.covered.values() if contract_cue.cut_at is None]
+        kept_milestone_ids = [
+            contract_cue.milestone_id for contract_cue in self.covered.values() if contract_cue.cut_at is None
+        ]
         return [
             Planned(
                 milestone.id,
                 milestone.name,
                 milestone.amount_minor,
                 milestone.due_on,
-                wanted.count(milestone.id),
+                kept_milestone_ids.count(milestone.id),
                 milestone.is_deposit,
             )
             for milestone in self.milestones.values()

@@ -49,8 +49,8 @@ def change_orders(session: Session, actor: Actor, contract_id: UUID) -> schemas.
     contract = visible_contract(session, actor, contract_id)
     reviewer, party = Reviewer(session, contract), party_of(actor, contract)
     in_force = contract.kind in ORDERS and contract.state is ContractState.AGREED
-    wanted = [cue.id for cue in reviewer.listed.values() if cue.state is not CueState.CUT]
-    elsewhere = {name for name, _ in plan_queries.covered_elsewhere(session, contract.id, wanted)}
+    listed_cue_ids = [cue.id for cue in reviewer.listed.values() if cue.state is not CueState.CUT]
+    elsewhere = {name for name, _ in plan_queries.covered_elsewhere(session, contract.id, listed_cue_ids)}
     return schemas.ChangeOrdersRead(
         project_id=contract.project_id,
         contract_id=contract.id,

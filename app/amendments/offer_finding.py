@@ -115,14 +115,14 @@ class Found:
     def _name(self, cue: Cue) -> str:
         return cue_label(cue, self._reviewer.prefix)
 
-    def _open_milestone(self, wanted: UUID | None = None) -> UUID | None:
+    def _open_milestone(self, milestone_id: UUID | None = None) -> UUID | None:
         """Return a milestone that work can be added to: the wanted one where it is open, else the first."""
         open_ = [
             milestone.id
             for milestone in self._reviewer.milestones.values()
             if not milestone.is_deposit and not self._reviewer.is_done(milestone.id)
         ]
-        return wanted if wanted in open_ else next(iter(open_), None)
+        return milestone_id if milestone_id in open_ else next(iter(open_), None)
 
     def _work(self, text: str, milestone_id: UUID | None = None) -> schemas.OfferedChange:
         return schemas.OfferedChange(kind="add_work", milestone_id=self._open_milestone(milestone_id), text=text)

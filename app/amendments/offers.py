@@ -37,13 +37,13 @@ def offers(session: Session, reviewer: Reviewer, party: Party) -> list[schemas.C
 
 def dismiss(session: Session, actor: Actor, reviewer: Reviewer, party: Party, key: str, *, reason: str) -> None:
     """Note for good that a party wants no change order for something; callers hold the contract's lock."""
-    known = {offer.offer: offer for offer in offers(session, reviewer, party)}
-    if key not in known:
+    offers_by_key = {offer.offer: offer for offer in offers(session, reviewer, party)}
+    if key not in offers_by_key:
         raise OfferSettled(
             "this is no longer offered: a change order has it, or your party dismissed it",
             fix="propose a change order yourself where one is needed",
         )
-    facts = {"offer": key, "what": known[key].text, "reason": reason, "party": party.value}
+    facts = {"offer": key, "what": offers_by_key[key].text, "reason": reason, "party": party.value}
     record.append(session, reviewer.contract.id, DISMISSED, facts, by=actor.person)
 
 

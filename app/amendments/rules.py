@@ -23,26 +23,26 @@ class ChangeOrderState(StrEnum):
     LAPSED = "lapsed"  # the contract ended
 
 
-def end_of_notice(today: date, notice_days: int | None, wanted: date | None) -> date | None:
+def end_of_notice(today: date, notice_days: int | None, requested_on: date | None) -> date | None:
     """Return the last day of a contract whose notice is given today; None where it ends only if both agree.
 
     Raises NoticeTooShort for a day before the one that the contract allows.
     """
     if notice_days is None:
-        if wanted is not None:
+        if requested_on is not None:
             raise NoticeTooShort(
                 "no clause of this contract lets one party end it on a day of their own",
                 fix="give notice without a day; it ends when both agree to the statement",
             )
         return None
     earliest = today + timedelta(days=notice_days)
-    if wanted is not None and wanted < earliest:
+    if requested_on is not None and requested_on < earliest:
         raise NoticeTooShort(
-            f"{wanted} is before {earliest}; the contract wants {counted(notice_days, 'day')} of notice",
+            f"{requested_on} is before {earliest}; the contract wants {counted(notice_days, 'day')} of notice",
             errors=[{"where": "ends_on", "message": f"wanted {earliest} or later"}],
             fix=f"give notice for {earliest}; it ends at once when both agree to the statement",
         )
-    return wanted or earliest
+    return requested_on or earliest
 
 
 def is_over(ends_on: date | None, today: date) -> bool:

@@ -51,9 +51,11 @@ def _is_under(contract: Contract, since: datetime | None, at: datetime) -> bool:
 
 
 def _verdicts(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
-    since, known = _since(entries), _recorded_ids(session, contract, "verdict")
+    since, recorded_ids = _since(entries), _recorded_ids(session, contract, "verdict")
     for verdict in work_queries.verdicts_under(session, contract):
-        if str(verdict.id) not in known and _is_under(contract, since.get(str(verdict.cue_id)), verdict.created_at):
+        if str(verdict.id) not in recorded_ids and _is_under(
+            contract, since.get(str(verdict.cue_id)), verdict.created_at
+        ):
             yield f"the verdict {verdict.id} ({verdict.kind}) is in no entry"
 
 
@@ -75,9 +77,9 @@ def _approved_takes(session: Session, contract: Contract) -> Iterator[str]:
 
 
 def _comments(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
-    since, known = _since(entries), _recorded_ids(session, contract, "comment")
+    since, recorded_ids = _since(entries), _recorded_ids(session, contract, "comment")
     for cue_id, comment in work_queries.comments_under(session, contract):
-        if str(comment.id) not in known and _is_under(contract, since.get(str(cue_id)), comment.created_at):
+        if str(comment.id) not in recorded_ids and _is_under(contract, since.get(str(cue_id)), comment.created_at):
             yield f"the comment {comment.id} is in no entry"
 
 

@@ -69,9 +69,9 @@ def adopted_masters(session: Session, project_id: UUID) -> dict[tuple[UUID, int]
     for cue_id, variation, sha256, pcm_sha256 in session.execute(query):
         if cue_id is None:
             continue
-        known = masters.setdefault((cue_id, variation), AdoptedMaster(sha256, frozenset()))
+        adopted = masters.setdefault((cue_id, variation), AdoptedMaster(sha256, frozenset()))
         if pcm_sha256:
-            masters[cue_id, variation] = replace(known, pcm_sha256s=known.pcm_sha256s | {pcm_sha256})
+            masters[cue_id, variation] = replace(adopted, pcm_sha256s=adopted.pcm_sha256s | {pcm_sha256})
     return masters
 
 
@@ -84,11 +84,11 @@ def wanted_cues(session: Session, project_id: UUID) -> int:
 def render_hashes(session: Session, take_ids: Collection[UUID]) -> dict[UUID, list[str]]:
     """Return the sample hashes of every game file ever made of takes."""
     hashes_by_take: dict[UUID, list[str]] = defaultdict(list)
-    wanted = list(take_ids)
-    for start in range(0, len(wanted), IDS_AT_ONCE):
+    ids = list(take_ids)
+    for start in range(0, len(ids), IDS_AT_ONCE):
         rows = session.execute(
             select(Render.take_id, Render.pcm_sha256)
-            .where(Render.take_id.in_(wanted[start : start + IDS_AT_ONCE]), Render.pcm_sha256.is_not(None))
+            .where(Render.take_id.in_(ids[start : start + IDS_AT_ONCE]), Render.pcm_sha256.is_not(None))
             .order_by(Render.id)
         )
         for take_id, pcm_sha256 in rows:

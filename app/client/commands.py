@@ -141,7 +141,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _add_desk(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    own = commands.add_parser(
+    desk_parser = commands.add_parser(
         "desk",
         help="list what you owe on all servers, what is due soonest first",
         description="List what you owe as a sound designer on all servers, what is due soonest first.",
@@ -149,14 +149,14 @@ def _add_desk(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -
         formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
-    own.set_defaults(run=desk.desk)
-    how = own.add_mutually_exclusive_group()
+    desk_parser.set_defaults(run=desk.desk)
+    how = desk_parser.add_mutually_exclusive_group()
     how.add_argument("--format", choices=("text", "json"), default="text", help="a table, or JSON for programs")
     how.add_argument(
         "--page", nargs="?", const="", metavar="FILE", help="a page in one file, opened; with FILE it is written there"
     )
-    own.add_argument("--server", metavar="NAME", help="only this server")
-    actions = own.add_subparsers(dest="action")
+    desk_parser.add_argument("--server", metavar="NAME", help="only this server")
+    actions = desk_parser.add_subparsers(dest="action")
     adding = actions.add_parser("add", help="keep a server with your token", allow_abbrev=False)
     adding.set_defaults(run=desk.add)
     adding.add_argument("address", metavar="URL", help="https://…; the token is asked for, or comes by SOUNDLIST_TOKEN")

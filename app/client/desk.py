@@ -169,14 +169,14 @@ def _cue(server: DeskServer, owed_cue: Any) -> dict[str, Any]:
     }
 
 
-def _show_page(answers: Sequence[Answer], cues: Sequence[dict[str, Any]], wanted: str) -> None:
+def _show_page(answers: Sequence[Answer], cues: Sequence[dict[str, Any]], page_path: str) -> None:
     """Write the page where it is wanted; without such a place, into the cache, and open it."""
-    path = Path(wanted) if wanted else cache_path()
-    if not wanted:
+    path = Path(page_path) if page_path else cache_path()
+    if not page_path:
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     lines = [Line(_row(cue), cue["page"], _is_late(cue)) for cue in cues]
     write_page(path, html_of(HEADS, lines, _remarks(answers), datetime.now().astimezone()))
-    is_open = not wanted and webbrowser.open(path.absolute().as_uri())
+    is_open = not page_path and webbrowser.open(path.absolute().as_uri())
     say(f"{shown(str(path))} is {'open in your browser' if is_open else 'written'}")
 
 
@@ -233,7 +233,7 @@ def _print_table(rows: list[list[str]]) -> None:
     widths = [max(len(row[column]) for row in table) for column in range(len(HEADS) - 1)]
     room = shutil.get_terminal_size().columns - sum(widths) - 2 * len(widths) if sys.stdout.isatty() else None
     for row in table:
-        *known, comment_text = row
+        *cells, comment_text = row
         if room is not None and len(comment_text) > max(room, 20):
             comment_text = comment_text[: max(room, 20) - 1] + "…"
-        say("  ".join([*(text.ljust(width) for text, width in zip(known, widths, strict=True)), comment_text]).rstrip())
+        say("  ".join([*(text.ljust(width) for text, width in zip(cells, widths, strict=True)), comment_text]).rstrip())

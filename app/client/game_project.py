@@ -51,8 +51,8 @@ def _project_at(project_path: Path) -> Path:
         if len(projects) != 1:
             raise Refusal(f"{project_path} holds {'more than one project' if projects else 'no project'}; {WANTED}")
         return projects[0]
-    known = project_path.suffix in (".wproj", ".fspro", ".json") or project_path.name == "project.godot"
-    if not (project_path.is_dir() or (known and project_path.is_file())):
+    is_project_file = project_path.suffix in (".wproj", ".fspro", ".json") or project_path.name == "project.godot"
+    if not (project_path.is_dir() or (is_project_file and project_path.is_file())):
         raise Refusal(f"{project_path} is not a project that is known; {WANTED}")
     return project_path
 

@@ -110,8 +110,12 @@ def _entry(fields: list[str]) -> Entry | None:
     if len(fields) != 5:
         return None
     path, sha256, cue, take, sound = fields
-    wanted = ((SHA256, sha256), (CUE, cue), (TAKE, take), (SOUND, sound))
-    return Entry(path, sha256, cue, take, sound) if all(pattern.fullmatch(text) for pattern, text in wanted) else None
+    values_by_key = ((SHA256, sha256), (CUE, cue), (TAKE, take), (SOUND, sound))
+    return (
+        Entry(path, sha256, cue, take, sound)
+        if all(pattern.fullmatch(text) for pattern, text in values_by_key)
+        else None
+    )
 
 
 def _damaged(path: Path, number: int, what: str) -> Refusal:

@@ -61,17 +61,17 @@ def _is_encodable(part: str) -> bool:
 
 def ensure_distinct(paths: Iterable[str]) -> None:
     """Raise Refusal where two paths are one file on a system that ignores case, or one is the folder of another."""
-    known: dict[str, str] = {}
+    paths_by_folded: dict[str, str] = {}
     for path in paths:
         key = folded(path)
-        if key in known:
-            raise Refusal(f"{known[key]!r} and {path!r} are one file on some systems; nothing was written")
-        known[key] = path
-    for key, path in known.items():
+        if key in paths_by_folded:
+            raise Refusal(f"{paths_by_folded[key]!r} and {path!r} are one file on some systems; nothing was written")
+        paths_by_folded[key] = path
+    for key, path in paths_by_folded.items():
         parts = key.split("/")
         for count in range(1, len(parts)):
-            if (folder := "/".join(parts[:count])) in known:
-                raise Refusal(f"{known[folder]!r} is a file and the folder of {path!r}; nothing was written")
+            if (folder := "/".join(parts[:count])) in paths_by_folded:
+                raise Refusal(f"{paths_by_folded[folder]!r} is a file and the folder of {path!r}; nothing was written")
 
 
 def folded(path: str) -> str:

@@ -163,39 +163,39 @@ def plan_of(root: Path, lock: Lock | None, listing: Listing, *, force: bool, ope
     `force` overwrites what was changed here; `opens_read_only`: source control opens read-only files first.
     """
     plan = Plan()
-    known = lock.entries if lock else {}
-    places = {path: place_of(root, path) for path in {*known, *(file.path for file in listing.files)}}
+    locked = lock.entries if lock else {}
+    places = {path: place_of(root, path) for path in {*locked, *(file.path for file in listing.files)}}
     hashes = {path: content_sha256(local_path) for path, local_path in places.items()}
-    there = {sha256: places[path] for path, sha256 in hashes.items() if sha256 and path in known}
-    for wanted in listing.files:
-        entry, before, content = wanted.entry, known.get(wanted.path), hashes[wanted.path]
-        target = places[wanted.path]
-        if before is None and wanted.adopted and content == wanted.adopted.sha256:
-            before = wanted.adopted
+    there = {sha256: places[path] for path, sha256 in hashes.items() if sha256 and path in locked}
+    for listed in listing.files:
+        entry, before, content = listed.entry, locked.get(listed.path), hashes[listed.path]
+        target = places[listed.path]
+        if before is None and listed.adopted and content == listed.adopted.sha256:
+            before = listed.adopted
         if content == entry.sha256:
-            plan.entries[wanted.path] = entry
+            plan.entries[listed.path] = entry
             plan.same += 1
             continue
         is_pulled = before is not None and content == before.sha256
         if is_pulled and before and before.sound == entry.sound:  # other bytes around the same sound
-            plan.entries[wanted.path] = replace(entry, sha256=before.sha256)
+            plan.entries[listed.path] = replace(entry, sha256=before.sha256)
             plan.same += 1
             continue
         reason = _why_kept(content, before, is_pulled=is_pulled, force=force)
         if not reason and content is not None and not opens_read_only and is_read_only(target):
             reason = "it is read-only; --p4 or --lfs-lock opens it"
         if reason:
-            plan.kept.append(Kept(wanted.path, reason))
+            plan.kept.append(Kept(listed.path, reason))
             if before:
-                plan.entries[wanted.path] = before
+                plan.entries[listed.path] = before
             continue
         copy_of = there.get(entry.sha256)
-        if copy_of is not None and copy_of.stat().st_size != wanted.size_bytes:  # a pointer of Git LFS
+        if copy_of is not None and copy_of.stat().st_size != listed.size_bytes:  # a pointer of Git LFS
             copy_of = None
-        plan.writes.append(Write(wanted, target, is_new=content is None, copy_of=copy_of))
+        plan.writes.append(Write(listed, target, is_new=content is None, copy_of=copy_of))
         if before:
-            plan.entries[wanted.path] = before
-    _add_gone(plan, listing, known, places, hashes)
+            plan.entries[listed.path] = before
+    _add_gone(plan, listing, locked, places, hashes)
     return plan
 
 
@@ -212,12 +212,12 @@ def _why_kept(content: str | None, before: Entry | None, *, is_pulled: bool, for
 
 
 def _add_gone(
-    plan: Plan, listing: Listing, known: dict[str, Entry], places: dict[str, Path], hashes: dict[str, str | None]
+    plan: Plan, listing: Listing, locked: dict[str, Entry], places: dict[str, Path], hashes: dict[str, str | None]
 ) -> None:
     approved = {file.path for file in listing.files}
     respelled = {folded(path): places[path] for path in approved}
     waiting = {lacking.path: lacking.reason for lacking in listing.missing}
-    for path, entry in sorted(known.items()):
+    for path, entry in sorted(locked.items()):
         if path in approved or hashes[path] is None:
             continue
         if (same := respelled.get(folded(path))) and same.exists() and same.samefile(places[path]):

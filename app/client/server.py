@@ -104,8 +104,8 @@ class Server:
         """
         origin = _origin(self.source.server)
         for _ in range(MAX_REDIRECTS + 1):
-            own = {"Authorization": f"Bearer {self.source.token}"} if _origin(url) == origin else {}
-            request = urllib.request.Request(url, body, headers={**(headers or {}), **own})  # noqa: S310 - http or https
+            own_headers = {"Authorization": f"Bearer {self.source.token}"} if _origin(url) == origin else {}
+            request = urllib.request.Request(url, body, headers={**(headers or {}), **own_headers})  # noqa: S310 - http or https
             try:
                 answer: http.client.HTTPResponse = self._opener.open(request, timeout=TIMEOUT_S)
                 return answer
@@ -140,11 +140,11 @@ def _origin(url: str) -> tuple[str, str | None, int | None]:
 
 
 def _next(url: str, location: str) -> str:
-    wanted = urljoin(url, location)
-    scheme = urlsplit(wanted).scheme
+    target_url = urljoin(url, location)
+    scheme = urlsplit(target_url).scheme
     if scheme not in ("https", "http") or (scheme == "http" and urlsplit(url).scheme == "https"):
         raise Refusal(f"the server redirects from {urlsplit(url).scheme} to {scheme}, which is not followed")
-    return wanted
+    return target_url
 
 
 def _reason(error: BaseException) -> str:

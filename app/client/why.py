@@ -41,12 +41,12 @@ def why(options: argparse.Namespace) -> int:
     lock = read_lock(root) if root else None
     entries = _entries(root, lock, name)
     items = [_from_lock(root, lock, entry) for entry in entries] if root and lock else []
-    known, problem = ([], "--offline was given") if options.offline else _ask(options, folder, lock, entries, name)
-    if isinstance(known, Refusal):
-        raise known
-    if items and known:
-        items = [item | origin for item, origin in zip(items, known, strict=True)]
-    items = items or known
+    sounds, problem = ([], "--offline was given") if options.offline else _ask(options, folder, lock, entries, name)
+    if isinstance(sounds, Refusal):
+        raise sounds
+    if items and sounds:
+        items = [item | origin for item, origin in zip(items, sounds, strict=True)]
+    items = items or sounds
     if not items and not problem:
         raise Refusal(f'no approved file is called "{name}"')
     _report(items, problem, as_json=options.format == "json")
@@ -112,8 +112,10 @@ def _ask(
 
 
 def _checked(row: dict[str, Any]) -> dict[str, Any]:
-    known = {*ONLINE, "path", "cue", "target", "take_id", "variation", "master_sha256"}
-    return {key: value for key, value in row.items() if key in known and isinstance(value, str | int | bool | None)}
+    known_keys = {*ONLINE, "path", "cue", "target", "take_id", "variation", "master_sha256"}
+    return {
+        key: value for key, value in row.items() if key in known_keys and isinstance(value, str | int | bool | None)
+    }
 
 
 def _report(items: list[dict[str, Any]], problem: str, *, as_json: bool) -> None:

@@ -65,8 +65,8 @@ def preview_checks(session: Session, actor: Actor, project_id: UUID, body: Check
                 findings=findings,
             )
         )
-    known = audio_checks.all_checks()
-    checks = [PreviewedCheck.model_validate(known[name]) for name in (*JUDGED_IN_BROWSER, "naming")]
+    checks_by_name = audio_checks.all_checks()
+    checks = [PreviewedCheck.model_validate(checks_by_name[name]) for name in (*JUDGED_IN_BROWSER, "naming")]
     return CheckPreviewed(checks=checks, specs=specs, files=files)
 
 
@@ -89,8 +89,8 @@ def _likely_stems(
     people = [session.get_one(Person, access.actor.person).name]
     prefixes = names.index.shared_prefixes(paths)
     likely = [
-        _likeliest(names, path, people, prefixes) if wanted else None
-        for path, wanted in zip(paths, unsure, strict=True)
+        _likeliest(names, path, people, prefixes) if is_unsure else None
+        for path, is_unsure in zip(paths, unsure, strict=True)
     ]
     taken = filled_variations(session, {slot.cue_id for slot in likely if slot and slot.variation is None})
     others = [names.sure(stored_name(name), people) for name in body.proposed]

@@ -365,9 +365,9 @@ def made_fix_of(session: Session, take_id: UUID) -> Fix | None:
 def takes_with_finding(session: Session, take_ids: Collection[UUID], code: str) -> set[UUID]:
     """Return those of some takes that had a finding of this code in their newest check."""
     matching_ids: set[UUID] = set()
-    wanted = list(take_ids)
+    ids = list(take_ids)
     has_code = CheckRun.report["findings"].as_string().contains(f'"{code}"')
-    for start in range(0, len(wanted), TAKES_AT_ONCE):
-        of = CheckRun.take_id.in_(wanted[start : start + TAKES_AT_ONCE])
+    for start in range(0, len(ids), TAKES_AT_ONCE):
+        of = CheckRun.take_id.in_(ids[start : start + TAKES_AT_ONCE])
         matching_ids |= set(session.scalars(select(CheckRun.take_id).where(of, CheckRun.is_current, has_code)))
     return matching_ids

@@ -67,12 +67,12 @@ def run_key(
 ) -> str:
     """Return the key of a check run: two runs with one key have the same result."""
     facts = None if cue is None else {k: v for k, v in dataclasses.asdict(cue).items() if k != "more"}
-    said = [master_sha256, asked_of(spec), spec.category, facts, name, audio_checks.TOOL_VERSION]
+    parts = [master_sha256, asked_of(spec), spec.category, facts, name, audio_checks.TOOL_VERSION]
     if stem_sha256 is not None:
-        said.append(stem_sha256)
+        parts.append(stem_sha256)
     if shipped:
-        said.append("shipped")
-    return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
+        parts.append("shipped")
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
 
 def error_codes(report: Mapping[str, Any]) -> list[str]:
@@ -136,7 +136,9 @@ def with_offers(findings: Sequence[Mapping[str, Any]], offers: Sequence[audio_ch
 
 def is_enough(report: Mapping[str, Any], offers: Sequence[audio_checks.Offer]) -> bool:
     """Whether a fix does anything, and answers every finding for which the take would come back again."""
-    errors = [offer for one, offer in zip(report["findings"], offers, strict=True) if one["severity"] == "error"]
+    errors = [
+        offer for finding, offer in zip(report["findings"], offers, strict=True) if finding["severity"] == "error"
+    ]
     return report["verdict"] != "unjudged" and any(offers) and all(errors)
 
 

@@ -115,8 +115,8 @@ class ChangeFeed:
 
     def ensure_stream_limit(self, person_id: UUID) -> None:
         """Raise TooManyStreams if a person, or the whole process, has reached its limit."""
-        own = sum(stream.viewer.person_id == person_id for stream in self._streams)
-        if own >= MAX_STREAMS_OF_ONE_PERSON or len(self._streams) >= MAX_STREAMS:
+        own_streams = sum(stream.viewer.person_id == person_id for stream in self._streams)
+        if own_streams >= MAX_STREAMS_OF_ONE_PERSON or len(self._streams) >= MAX_STREAMS:
             raise TooManyStreams("too many pages are open", fix="ask for what you show every minute instead")
 
     @contextmanager

@@ -344,8 +344,8 @@ def _begin_with_reach(session: Session, _transaction: Any, connection: sa.Connec
 def _apply_reach(session: Session, connection: sa.Connection, *before: str) -> None:
     reach: AccessScope = session.info[REACH]
     session.info[APPLIED_REACH] = reach
-    known = ", ".join(f"'{value}'" if value else "null" for value in (reach.person_id, reach.project_id))
-    _send(connection, *before, f"SELECT {SET_REACH}({known})", f"SET LOCAL ROLE {REQUEST_ROLE}")
+    settings = ", ".join(f"'{value}'" if value else "null" for value in (reach.person_id, reach.project_id))
+    _send(connection, *before, f"SELECT {SET_REACH}({settings})", f"SET LOCAL ROLE {REQUEST_ROLE}")
 
 
 def _send(connection: sa.Connection, *statements: str) -> None:

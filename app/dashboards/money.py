@@ -44,8 +44,8 @@ def project_money(session: Session, actor: Actor, project_id: UUID) -> schemas.P
         for contract in agreed_in(session, actor, project_id)
     ]
     totals: dict[str, list[FiguresRead]] = defaultdict(list)
-    for one in read:
-        totals[one.currency].append(one.figures)
+    for contract_read in read:
+        totals[contract_read.currency].append(contract_read.figures)
     return schemas.ProjectMoney(
         contracts=read,
         totals=[schemas.CurrencyFigures(currency=currency, figures=_added(each)) for currency, each in totals.items()],
@@ -54,7 +54,7 @@ def project_money(session: Session, actor: Actor, project_id: UUID) -> schemas.P
 
 def _added(figures_of_each: list[FiguresRead]) -> FiguresRead:
     names = FiguresRead.model_fields
-    return FiguresRead(**{name: sum(getattr(one, name) for one in figures_of_each) for name in names})
+    return FiguresRead(**{name: sum(getattr(figures_read, name) for figures_read in figures_of_each) for name in names})
 
 
 def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -> schemas.ContractMoney:
@@ -79,9 +79,9 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
         slips=list(slips.values()),
         slip_growth_days=growth_days([slip.days for slip in slips.values()]),
         proposed_rounds=[
-            extra_round_read(session, contract, one, terms, cues[one.cue_id])
-            for one in rounds
-            if one.agreed_at is None and one.dropped_at is None
+            extra_round_read(session, contract, extra_round, terms, cues[extra_round.cue_id])
+            for extra_round in rounds
+            if extra_round.agreed_at is None and extra_round.dropped_at is None
         ],
         billable_minor=sum(line.amount_minor for line in book.billable),
         next_invoice=_next_number(session, contract),
@@ -92,14 +92,14 @@ def _contract_money(session: Session, contract: Contract, *, with_slips: bool) -
 
 def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schemas.MilestoneSheet:
     """Return a milestone with its cues, its lateness, its estimates and its money; raise MilestoneNotFound unseen."""
-    found = plan_queries.milestone_by_id(session, milestone_id)
-    contract = contract_for(session, actor, found.contract_id) if found else None
+    seen_milestone = plan_queries.milestone_by_id(session, milestone_id)
+    contract = contract_for(session, actor, seen_milestone.contract_id) if seen_milestone else None
     if contract is None:
         raise MilestoneNotFound(f"no milestone {milestone_id}")
     access = project_access(session, actor, contract.project_id)
     book = load_ledger_book(session, contract)
     milestones = milestones_read(session, contract, book)
-    milestone = next(one for one in milestones if one.id == milestone_id)
+    milestone = next(milestone_read for milestone_read in milestones if milestone_read.id == milestone_id)
     listed = [cue.cue for cue in plan_queries.cues_of(session, contract.id) if cue.milestone_id == milestone_id]
     status = Statuses(session, access, listed).status
     is_party = party_of(actor, contract) is not None
@@ -153,15 +153,17 @@ def _slips(session: Session, project_id: UUID, milestones: list[MilestoneRead]) 
         for milestone in milestones
         if milestone.due_on is not None and (milestone.done_at or milestone.due_on < now.date())
     ]
-    unsettled = [cue.cue.id for one in over for cue in one.cues if cue.cut_in is None]
+    unsettled = [cue.cue.id for open_milestone in over for cue in open_milestone.cues if cue.cut_in is None]
     turns = turns_of(session, project_id, unsettled) if unsettled else {}
     slips: dict[UUID, schemas.MilestoneSlip] = {}
-    for one in over:
-        if one.due_on is None:
+    for open_milestone in over:
+        if open_milestone.due_on is None:
             continue
-        of_cues = [_until(turns[cue.cue.id], cue.accepted_at) for cue in one.cues if cue.cut_in is None]
-        slip = schedule_slip_of(one.due_on, one.done_at, of_cues, now)
-        slips[one.id] = schemas.MilestoneSlip(milestone_id=one.id, name=one.name, due_on=one.due_on, **asdict(slip))
+        of_cues = [_until(turns[cue.cue.id], cue.accepted_at) for cue in open_milestone.cues if cue.cut_in is None]
+        slip = schedule_slip_of(open_milestone.due_on, open_milestone.done_at, of_cues, now)
+        slips[open_milestone.id] = schemas.MilestoneSlip(
+            milestone_id=open_milestone.id, name=open_milestone.name, due_on=open_milestone.due_on, **asdict(slip)
+        )
     return slips
 
 

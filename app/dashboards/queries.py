@@ -100,7 +100,7 @@ def questions(
     session: Session, project_id: UUID, *, asked_by: UUID | None = None, only_open: bool
 ) -> Sequence[Row[Question, Cue, Person]]:
     """Return questions with their cue and asker, the oldest first."""
-    found = (
+    query = (
         select(Question, Cue, Person)
         .join(Cue, Cue.id == Question.cue_id)
         .join(Person, Person.id == Question.asked_by)
@@ -109,10 +109,10 @@ def questions(
         .order_by(Question.asked_at)
     )
     if only_open:
-        found = found.where(Question.answered_at.is_(None))
+        query = query.where(Question.answered_at.is_(None))
     if asked_by is not None:
-        found = found.where(Question.asked_by == asked_by)
-    return session.execute(found).all()
+        query = query.where(Question.asked_by == asked_by)
+    return session.execute(query).all()
 
 
 def sent_changes(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[ChangeRequest, int | None]]:
@@ -179,7 +179,7 @@ def latest_returns(
     session: Session, project_id: UUID, designer_id: UUID | None
 ) -> Sequence[Row[Take, Cue | None, CheckRun]]:
     """Return the takes that came back from the check last."""
-    found = (
+    query = (
         select(Take, Cue, CheckRun)
         .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
@@ -188,8 +188,8 @@ def latest_returns(
         .limit(LATELY)
     )
     if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
-    return session.execute(found).all()
+        query = query.where(Take.designer_id == designer_id)
+    return session.execute(query).all()
 
 
 def latest_approvals(
@@ -197,7 +197,7 @@ def latest_approvals(
 ) -> Sequence[Row[Verdict, Cue, Take, Person | None]]:
     """Return the latest approvals that stand, with who gave them; nobody did what a clause on silence approved."""
     withdrawal = aliased(Verdict)
-    found = (
+    query = (
         select(Verdict, Cue, Take, Person)
         .join(Cue, Cue.id == Verdict.cue_id)
         .join(Take, Take.id == Verdict.take_id)
@@ -211,8 +211,8 @@ def latest_approvals(
         .limit(LATELY)
     )
     if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
-    return session.execute(found).all()
+        query = query.where(Take.designer_id == designer_id)
+    return session.execute(query).all()
 
 
 def latest_feedback(session: Session, project_id: UUID) -> Sequence[Row[Feedback, Person, int]]:
@@ -254,22 +254,22 @@ def tray_since(session: Session, project_id: UUID, designer_id: UUID) -> tuple[i
 
 def drafts_since(session: Session, project_id: UUID, scope: ApprovalScope) -> tuple[int, datetime | None]:
     """Return the number of unsent change requests of cues that a person approves, and the oldest wait's start."""
-    found = select(func.count(), func.min(ChangeRequest.created_at)).where(
+    query = select(func.count(), func.min(ChangeRequest.created_at)).where(
         ChangeRequest.project_id == project_id, ChangeRequest.feedback_id.is_(None), ChangeRequest.sends_at.is_(None)
     )
     if not scope.is_all:
         approved = Cue.category.not_in(scope.others) if scope.rest else Cue.category.in_(scope.own)
-        found = found.join(Cue, Cue.id == ChangeRequest.cue_id).where(approved)
-    count, since = session.execute(found).one()
+        query = query.join(Cue, Cue.id == ChangeRequest.cue_id).where(approved)
+    count, since = session.execute(query).one()
     return count, since
 
 
 def questions_open_since(session: Session, project_id: UUID, *, asked_by: UUID | None) -> tuple[int, datetime | None]:
     """Return the number of unanswered questions, and the oldest wait's start; one person's where one is given."""
-    found = select(func.count(), func.min(Question.asked_at)).where(
+    query = select(func.count(), func.min(Question.asked_at)).where(
         Question.project_id == project_id, Question.answered_at.is_(None)
     )
-    count, since = session.execute(found.where(Question.asked_by == asked_by) if asked_by else found).one()
+    count, since = session.execute(query.where(Question.asked_by == asked_by) if asked_by else query).one()
     return count, since
 
 

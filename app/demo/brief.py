@@ -44,5 +44,5 @@ UNKNOWN = {"dates": "Alpha is in November; when the beta closes depends on the p
 
 def changes() -> dict[str, dict[str, Any]]:
     """Return every answer as the API takes it."""
-    known = {key: {"value": value} for key, value in (ANSWERS | {"naming": NAMES}).items()}
-    return known | {key: {"is_unknown": True, "note": note} for key, note in UNKNOWN.items()}
+    answers = {key: {"value": value} for key, value in (ANSWERS | {"naming": NAMES}).items()}
+    return answers | {key: {"is_unknown": True, "note": note} for key, note in UNKNOWN.items()}

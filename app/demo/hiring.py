@@ -85,8 +85,8 @@ class Hiring:
         link = self._await(lambda: self._link_to(address))
         designer.ask("POST", f"/posting-links/{link.rsplit('/', 1)[1]}/join")
         path = f"/postings/{posting['id']}"
-        own = designer.ask("GET", path)["own_bid"]
-        if own and own["state"] == "sent":
+        own_bid = designer.ask("GET", path)["own_bid"]
+        if own_bid and own_bid["state"] == "sent":
             return
         price_minor, hours_hundredths, note = OFFERS[at]
         lines = [
@@ -105,7 +105,7 @@ class Hiring:
             "from_on": posting["work_from_on"],
             "to_on": posting["work_to_on"],
             "note": note,
-            "revision": own["revision"] if own else 0,
+            "revision": own_bid["revision"] if own_bid else 0,
         }
         saved = designer.ask("PUT", f"{path}/bid", json=content)["own_bid"]
         designer.ask("POST", f"{path}/bid/send", json={"revision": saved["revision"]})

@@ -42,8 +42,8 @@ def make_demo_project(runtime: Runtime, *, progress: Progress, keep_going: KeepG
     """Make the demo where it is not complete yet; return the project's id and its build's token, None once stopped."""
     done = runtime.settings.data_dir / DONE_FILE
     if done.exists():
-        known = json.loads(done.read_text())
-        return known["project"], known["token"]
+        made_before = json.loads(done.read_text())
+        return made_before["project"], made_before["token"]
     progress.begin(f"{runtime.settings.base_url} is open already")
     progress.begin("Making the demo project: 36 cues, every sound by our own generators")
     people = make_people(runtime)
@@ -266,8 +266,8 @@ class _Maker:
             if listed_delivery["note"] == note
         )
         delivery = next(there_already, None) or self._designer.ask("POST", path, json={"note": note})
-        known = self._designer.ask("GET", f"/deliveries/{delivery['id']}")
-        there = {file["file_name"] for file in [*known["takes"], *known["dry_stems"]]}
+        delivery_read = self._designer.ask("GET", f"/deliveries/{delivery['id']}")
+        there = {file["file_name"] for file in [*delivery_read["takes"], *delivery_read["dry_stems"]]}
         for sound in sounds:
             if sound.file_name not in there:
                 self._ensure_not_stopped()

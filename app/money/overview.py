@@ -85,7 +85,7 @@ def _milestone(
     paid: Mapping[Place, int],
     cue_prefix: str,
 ) -> schemas.MilestoneRead:
-    wanted = [cue for cue in cues if cue.cut_at is None]
+    kept_cues = [cue for cue in cues if cue.cut_at is None]
     moments = [cue.accepted_at or cue.cut_at for cue in cues]
     saved = sum((cue.amount_minor or 0) - owed.get((milestone.id, cue.cue_id), 0) for cue in cues if cue.cut_at)
     return schemas.MilestoneRead(
@@ -98,8 +98,8 @@ def _milestone(
         paid_minor=sum(amount for (milestone_id, _), amount in paid.items() if milestone_id == milestone.id),
         due_on=milestone.due_on,
         tax_bp=milestone.tax_bp,
-        accepted=sum(cue.accepted_at is not None for cue in wanted),
-        wanted=len(wanted),
+        accepted=sum(cue.accepted_at is not None for cue in kept_cues),
+        wanted=len(kept_cues),
         done_at=max(moment for moment in moments if moment) if moments and all(moments) else None,
         cues=[
             schemas.MilestoneCueRead(

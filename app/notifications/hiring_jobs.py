@@ -77,8 +77,8 @@ def notify_posting_answer(runtime: Runtime, payload: Payload) -> None:
         question = session.get_one(PostingQuestion, UUID(payload["question_id"]))
         posting = session.get_one(Posting, question.posting_id)
         joined = [candidate.person_id for candidate in candidates_of(session, posting.id) if candidate.person_id]
-        wanted = joined if question.is_for_all else [question.asked_by]
-        for person_id in wanted:
+        person_ids = joined if question.is_for_all else [question.asked_by]
+        for person_id in person_ids:
             address = queries.address_of(session, person_id)
             line = f"{question.text}\n\n{question.answer or ''}"
             _mail(runtime, session, payload, posting, address, "a question was answered", line)

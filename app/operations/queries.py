@@ -83,9 +83,9 @@ def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead
     rows = session.execute(union_all(*(_summed(source, studio_id) for source in KEPT), _drawn(studio_id)))
     for whose, kind_word, files, size_bytes in rows:
         kind = KeptKind(kind_word)
-        known = sums[whose].get(kind, KeptFiles(kind=kind, files=0, size_bytes=0))
+        kept_files = sums[whose].get(kind, KeptFiles(kind=kind, files=0, size_bytes=0))
         sums[whose][kind] = KeptFiles(
-            kind=kind, files=known.files + files, size_bytes=known.size_bytes + int(size_bytes or 0)
+            kind=kind, files=kept_files.files + files, size_bytes=kept_files.size_bytes + int(size_bytes or 0)
         )
     studios = select(Studio.id, Studio.name)
     if studio_id is not None:

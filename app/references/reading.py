@@ -40,8 +40,8 @@ def read_references(
 
 def read_version(version: ReferenceVersion) -> ReferenceVersionRead:
     """Return one version."""
-    own = {name: getattr(version, name) for name in ReferenceVersionRead.model_fields if name != "added_by"}
-    return ReferenceVersionRead(**own, added_by=PersonBrief.model_validate(version.author))
+    facts = {name: getattr(version, name) for name in ReferenceVersionRead.model_fields if name != "added_by"}
+    return ReferenceVersionRead(**facts, added_by=PersonBrief.model_validate(version.author))
 
 
 def read_opening(opening: ReferenceOpening) -> ReferenceOpeningRead:

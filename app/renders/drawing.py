@@ -94,19 +94,19 @@ def prepare(
     Results are by the name of the target, and MASTER; or the reason why it cannot be made, or drawn.
     """
     outcomes: dict[str, Outcome] = {}
-    known = _Known()
+    decoded = _Known()
     Path(folder).mkdir(exist_ok=True)
     places_of = places(folder, recipes)
     for target, recipe in recipes.items():
         target_folder = places_of[target]
         target_folder.mkdir()
         try:
-            outcomes[target] = _rendered(path, target_folder, recipe, known)
+            outcomes[target] = _rendered(path, target_folder, recipe, decoded)
         except (RenderRefused, Unreadable) as error:
             outcomes[target] = error.with_traceback(None)
     if draws_master:
         try:
-            outcomes[MASTER] = drawing = _drawn(path, Path(folder), loop=loop, known=known)
+            outcomes[MASTER] = drawing = _drawn(path, Path(folder), loop=loop, decoded=decoded)
             drawing["has_light"] = light_preview(_played(path, places_of, drawing), Path(folder) / LIGHT)
         except (RenderRefused, Unreadable) as error:
             outcomes[MASTER] = error.with_traceback(None)
@@ -134,14 +134,14 @@ class _Known:
 
 def draw(path: str, folder: str, *, loop: bool) -> Drawn:
     """Write a sound's peaks, spectrum and preview; return its duration, facts and thumb, and what plays it."""
-    return _drawn(path, Path(folder), loop=loop, known=_Known())
+    return _drawn(path, Path(folder), loop=loop, decoded=_Known())
 
 
-def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> Drawn:
+def _drawn(path: str, folder: Path, *, loop: bool, decoded: _Known) -> Drawn:
     with AudioFile(path, coded=True) as file:
         facts = file.facts
     small, large = wave_shapes(path, (THUMB_POINTS, PEAKS_POINTS))
-    bands = known.bands or average_spectrum(path)
+    bands = decoded.bands or average_spectrum(path)
     shape = {
         "frames": facts.frames,
         "sample_rate_hz": facts.sample_rate_hz,
@@ -152,11 +152,11 @@ def _drawn(path: str, folder: Path, *, loop: bool, known: _Known) -> Drawn:
     }
     (folder / PEAKS).write_bytes(to_json(shape))
     plays_itself = _is_playable(path)
-    preview_of = "" if plays_itself else known.preview_of
+    preview_of = "" if plays_itself else decoded.preview_of
     if not plays_itself and not preview_of:
         preview(path, folder / PREVIEW, loop=loop, durable=False)
     # Of what plays: its 16 bits reach below black, and its 48 kHz above the top row.
-    spectrum = known.preview_png if preview_of else _spectrum(path if plays_itself else folder / PREVIEW)
+    spectrum = decoded.preview_png if preview_of else _spectrum(path if plays_itself else folder / PREVIEW)
     (folder / SPECTRUM).write_bytes(spectrum)
     return {
         "duration_s": facts.duration_s,
@@ -205,7 +205,7 @@ def _is_playable(path: str) -> bool:
         return False
 
 
-def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) -> Made:
+def _rendered(path: str, folder: Path, recipe: dict[str, Any], decoded: _Known) -> Made:
     """Make a game file and draw it; return what was made, and its drawing."""
     with AudioFile(path, coded=True) as file:
         facts = file.facts
@@ -216,14 +216,14 @@ def _rendered(path: str, folder: Path, recipe: dict[str, Any], known: _Known) ->
     else:
         out = folder / game_file(recipe["target"].encoding)
         rendered = render_master(path, out_path=out, **recipe, durable=False)  # the store syncs its copy
-    own = _Known()
+    decoded_render = _Known()
     if rendered.loss is not None and rendered.sample_rate_hz == master_rate_hz:
         spectra = rendered.loss.spectra
-        known.bands = BandLevels(np.array(spectra.hz), np.array(spectra.master_dbfs))
-        own.bands = BandLevels(np.array(spectra.hz), np.array(spectra.render_dbfs))
-    drawing = _drawn(str(out), folder, loop=recipe["loop"], known=own)
-    if not known.preview_of and drawing["plays_itself"] and is_preview(rendered, recipe["target"], master_rate_hz):
-        known.preview_of, known.preview_png = recipe["target"].name, (folder / SPECTRUM).read_bytes()
+        decoded.bands = BandLevels(np.array(spectra.hz), np.array(spectra.master_dbfs))
+        decoded_render.bands = BandLevels(np.array(spectra.hz), np.array(spectra.render_dbfs))
+    drawing = _drawn(str(out), folder, loop=recipe["loop"], decoded=decoded_render)
+    if not decoded.preview_of and drawing["plays_itself"] and is_preview(rendered, recipe["target"], master_rate_hz):
+        decoded.preview_of, decoded.preview_png = recipe["target"].name, (folder / SPECTRUM).read_bytes()
     return {"rendered": rendered, "drawing": drawing}
 
 

@@ -54,8 +54,8 @@ def _recipes(toml: str, category: str | None, *, loop: bool) -> dict[str, Recipe
 
 @lru_cache(maxsize=4096)  # a page of the review queue asks for the same again and again
 def _keys(toml: str, category: str | None, master_sha256: str, *, loop: bool) -> dict[str, str]:
-    wanted = _recipes(toml, category, loop=loop)
-    return {target: recipe.key(master_sha256) for target, recipe in wanted.items()}
+    target_recipes = _recipes(toml, category, loop=loop)
+    return {target: recipe.key(master_sha256) for target, recipe in target_recipes.items()}
 
 
 def renders_by_key(session: Session, take_ids: Collection[UUID]) -> dict[tuple[UUID, str, str], Render]:

@@ -70,7 +70,7 @@ def rounds_of(session: Session, cue_id: UUID) -> Sequence[Round]:
 
 def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, list[int]]:
     """Return the variations of cues that have their approved take."""
-    found: dict[UUID, list[int]] = defaultdict(list)
+    variations: dict[UUID, list[int]] = defaultdict(list)
     query = (
         select(Take.cue_id, Take.variation)
         .where(in_array(Take.cue_id, cue_ids), Take.state == TakeState.APPROVED)
@@ -78,8 +78,8 @@ def approved_variations(session: Session, cue_ids: Collection[UUID]) -> dict[UUI
     )
     for cue_id, variation in session.execute(query):
         if cue_id is not None:
-            found[cue_id].append(variation)
-    return found
+            variations[cue_id].append(variation)
+    return variations
 
 
 def approved_takes(session: Session, cue_id: UUID) -> Sequence[Take]:
@@ -277,7 +277,7 @@ def notes_to_carry(
     """Return the requests and comments of versions for which a change was requested; no reply, nor by its designer."""
     asked_of = (in_array(Take.cue_id, cue_ids), Take.state == TakeState.CHANGE_REQUESTED)
     asked = change_requests_of(session, ChangeRequest.take.has(and_(*asked_of)), ChangeRequest.feedback_id.is_not(None))
-    said = session.execute(
+    comments = session.execute(
         select(Comment, Take)
         .join(Take, Take.id == Comment.take_id)
         .where(*asked_of, answers_nothing())
@@ -285,7 +285,7 @@ def notes_to_carry(
         .options(joinedload(Comment.author))
         .order_by(Comment.id)
     )
-    return asked, said.all()
+    return asked, comments.all()
 
 
 def newest_answers(session: Session, note_ids: Collection[UUID]) -> dict[UUID, NoteAnswer]:

@@ -154,19 +154,19 @@ def why_not_counted(reversals: Sequence[bool], unanswered_round: int | None = No
     return None if unanswered_round is None else f"part of round {unanswered_round}: nothing was delivered since"
 
 
-def names_mentioned(text: str, wanted: Collection[UUID], people: Mapping[UUID, str]) -> dict[str, str]:
+def names_mentioned(text: str, person_ids: Collection[UUID], people: Mapping[UUID, str]) -> dict[str, str]:
     """Return the names that stand after an @ in a text, by person; `people` are those who may be mentioned.
 
     Raises NotMentionable for a person who is none of them, and for one whose name the text lacks.
     """
-    for person_id in wanted:
+    for person_id in person_ids:
         if person_id not in people:
             raise NotMentionable(f"person {person_id} may not see this version", fix="choose a person from the list")
         if f"@{people[person_id]}" not in text:
             raise NotMentionable(
                 f"the text does not say @{people[person_id]}", fix="choose the person again, or do not mention them"
             )
-    return {str(person_id): people[person_id] for person_id in dict.fromkeys(wanted)}
+    return {str(person_id): people[person_id] for person_id in dict.fromkeys(person_ids)}
 
 
 def mentioned_in(mentions: Mapping[str, str]) -> list[dict[str, str]]:

@@ -42,9 +42,9 @@ def request_comparison(
         raise NothingToCompare(NO_PREVIEW, fix="wait until both are drawn, then ask again")
     if sound == against:
         raise NothingToCompare("both are the same file, so nothing differs")
-    known = queries.comparison_of(session, take.project_id, sound, against)
-    if known is not None:
-        return known
+    same_comparison = queries.comparison_of(session, take.project_id, sound, against)
+    if same_comparison is not None:
+        return same_comparison
     comparison = Comparison(
         studio_id=take.studio_id, project_id=take.project_id, sound_sha256=sound, against_sha256=against
     )

@@ -64,7 +64,7 @@ def get_masking(
     """Return the bands of a version heard in its scene, and the sounds that cover the others."""
     levels = None
     if lane is not None:
-        split = [one.rpartition(":") for one in lane]
+        split = [lane_gain.rpartition(":") for lane_gain in lane]
         levels = {name: float(level) for name, _, level in split}
     return masking_of(session, actor, take_id, levels)
 
@@ -123,10 +123,10 @@ def add_comparison(
     take_id: UUID, body: SoundComparisonAdd, session: DbSession, actor: Actor = MAY_SEE
 ) -> SoundComparisonRead:
     """Have a version compared with another, or with one of its game files; the same two give the same comparison."""
-    found = comparisons.request_comparison(
+    comparison = comparisons.request_comparison(
         session, actor, take_id, against_take_id=body.against_take_id, target=body.target
     )
-    return comparisons.comparison_read(found)
+    return comparisons.comparison_read(comparison)
 
 
 @router.get("/comparisons/{comparison_id}", responses=problems(ComparisonNotFound))

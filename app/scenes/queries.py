@@ -101,10 +101,10 @@ def gains_in_game(session: Session, audit_id: UUID, cue_ids: Collection[UUID]) -
 
 def beds(session: Session, project_id: UUID, category: str) -> dict[BedRole, Bed]:
     """Return the beds under the sounds of a category: its own, and for other roles those of the project."""
-    found = session.scalars(
+    takes = session.scalars(
         select(Bed).where(Bed.project_id == project_id, Bed.category.in_(("", category))).order_by(Bed.category)
     )
-    return {bed.role: bed for bed in found}  # the project's come first, and a category's replace them
+    return {bed.role: bed for bed in takes}  # the project's come first, and a category's replace them
 
 
 def bed_of(session: Session, project_id: UUID, category: str, role: BedRole) -> Bed | None:
@@ -138,8 +138,8 @@ def sound_references(
     session: Session, project_id: UUID, reference_ids: Collection[UUID]
 ) -> dict[UUID, ReferenceVersion]:
     """Return the newest versions of references that are sounds and on the board, by reference."""
-    wanted = _references(ReferenceKind.AUDIO, project_id).where(in_array(Reference.id, reference_ids))
-    return {version.reference_id: version for version in session.scalars(wanted)}
+    query = _references(ReferenceKind.AUDIO, project_id).where(in_array(Reference.id, reference_ids))
+    return {version.reference_id: version for version in session.scalars(query)}
 
 
 def clips(session: Session, cue: Cue) -> Sequence[ReferenceVersion]:
@@ -171,8 +171,8 @@ def bed_takes(session: Session, project_id: UUID) -> list[tuple[Take, Cue]]:
 
 def bed_references(session: Session, project_id: UUID) -> Sequence[ReferenceVersion]:
     """Return the sounds on the references board, the newest first."""
-    found = _references(ReferenceKind.AUDIO, project_id).order_by(Reference.id.desc()).limit(MOST_SOURCES)
-    return session.scalars(found).all()
+    query = _references(ReferenceKind.AUDIO, project_id).order_by(Reference.id.desc()).limit(MOST_SOURCES)
+    return session.scalars(query).all()
 
 
 def scene_sounds(

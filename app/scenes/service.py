@@ -141,10 +141,14 @@ def _neighbours(
     column = next((name for name in cue.extra if folded(name) in SCENE_COLUMNS), None)
     scene = column_value(cue.extra, SCENE_COLUMNS)
     near = queries.possible_neighbours(session, cue, (column, scene) if column and scene else None)
-    found = [neighbour for neighbour in near if is_heard(access, neighbour.take)]
-    gains = queries.gains_in_game(session, audit_id, [one.cue.id for one in found]) if audit_id else {}
-    by_cue = {one.cue.id: one for one in found}
-    candidates = [_candidate(one, gains) for one in found]
+    heard = [neighbour for neighbour in near if is_heard(access, neighbour.take)]
+    gains = (
+        queries.gains_in_game(session, audit_id, [heard_neighbour.cue.id for heard_neighbour in heard])
+        if audit_id
+        else {}
+    )
+    by_cue = {heard_neighbour.cue.id: heard_neighbour for heard_neighbour in heard}
+    candidates = [_candidate(heard_neighbour, gains) for heard_neighbour in heard]
     return [
         by_cue[likeliest_neighbour.cue_id]
         for likeliest_neighbour in likeliest_neighbours(_candidate(playable, {}), candidates)
@@ -195,12 +199,12 @@ def _take_lane(lane_id: str, playable: PlayableTake, starts_s: list[float], gain
 
 
 def _bed_lanes(session: Session, access: ProjectAccess, cue: Cue) -> Iterator[Lane]:
-    found = queries.beds(session, cue.project_id, cue.category)
-    takes = queries.approved_takes(session, [bed.take_id for bed in found.values() if bed.take_id])
-    ids = [bed.reference_id for bed in found.values() if bed.reference_id]
+    bed_takes = queries.beds(session, cue.project_id, cue.category)
+    takes = queries.approved_takes(session, [bed.take_id for bed in bed_takes.values() if bed.take_id])
+    ids = [bed.reference_id for bed in bed_takes.values() if bed.reference_id]
     versions = queries.sound_references(session, cue.project_id, ids)
     for role in BedRole:
-        bed = found.get(role)
+        bed = bed_takes.get(role)
         if bed is None:
             continue
         take = takes.get(bed.take_id) if bed.take_id else None

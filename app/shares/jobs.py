@@ -26,17 +26,17 @@ def make_guest_copy(runtime: Runtime, payload: Payload) -> None:
     """Write a preview again without metadata, with beeps where they are wanted, in a child."""
     studio_id, key = UUID(payload["studio_id"]), payload["key"]
     with runtime.database.reading() as session:
-        wanted = session.get_one(GuestCopy, (studio_id, key))
-        session.expunge(wanted)
-    if wanted.sha256 is not None:
+        guest_copy = session.get_one(GuestCopy, (studio_id, key))
+        session.expunge(guest_copy)
+    if guest_copy.sha256 is not None:
         return
     blob, refusal = None, None
     with runtime.store.making() as folder:
         made = folder / "made"
         made.mkdir()
         try:
-            with runtime.store.local_copy(studio_id, wanted.preview_sha256) as path:
-                _make(path, made, has_beeps=wanted.has_beeps)
+            with runtime.store.local_copy(studio_id, guest_copy.preview_sha256) as path:
+                _make(path, made, has_beeps=guest_copy.has_beeps)
             blob = runtime.store.put_file(studio_id, made / "copy.wav")
         except (SandboxFailed, BlobAltered, BlobMissing) as error:
             log.error("a guest's copy failed", key=key, error=str(error))

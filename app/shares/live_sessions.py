@@ -185,8 +185,8 @@ def _read(session: Session, actor: Actor, playlist_id: UUID, page_id: UUID | Non
         if listener.person_id in present
     }
     holder_id = holder_now(now, live.holder_id, seen) if live else None
-    own = next((listener for listener in listeners if listener.person_id == actor.person), None)
-    elsewhere = own is not None and is_elsewhere(now, page_id, own.page_id, own.seen_at)
+    own_listener = next((listener for listener in listeners if listener.person_id == actor.person), None)
+    elsewhere = own_listener is not None and is_elsewhere(now, page_id, own_listener.page_id, own_listener.seen_at)
     position_s = playhead_s(now, live.position_s, live.set_at, is_playing=live.is_playing) if live else 0.0
     return LiveRead(
         sequence=live.sequence if live else 0,

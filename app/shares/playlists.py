@@ -37,8 +37,8 @@ def playlists_of(session: Session, actor: Actor, project_id: UUID) -> list[Playl
     if access.only_designer_id is None:
         playlists = queries.playlists_in(session, project_id)
     else:
-        own, heard = queries.has_sound_of(access.only_designer_id), queries.heard_by(actor)
-        playlists = queries.playlists_in(session, project_id, own, heard=[heard])
+        has_own_sound, heard = queries.has_sound_of(access.only_designer_id), queries.heard_by(actor)
+        playlists = queries.playlists_in(session, project_id, has_own_sound, heard=[heard])
     return [
         PlaylistBrief(
             id=playlist.id,
@@ -132,8 +132,11 @@ def playlist_for(session: Session, actor: Actor, playlist_id: UUID) -> tuple[Pro
         access = project_access(session, actor, playlist.project_id)
     except ProjectNotFound:
         raise PlaylistNotFound(f"no playlist {playlist_id}") from None
-    own = access.only_designer_id
-    if own is not None and queries.playlist_by_id(session, playlist_id, queries.has_sound_of(own)) is None:
+    designer_id = access.only_designer_id
+    if (
+        designer_id is not None
+        and queries.playlist_by_id(session, playlist_id, queries.has_sound_of(designer_id)) is None
+    ):
         raise PlaylistNotFound(f"no playlist {playlist_id}")
     return access, playlist
 

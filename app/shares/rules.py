@@ -83,10 +83,10 @@ def heard_takes(candidates: Iterable[Candidate]) -> list[UUID]:
     """Return the take that is heard of each variation, in the order given: the approved one, else the newest."""
     best: dict[tuple[UUID, int], Candidate] = {}
     for candidate in candidates:
-        known = best.setdefault((candidate.cue_id, candidate.variation), candidate)
+        best_so_far = best.setdefault((candidate.cue_id, candidate.variation), candidate)
         if (candidate.state is TakeState.APPROVED, candidate.number) > (
-            known.state is TakeState.APPROVED,
-            known.number,
+            best_so_far.state is TakeState.APPROVED,
+            best_so_far.number,
         ):
             best[candidate.cue_id, candidate.variation] = candidate
     return [best_candidate.take_id for best_candidate in best.values()]

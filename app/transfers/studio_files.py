@@ -183,8 +183,8 @@ def _write_people_file(session: Session, archive: zipfile.ZipFile, ids: set[UUID
     with archive.open(PEOPLE, "w") as lines:
         for person_id in sorted(ids):
             person = session.get_one(Person, person_id)
-            known = {"id": str(person_id), "email": person.email, "name": person.name}
-            lines.write(json.dumps(known | {"created_at": person.created_at.isoformat()}).encode() + b"\n")
+            facts = {"id": str(person_id), "email": person.email, "name": person.name}
+            lines.write(json.dumps(facts | {"created_at": person.created_at.isoformat()}).encode() + b"\n")
             exported.people += 1
 
 
@@ -230,15 +230,15 @@ def _store_blobs(runtime: Runtime, archive: zipfile.ZipFile, imported: Transferr
 def _write_people(session: Session, archive: zipfile.ZipFile, imported: Transferred, *, keep_apart: bool) -> None:
     taken = []
     for line in archive.read(PEOPLE).splitlines():
-        known = json.loads(line)
-        person_id, email = UUID(known["id"]), str(known["email"]).lower()
+        facts = json.loads(line)
+        person_id, email = UUID(facts["id"]), str(facts["email"]).lower()
         imported.people += 1
         if session.get(Person, person_id) is not None:
             continue
         if session.scalar(sa.select(Person.id).where(Person.email == email)) is not None:
             taken.append(email)
             email = f"{person_id}@{APART}"
-        session.add(Person(id=person_id, email=email, name=known["name"]))
+        session.add(Person(id=person_id, email=email, name=facts["name"]))
     if taken and not keep_apart:
         raise TransferRefused(
             f"{', '.join(taken)}: another account of this server has this address; with --keep-apart their work is "

@@ -111,8 +111,8 @@ def list_voice_lines(
 ) -> VoiceLines:
     """Return the lines of the script in one language, in the order of the script."""
     reader = ScriptReader(session, project_access(session, actor, project_id))
-    wanted = service.tag_of(language) if language else reader.original_language
-    return reader.page(wanted, state=state, character_id=character, search=search, start=start)
+    tag = service.tag_of(language) if language else reader.original_language
+    return reader.page(tag, state=state, character_id=character, search=search, start=start)
 
 
 async def _parsed(project_id: UUID, body: ScriptAsk, request: Request) -> SentScript:

@@ -109,15 +109,15 @@ def _plan(
             if after is not None and not same:
                 plan.changes.append(LineChange(field=name, before=before, after=after, makes_stale=False))
     for language, text in row.texts.items():
-        known = texts.get((line.id, language)) if line else None
-        if known is None:
+        line_text = texts.get((line.id, language)) if line else None
+        if line_text is None:
             plan.new_texts.append(NewText(plan, language))
             if line is not None:
                 plan.changes.append(LineChange(field=language, before="", after=text, makes_stale=False))
-        elif known.text != text:
-            plan.changed_texts.append((known, text))
-            stale = known.cue_id in delivered
-            plan.changes.append(LineChange(field=language, before=known.text, after=text, makes_stale=stale))
+        elif line_text.text != text:
+            plan.changed_texts.append((line_text, text))
+            stale = line_text.cue_id in delivered
+            plan.changes.append(LineChange(field=language, before=line_text.text, after=text, makes_stale=stale))
     return plan
 
 
@@ -230,8 +230,8 @@ class _Writer:
                 **self._of, **of_it, id=new_id(), text=plan.spoken.texts[new_text.language], newest_number=1
             )
             self._session.add_all([text, _version(text, self._person_id)])
-        for known, words in plan.changed_texts:
-            self._session.add(new_version(known, words, self._person_id))
+        for line_text, words in plan.changed_texts:
+            self._session.add(new_version(line_text, words, self._person_id))
 
 
 def new_version(text: VoiceText, words: str, person_id: UUID) -> VoiceTextVersion:

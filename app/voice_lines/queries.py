@@ -50,8 +50,8 @@ def castings_of(session: Session, project_id: UUID) -> Sequence[Casting]:
 
 def casting_of(session: Session, character_id: UUID, language: str) -> Casting | None:
     """Return the casting of a character in a language; None where nobody is named."""
-    wanted = (Casting.character_id == character_id, Casting.language == language)
-    return session.scalar(select(Casting).where(*wanted).options(joinedload(Casting.performer)))
+    is_casting = (Casting.character_id == character_id, Casting.language == language)
+    return session.scalar(select(Casting).where(*is_casting).options(joinedload(Casting.performer)))
 
 
 def performers_of(session: Session, project_id: UUID) -> Sequence[Performer]:

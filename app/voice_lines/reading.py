@@ -160,13 +160,13 @@ class ScriptReader:
         reads: list[VoiceLineRead] = []
         for each in languages:
             language_texts = self._said(each)
-            wanted = [
+            stale_lines = [
                 line
                 for line in self.lines
                 if language_texts.statuses.get(line.id, NOT_TRANSLATED).state in PICK_UPS
                 and (character_id is None or line.character_id == character_id)
             ]
-            reads += self._reads(each, language_texts, wanted)
+            reads += self._reads(each, language_texts, stale_lines)
         order = {language: rank for rank, language in enumerate(languages)}
         reads.sort(
             key=lambda read: (order[read.language], read.character.name.casefold())

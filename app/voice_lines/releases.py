@@ -89,13 +89,13 @@ def releases_read(session: Session, access: ProjectAccess) -> ReleasesRead:
             parts[casting.performer_id].append(casting)
     performers = []
     for performer in queries.performers_of(session, project_id):
-        of_them, own = releases[performer.id], parts[performer.id]
-        lines = sum(approved[part.character_id, part.language] for part in own)
-        if of_them or own:
+        of_them, own_parts = releases[performer.id], parts[performer.id]
+        lines = sum(approved[part.character_id, part.language] for part in own_parts)
+        if of_them or own_parts:
             performers.append(
                 PerformerRead(
                     name=performer.name,
-                    parts=[f"{names[part.character_id]}, {part.language}" for part in own],
+                    parts=[f"{names[part.character_id]}, {part.language}" for part in own_parts],
                     approved_lines=lines,
                     releases=[_read(performer_release, today) for performer_release in of_them],
                     warning=_warning(of_them, lines, today),

@@ -231,13 +231,13 @@ def merged_order(present: Sequence[Place], script: Sequence[Place]) -> list[Plac
     A script with every present line gives the order. Otherwise the present lines keep theirs, and each new one comes
     after the line that is before it in the script; one with none before it comes last.
     """
-    known = set(present)
-    if known.issubset(script):
+    present_set = set(present)
+    if present_set.issubset(script):
         return list(script)
     after: dict[Place | None, list[Place]] = {}
     last: Place | None = None
     for line in script:
-        if line in known:
+        if line in present_set:
             last = line
         else:
             after.setdefault(last, []).append(line)

@@ -86,8 +86,8 @@ def columns_of(
         elif name in sheet.notes["hidden_columns"]:
             meaning = ScriptField.IGNORE
         else:
-            own = name if name in languages else None
-            meaning = _in_language(own or meaning_of(name) or ScriptField.IGNORE, language)
+            own_language = name if name in languages else None
+            meaning = _in_language(own_language or meaning_of(name) or ScriptField.IGNORE, language)
             if meaning in taken:
                 meaning = ScriptField.IGNORE
             _take(taken, meaning, name)
@@ -96,8 +96,8 @@ def columns_of(
     if len(spoken) > MAX_LANGUAGES:
         raise ScriptUnreadable(f"a script may have {MAX_LANGUAGES} languages; this one has {len(spoken)}")
     if ScriptField.CHARACTER not in taken or not spoken:
-        wanted = "characters" if ScriptField.CHARACTER not in taken else f"text, as in Text or {language}"
-        raise ScriptUnreadable(f"no column has the {wanted}; the columns are {', '.join(sheet.columns)}")
+        missing = "characters" if ScriptField.CHARACTER not in taken else f"text, as in Text or {language}"
+        raise ScriptUnreadable(f"no column has the {missing}; the columns are {', '.join(sheet.columns)}")
     return columns
 
 
@@ -122,11 +122,11 @@ def _take(taken: dict[str, str], meaning: str, name: str) -> None:
 
 
 def spoken_rows(
-    sheet: Sheet, columns: Sequence[Column], known: KnownLines, language: str
+    sheet: Sheet, columns: Sequence[Column], known_lines: KnownLines, language: str
 ) -> tuple[list[SpokenRow], list[RowFault]]:
     """Return the rows that can be read, and what is wrong with the others."""
     faults = [] if sheet.rows else [RowFault(sheet.header_row or 1, None, "there are no rows below the header")]
-    keys = _Keys(known, language)
+    keys = _Keys(known_lines, language)
     rows: list[SpokenRow] = []
     scene = ""
     cells_of = [(row, _cells(columns, cells)) for row, cells in sheet.rows]
@@ -167,10 +167,10 @@ def _faults_of(row: int, given: Mapping[str, str]) -> Iterator[RowFault]:
 class _Keys:
     """The ids of lines: given, found by their words, or new."""
 
-    def __init__(self, known: KnownLines, language: str) -> None:
-        self._known = known
+    def __init__(self, known_lines: KnownLines, language: str) -> None:
+        self._known = known_lines
         self._language = language
-        self._taken = set(known.file_names)
+        self._taken = set(known_lines.file_names)
         self._rows: dict[str, int] = {}
         self._found: dict[Words, int] = {}
         self._counts: dict[str, int] = {}

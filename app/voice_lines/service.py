@@ -108,14 +108,14 @@ def cast(
 def performer_named(session: Session, access: ProjectAccess, name: str) -> Performer:
     """Return the performer of that name in the locked list of a project; a new one where there is none."""
     key, project = folded(name), access.project
-    known = next(
+    same_performer = next(
         (performer for performer in queries.performers_of(session, project.id) if performer.folded == key), None
     )
-    if known is None:
-        known = Performer(studio_id=project.studio_id, project_id=project.id, name=name, folded=key)
-        session.add(known)
+    if same_performer is None:
+        same_performer = Performer(studio_id=project.studio_id, project_id=project.id, name=name, folded=key)
+        session.add(same_performer)
         session.flush()
-    return known
+    return same_performer
 
 
 def line_seen(session: Session, actor: Actor, line_id: UUID, *, to_change: bool = False) -> VoiceLine:

@@ -208,12 +208,12 @@ class AudioFile:
 
     def prepare(self, figures: Iterable[str]) -> None:
         """Name the figures to be asked for, before the first one is; without this, all are measured."""
-        wanted = self._wanted or set()
+        families = self._wanted or set()
         for figure in figures:
             if figure not in FAMILIES:
                 raise ValueError(f"no such figure: {figure}")
-            wanted.add(FAMILIES[figure])
-        self._wanted = wanted
+            families.add(FAMILIES[figure])
+        self._wanted = families
 
     def measured(self) -> dict[str, Any]:
         """Return every figure of the prepared families, by name. Streams the file once."""

@@ -118,11 +118,11 @@ def _makers(
 ) -> Iterator[tuple[tuple[str, ...], Callable[[], Accumulator]]]:
     """Yield the maker of each accumulator, with the families that it measures."""
     survey = Survey()
-    wanted = sorted(families)
-    for family in wanted:
+    ordered_families = sorted(families)
+    for family in ordered_families:
         if family in MAKERS:
             yield (family,), partial(_made, family, layout, survey)
-    if detectors := tuple(family for family in wanted if family in DETECTORS):
+    if detectors := tuple(family for family in ordered_families if family in DETECTORS):
         yield (
             detectors,
             partial(Faults, *_size(layout), step=_step(layout), detectors=detectors, survey=survey),

@@ -165,17 +165,19 @@ def _all_alike(
         for file in built
     ]
     waves = _Pool()
-    known = [approved_index for approved_index, file in enumerate(approved) if file.fingerprint is not None]
+    fingerprinted = [approved_index for approved_index, file in enumerate(approved) if file.fingerprint is not None]
     asked = [at for at, file in enumerate(built) if file.fingerprint is not None]
-    if not (known and asked):
+    if not (fingerprinted and asked):
         return alike
-    search = Search([cells_of(waves.of(approved[approved_index]).wave) for approved_index in known])
+    search = Search([cells_of(waves.of(approved[approved_index]).wave) for approved_index in fingerprinted])
     candidate_lists = search.found([cells_of(waves.of(built[at]).wave) for at in asked])
     for at, candidates in zip(asked, candidate_lists, strict=True):
-        own = place_of[at]
-        wanted = {known[candidate] for candidate in candidates} | ({own} if own in known else set())
+        own_index = place_of[at]
+        candidate_indices = {fingerprinted[candidate] for candidate in candidates} | (
+            {own_index} if own_index in fingerprinted else set()
+        )
         mine = Waves(built[at].fingerprint or b"")
-        for index in sorted(wanted - set(alike[at])):
+        for index in sorted(candidate_indices - set(alike[at])):
             if (like := likeness(waves.of(approved[index]), mine)) is not None:
                 alike[at][index] = like
     return alike
@@ -217,16 +219,16 @@ def _matches(approved: Sequence[FingerprintedFile], alike: Mapping[int, Likeness
 
 
 def _in_place(
-    file: FingerprintedFile, own: FingerprintedFile, like: Likeness | None, matches: tuple[Match, ...]
+    file: FingerprintedFile, approved_here: FingerprintedFile, like: Likeness | None, matches: tuple[Match, ...]
 ) -> Entry:
     """Report the fate of the approved sound whose place a file has."""
     if (entry := _unreadable(file)) is not None:
-        return replace(entry, approved=own.path)
-    entry = Entry(file.path, "changed", matches=matches, approved=own.path)
+        return replace(entry, approved=approved_here.path)
+    entry = Entry(file.path, "changed", matches=matches, approved=approved_here.path)
     if like is EXACT:
         return replace(entry, status="same", gain_db=0.0, offset_s=0.0, message="the same samples")
     if like is not None and like.is_same_sound:
-        compared = compare(own, file, like)
+        compared = compare(approved_here, file, like)
         return replace(
             entry,
             status=compared.status,
@@ -234,7 +236,7 @@ def _in_place(
             offset_s=compared.offset_s,
             message=compared.message,
         )
-    if why := _why_undecided(file, own, like):
+    if why := _why_undecided(file, approved_here, like):
         return replace(entry, status="unknown", message=f"its samples differ; {why}")
     other = f"; it is that of {matches[0].path}" if matches else ""
     return replace(entry, message=f"another sound than the approved one{other}")
@@ -279,25 +281,25 @@ def _unreadable(file: FingerprintedFile) -> Entry | None:
     return None
 
 
-def _why_undecided(file: FingerprintedFile, own: FingerprintedFile | None, like: Likeness | None) -> str:
+def _why_undecided(file: FingerprintedFile, approved_here: FingerprintedFile | None, like: Likeness | None) -> str:
     """Return the obstacle to a comparison of a file's sound; empty without one."""
-    if file.sample_peak_dbfs is None and (own is None or own.sample_peak_dbfs is None):
+    if file.sample_peak_dbfs is None and (approved_here is None or approved_here.sample_peak_dbfs is None):
         return "there is nothing but silence in it"
-    for what, fingerprinted in (("it", file), ("the approved one", own)):
+    for what, fingerprinted in (("it", file), ("the approved one", approved_here)):
         if (
             fingerprinted is not None
             and fingerprinted.fingerprint is None
             and fingerprinted.sample_peak_dbfs is not None
         ):
             return f"{what} has next to nothing between 60 Hz and 3.8 kHz to know it by"
-    if own is None:
+    if approved_here is None:
         return (
             f"too short to compare ({1000 * file.duration_s:.0f} ms), and like no approved sound"
             if _is_short(file)
             else ""
         )
-    if like is not None and like.score >= ALIKE and (_is_short(file) or _is_short(own)):
-        return f"too short to compare ({1000 * min(file.duration_s, own.duration_s):.0f} ms)"
+    if like is not None and like.score >= ALIKE and (_is_short(file) or _is_short(approved_here)):
+        return f"too short to compare ({1000 * min(file.duration_s, approved_here.duration_s):.0f} ms)"
     return ""
 
 

@@ -62,8 +62,8 @@ class Likeness:
     @property
     def is_same_sound(self) -> bool:
         """Whether the two are one recording, whatever was done to it since."""
-        wanted = SAME if self.overlap_s >= SHORT_S else SAME_IF_SHORT
-        return self.score >= wanted and self.shape_db <= UNSTEADY_DB
+        threshold = SAME if self.overlap_s >= SHORT_S else SAME_IF_SHORT
+        return self.score >= threshold and self.shape_db <= UNSTEADY_DB
 
 
 class Waves:

@@ -64,21 +64,21 @@ def manifest_of(entries: Iterable[dict[str, Any]]) -> dict[str, Any]:
     }
 
 
-def manifest_entry(one: FingerprintedFile) -> dict[str, Any]:
+def manifest_entry(file: FingerprintedFile) -> dict[str, Any]:
     """Return a manifest's entry for one approved sound, in plain values; None for levels of silence."""
-    plays = {} if one.plays is None else {"plays": [_play_entry(play) for play in one.plays]}
+    plays = {} if file.plays is None else {"plays": [_play_entry(play) for play in file.plays]}
     return {
-        "path": one.path,
-        "pcm_sha256": one.pcm_sha256,
-        "sample_rate_hz": one.sample_rate_hz,
-        "bit_depth": one.bit_depth,
-        "channels": one.channels,
-        "frames": one.frames,
-        "sample_peak_dbfs": one.sample_peak_dbfs,
-        "rms_dbfs": one.rms_dbfs,
-        "fingerprint": None if one.fingerprint is None else as_text(one.fingerprint),
-        "cue": one.cue,
-        "take": one.take,
+        "path": file.path,
+        "pcm_sha256": file.pcm_sha256,
+        "sample_rate_hz": file.sample_rate_hz,
+        "bit_depth": file.bit_depth,
+        "channels": file.channels,
+        "frames": file.frames,
+        "sample_peak_dbfs": file.sample_peak_dbfs,
+        "rms_dbfs": file.rms_dbfs,
+        "fingerprint": None if file.fingerprint is None else as_text(file.fingerprint),
+        "cue": file.cue,
+        "take": file.take,
         **plays,
     }
 
@@ -122,9 +122,9 @@ def parse_manifest(text: str, where: str = "manifest") -> list[FingerprintedFile
         raise SpecError(f"is not JSON: {error}", where=where) from None
     if not isinstance(document, dict) or not isinstance(document.get("files"), list):
         raise SpecError('is not a manifest: wanted {"schema_version": 1, "files": [...]}', where=where)
-    for key, wanted in (("schema_version", SCHEMA_VERSION), ("fingerprint_version", FINGERPRINT_VERSION)):
-        if document.get(key) != wanted or isinstance(document.get(key), bool):
-            raise SpecError(f"{key} must be {wanted}; write a new manifest with this version", where=where)
+    for key, version in (("schema_version", SCHEMA_VERSION), ("fingerprint_version", FINGERPRINT_VERSION)):
+        if document.get(key) != version or isinstance(document.get(key), bool):
+            raise SpecError(f"{key} must be {version}; write a new manifest with this version", where=where)
     if len(document["files"]) > MOST_FILES:
         raise SpecError(f"lists more than {MOST_FILES:,} files", where=where)
     fingerprinted = [_read(entry, f"{where}: files[{position}]") for position, entry in enumerate(document["files"])]
@@ -179,11 +179,11 @@ def _read(entry: object, where: str) -> FingerprintedFile:
         raise SpecError("wanted an object", where=where)
     if unknown := sorted(set(entry) - set(_KINDS) - {"plays"}):
         raise SpecError(f'no such key: "{unknown[0]}"', where=where)
-    for key, (is_so, wanted) in _KINDS.items():
+    for key, (is_so, kind_in_words) in _KINDS.items():
         if key not in entry and key not in ("cue", "take"):
             raise SpecError(f"{key} is missing", where=where)
         if not is_so(entry.get(key)):
-            raise SpecError(f"{key} must be {wanted}", where=where)
+            raise SpecError(f"{key} must be {kind_in_words}", where=where)
     packed = None
     if entry["fingerprint"] is not None:
         try:
@@ -223,12 +223,12 @@ def _read_plays(plays: object, where: str) -> tuple[ApprovedPlayback, ...] | Non
 
 
 def _read_play(play: object, where: str) -> ApprovedPlayback:
-    wanted = 'wanted {"object": text, "gain_db": number or null, "parts": [...]}'
+    expected = 'wanted {"object": text, "gain_db": number or null, "parts": [...]}'
     if not isinstance(play, dict) or set(play) != {"object", "gain_db", "parts"}:
-        raise SpecError(wanted, where=where)
+        raise SpecError(expected, where=where)
     parts = play["parts"]
     if not (_is_object_path(play["object"]) and _is_level(play["gain_db"]) and isinstance(parts, list)):
-        raise SpecError(wanted, where=where)
+        raise SpecError(expected, where=where)
     if len(parts) > MOST_PARTS:
         raise SpecError(f"has more than {MOST_PARTS} parts", where=where)
     return ApprovedPlayback(play["object"], play["gain_db"], tuple(_read_part(part, where) for part in parts))

@@ -129,10 +129,10 @@ def _with_changelists(entry: Entry, changelists: Changelists, limit_db: float) -
         else play
         for play in entry.plays
     )
-    known = {part.changelist for play in plays for part in play.moved if part.changelist is not None}
-    if not known:
+    known_changelists = {part.changelist for play in plays for part in play.moved if part.changelist is not None}
+    if not known_changelists:
         return replace(entry, plays=plays)
-    words = ", ".join(sorted(_in_words(changelist) for changelist in known)[:SHOWN_PARTS])
+    words = ", ".join(sorted(_in_words(changelist) for changelist in known_changelists)[:SHOWN_PARTS])
     return replace(
         entry,
         plays=plays,

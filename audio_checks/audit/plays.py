@@ -134,8 +134,8 @@ def held_to(sounds: Sequence[PlayedSound], approved: Sequence[ApprovedPlayback] 
     for sound in sounds:
         if not approved:
             was = ApprovedPlayback("", 0.0)
-        elif own := free.get(sound.object_path):
-            was = own.pop(0) if len(own) > 1 else own[0]
+        elif own_play := free.get(sound.object_path):
+            was = own_play.pop(0) if len(own_play) > 1 else own_play[0]
         else:
             was = min(approved, key=lambda playback: abs((playback.gain_db or 0.0) - (sound.gain_db or 0.0)))
         plays.append(Play(sound, was.gain_db if sound.gain_db is not None else None, _moved(sound.parts, was.parts)))

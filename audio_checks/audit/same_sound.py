@@ -79,8 +79,8 @@ def sounds_of_manifest(text: str) -> list[tuple[str, SoundSignature]]:
         All of a file that `audio-checks manifest` wrote. Sounds without a fingerprint, and those too short to be found
         among others, are left out.
     """
-    known = [(file, file.fingerprint) for file in parse_manifest(text) if file.fingerprint is not None]
-    fingerprinted = [(file, packed, moments_of(wave_of(packed))) for file, packed in known]
+    files = [(file, file.fingerprint) for file in parse_manifest(text) if file.fingerprint is not None]
+    fingerprinted = [(file, packed, moments_of(wave_of(packed))) for file, packed in files]
     return [
         (file.path, SoundSignature(file.pcm_sha256 or "", file.sample_rate_hz, packed, moments))
         for file, packed, moments in fingerprinted

@@ -28,20 +28,20 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `bit-depth:not-accepted` for a depth that the spec does not list."""
-    wanted = sorted(spec.accept.bit_depths or ())
+    bit_depths = sorted(spec.accept.bit_depths or ())
     depth = file.facts.bit_depth
-    if depth in wanted or file.facts.bit_rate_kbps is not None:  # what a codec keeps has no depth
+    if depth in bit_depths or file.facts.bit_rate_kbps is not None:  # what a codec keeps has no depth
         return
-    nearest = min(wanted, key=lambda accepted: (abs(accepted - depth), -accepted))
+    nearest = min(bit_depths, key=lambda accepted: (abs(accepted - depth), -accepted))
     if spec.target is not None:
         fix = f"render it again from its master to {nearest} bit"
-    elif depth < wanted[0]:
-        fix = f"export the session at {wanted[0]} bit; padding this file with zeros adds no quality"
+    elif depth < bit_depths[0]:
+        fix = f"export the session at {bit_depths[0]} bit; padding this file with zeros adds no quality"
     else:
         fix = f"export the session at {nearest} bit" + (", with dither" if nearest < depth else "")
     yield Finding(
         code="bit-depth:not-accepted",
-        message=f"bit depth {depth} bit, accepted {', '.join(map(str, wanted))} bit",
+        message=f"bit depth {depth} bit, accepted {', '.join(map(str, bit_depths))} bit",
         fix=fix,
         measured=float(depth),
         limit=float(nearest),

@@ -46,9 +46,9 @@ def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
         yield _other_layout(file, layouts)
 
 
-def _other_count(channels: int, wanted: list[int], *, of_render: bool) -> Finding:
-    nearest = min(wanted, key=lambda count: abs(count - channels))
-    accepted = " or ".join(_words(count) for count in wanted)
+def _other_count(channels: int, channel_counts: list[int], *, of_render: bool) -> Finding:
+    nearest = min(channel_counts, key=lambda count: abs(count - channels))
+    accepted = " or ".join(_words(count) for count in channel_counts)
     again = "render it again from its master" if of_render else "export it from the session"
     return Finding(
         code="channels:not-accepted",

@@ -28,11 +28,11 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `container:not-accepted` for a readable container that the spec does not list."""
-    wanted = spec.accept.containers or ()
+    accepted = spec.accept.containers or ()
     container = file.facts.container
-    if container not in wanted:
+    if container not in accepted:
         yield Finding(
             code="container:not-accepted",
-            message=f"container {container.upper()}, accepted {', '.join(wanted).upper()}",
-            fix=f"export the sound as {wanted[0].upper()}",
+            message=f"container {container.upper()}, accepted {', '.join(accepted).upper()}",
+            fix=f"export the sound as {accepted[0].upper()}",
         )

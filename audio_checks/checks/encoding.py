@@ -32,15 +32,15 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `encoding:not-accepted` for another encoding than listed, `encoding:bit-rate-low` and `-high`."""
-    wanted = spec.accept.encodings or ()
+    encodings = spec.accept.encodings or ()
     encoding = file.facts.encoding
-    if wanted and encoding not in wanted:
+    if encodings and encoding not in encodings:
         yield Finding(
             code="encoding:not-accepted",
-            message=f"{WORDS[encoding]} samples, accepted {' or '.join(WORDS[name] for name in wanted)}",
-            fix=f"encode it again as {WORDS[wanted[0]]}"
-            if wanted[0] in CODECS
-            else f"export with {WORDS[wanted[0]]} samples",
+            message=f"{WORDS[encoding]} samples, accepted {' or '.join(WORDS[name] for name in encodings)}",
+            fix=f"encode it again as {WORDS[encodings[0]]}"
+            if encodings[0] in CODECS
+            else f"export with {WORDS[encodings[0]]} samples",
         )
     rate_kbps, accepted = file.facts.bit_rate_kbps, spec.accept.bit_rate_kbps
     for end, limit, is_over in (("low", accepted.min, False), ("high", accepted.max, True)):

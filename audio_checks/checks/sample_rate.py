@@ -33,20 +33,20 @@ def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
 
 def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
     """Yield `sample-rate:not-accepted` for a rate that the spec does not list."""
-    wanted = sorted(spec.accept.sample_rates_hz or ())
+    sample_rates = sorted(spec.accept.sample_rates_hz or ())
     rate = file.facts.sample_rate_hz
-    if rate in wanted:
+    if rate in sample_rates:
         return
-    nearest = min(wanted, key=lambda accepted: abs(accepted - rate))
+    nearest = min(sample_rates, key=lambda accepted: abs(accepted - rate))
     if spec.target is not None:
         fix = f"render it again from its master to {nearest} Hz"
-    elif rate < wanted[0]:
-        fix = f"export the session at {wanted[0]} Hz; do not convert this file up, which adds no quality"
+    elif rate < sample_rates[0]:
+        fix = f"export the session at {sample_rates[0]} Hz; do not convert this file up, which adds no quality"
     else:
         fix = f"export the session at {nearest} Hz"
     yield Finding(
         code="sample-rate:not-accepted",
-        message=f"sample rate {rate} Hz, accepted {', '.join(map(str, wanted))} Hz",
+        message=f"sample rate {rate} Hz, accepted {', '.join(map(str, sample_rates))} Hz",
         fix=fix,
         measured=float(rate),
         limit=float(nearest),

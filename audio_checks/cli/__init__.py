@@ -45,8 +45,10 @@ class _Parser(argparse.ArgumentParser):
         if "ignored explicit argument" in message:
             message += "; a name that begins with - comes after --"
         if unknown := re.match(r"argument COMMAND: invalid choice: '(.*?)' \(", message):
-            known = ", ".join(COMMANDS)
-            message = f'no command "{unknown[1]}"; the nearest is {_nearest(unknown[1], COMMANDS)}; commands: {known}'
+            command_names = ", ".join(COMMANDS)
+            message = (
+                f'no command "{unknown[1]}"; the nearest is {_nearest(unknown[1], COMMANDS)}; commands: {command_names}'
+            )
         raise UsageError(f"{message}\n{self.format_usage().strip()}")
 
 
@@ -85,9 +87,9 @@ def options_of(arguments: Sequence[str]) -> argparse.Namespace:
     """Return the options of a command line; UsageError for one that cannot be understood."""
     options, unknown = parser_of([name for name in COMMANDS if name in arguments]).parse_known_args(arguments)
     if unknown:
-        known = [name for action in options.parser._actions for name in action.option_strings if len(name) > 2]
+        option_names = [name for action in options.parser._actions for name in action.option_strings if len(name) > 2]
         near = [
-            f"{argument.partition('=')[0]}; the nearest is {_nearest(argument.partition('=')[0], known)}"
+            f"{argument.partition('=')[0]}; the nearest is {_nearest(argument.partition('=')[0], option_names)}"
             if argument.startswith("--")
             else argument
             for argument in unknown
@@ -96,8 +98,8 @@ def options_of(arguments: Sequence[str]) -> argparse.Namespace:
     return options
 
 
-def _nearest(word: str, known: Iterable[str]) -> str:
-    return get_close_matches(word[:60], list(known), n=1, cutoff=0.0)[0]
+def _nearest(word: str, names: Iterable[str]) -> str:
+    return get_close_matches(word[:60], list(names), n=1, cutoff=0.0)[0]
 
 
 def parser_of(names: Sequence[str] = tuple(COMMANDS)) -> argparse.ArgumentParser:

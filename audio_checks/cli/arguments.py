@@ -148,8 +148,8 @@ def spec_for(path: str, finder: SpecFinder, options: argparse.Namespace) -> Deli
     """Return the spec of one file; UsageError when it lacks what the command line names."""
     spec = finder.spec_of(path)
     if options.category is not None and (spec is None or options.category not in spec.categories):
-        known = ", ".join(spec.categories) if spec and spec.categories else "none"
-        raise UsageError(f'no category "{options.category}"; categories of the spec: {known}')
+        category_names = ", ".join(spec.categories) if spec and spec.categories else "none"
+        raise UsageError(f'no category "{options.category}"; categories of the spec: {category_names}')
     if spec is None and options.target is not None:
         raise UsageError(f"--target needs a spec, and there is none for {path}")
     return spec

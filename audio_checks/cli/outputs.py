@@ -12,13 +12,13 @@ from audio_checks.cli.terminal import in_colour
 class Outputs:
     """The formats that were asked for, and the place of each."""
 
-    def __init__(self, asked: list[str] | None, known: Sequence[str]) -> None:
+    def __init__(self, asked: list[str] | None, formats: Sequence[str]) -> None:
         self._places: list[tuple[str, str]] = []
         for output in asked or ["text"]:
             name, _, path = output.partition(":")
             path = "" if path == "-" else path
-            if name not in known:
-                raise UsageError(f'no format "{name}"; formats: {", ".join(known)}')
+            if name not in formats:
+                raise UsageError(f'no format "{name}"; formats: {", ".join(formats)}')
             self._places.append((name, path))
         alone = [path for name, path in self._places if path or not reporters.goes_beside(name)]
         if len(set(alone)) < len(alone) or len(set(self._places)) < len(self._places):

@@ -19,11 +19,11 @@ def write_pages(folder: str | Path) -> None:
     """Write every page into a folder, and remove the pages of checks that are gone."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    wanted = pages()
+    texts_by_page = pages()
     for stale in folder.glob("*.md"):
-        if stale.name not in wanted:
+        if stale.name not in texts_by_page:
             stale.unlink()
-    for name, text in wanted.items():
+    for name, text in texts_by_page.items():
         (folder / name).write_text(text, encoding="utf-8")
 
 

@@ -71,14 +71,14 @@ def pattern_admitting(pattern: str, names: Iterable[str]) -> str | None:
 
     Words of the letters that the names use are joined by the marks that they use.
     """
-    wanted = list(dict.fromkeys(names))
+    distinct_names = list(dict.fromkeys(names))
     old = patterns.compiled(pattern)
-    used = set("".join(wanted))
+    used = set("".join(distinct_names))
     accented = sorted(letter for letter in used if not letter.isascii() and letter.isalnum())
     classes = "".join(span for span in _LETTERS if _uses(used, span) or old.matches(span[0]) or old.matches(span[-1]))
     marks = "".join(mark for mark in "_.-" if mark in used or old.matches(f"a{mark}a") or old.matches(f"a{mark}1"))
     others = {letter for letter in used if not letter.isalnum() and letter not in "_.-"}
-    if not wanted or others or not classes:
+    if not distinct_names or others or not classes:
         return None
     word = f"[{classes}{''.join(accented)}]+"
     joined = marks.replace(".", r"\.") if len(marks) == 1 else f"[{marks}]"
@@ -87,7 +87,7 @@ def pattern_admitting(pattern: str, names: Iterable[str]) -> str | None:
         made = patterns.compiled(proposed)
     except patterns.PatternUnsupported:
         return None
-    return proposed if all(made.matches(name) for name in wanted) else None
+    return proposed if all(made.matches(name) for name in distinct_names) else None
 
 
 def _uses(used: set[str], span: str) -> bool:

@@ -57,9 +57,13 @@ def _is_valid(name: str, spec: DeliverySpec) -> bool:
 
 def _candidates(name: str, spec: DeliverySpec) -> Iterator[str]:
     stem, alternate, _, extension = parse_file_name(name)
-    wanted = spec.naming.extension
-    is_wav = wanted is not None and {wanted.lower(), extension.lower()} <= WAV_ENDINGS
-    ending = wanted if wanted is not None and (is_wav or wanted.lower() == extension.lower()) else extension
+    wanted_extension = spec.naming.extension
+    is_wav = wanted_extension is not None and {wanted_extension.lower(), extension.lower()} <= WAV_ENDINGS
+    ending = (
+        wanted_extension
+        if wanted_extension is not None and (is_wav or wanted_extension.lower() == extension.lower())
+        else extension
+    )
     mark = f"__alt{alternate}" if alternate is not None and spec.target is None else ""
     lower = word_slug(stem)
     joined = "_".join(re.findall(r"[A-Za-z0-9]+", without_format_suffix(stem)))

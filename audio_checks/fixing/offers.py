@@ -118,11 +118,11 @@ def accepted_depth(report: FileReport, spec: DeliverySpec) -> int | None:
     if depth is None or (spec.accept.encodings is not None and "pcm" not in spec.accept.encodings):
         return None
     most = MOST_FIXED_BITS if encoding == "float" else depth
-    wanted = spec.accept.bit_depths
-    if wanted is None:
+    bit_depths = spec.accept.bit_depths
+    if bit_depths is None:
         return min(most, MOST_FIXED_BITS)
     return max(
-        (accepted for accepted in wanted if accepted <= most and (encoding == "float" or accepted < depth)),
+        (accepted for accepted in bit_depths if accepted <= most and (encoding == "float" or accepted < depth)),
         default=None,
     )
 

@@ -65,10 +65,10 @@ class Plan:
         return replace(self, removes_offset=False, keeps_offset=why, answers=answers)
 
     def _with(self, kind: RepairKind, finding: Finding) -> "Plan":
-        known = self.answers.get(kind, ())
-        if any(known_finding.code == finding.code for known_finding in known):
+        answers = self.answers.get(kind, ())
+        if any(known_finding.code == finding.code for known_finding in answers):
             return self
-        return replace(self, answers={**self.answers, kind: (*known, finding)})
+        return replace(self, answers={**self.answers, kind: (*answers, finding)})
 
     def _trimmed(self, end: Literal["head", "tail"], finding: Finding, report: FileReport) -> "Plan":
         over = offers.frames_over(finding, report)

@@ -292,8 +292,8 @@ def _with_categories(
     cues = []
     for (file_name, group), word, tree, plays in zip(kept, words, trees, of_group, strict=True):
         folders = [_category(folder) for folder in tree or group[0].folders]
-        own = [folder for folder in folders[shared_of_tree if tree else shared :] if folder]
-        category = next((known[folder] for folder in folders if folder in known), own[0] if own else "")
+        own_levels = [folder for folder in folders[shared_of_tree if tree else shared :] if folder]
+        category = next((known[folder] for folder in folders if folder in known), own_levels[0] if own_levels else "")
         if not category and word and counts[word] >= SHARED_PREFIX_FILES:
             category = word
         name = re.sub(r"[\s_.\-]+", " ", file_name).strip() or file_name

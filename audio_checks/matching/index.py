@@ -155,9 +155,9 @@ class NameIndex:
         for slot in [*slots, *others]:
             why = slot.doubt or ("the name fits" if len(slots) == 1 else "the name fits more than one cue")
             guesses.setdefault(slot.hit.cue.key, Guess(slot.hit.cue.key, slot.variation, why))
-        own = read.tokens[read.first :]
-        words = [token for token_index, token in enumerate(own, read.first) if token_index not in read.markers]
-        for index, why in self._likenesses.nearest(words or own, read.tokens[: read.first], GUESSES):
+        own_tokens = read.tokens[read.first :]
+        words = [token for token_index, token in enumerate(own_tokens, read.first) if token_index not in read.markers]
+        for index, why in self._likenesses.nearest(words or own_tokens, read.tokens[: read.first], GUESSES):
             cue = self._cues[index]
             guesses.setdefault(cue.key, Guess(cue.key, _last_number(words, cue), why))
         return list(guesses.values())[:GUESSES]
@@ -167,12 +167,16 @@ class NameIndex:
         followed: dict[str, set[Hashable]] = defaultdict(set)
         for path in paths:
             read = read_name(path)
-            own = [token for index, token in enumerate(read.tokens) if index >= read.first]
-            if len(own) < 2 or own[0].is_number or not may_be_shared(own[0].text, self._vocabulary):
+            own_tokens = [token for index, token in enumerate(read.tokens) if index >= read.first]
+            if (
+                len(own_tokens) < 2
+                or own_tokens[0].is_number
+                or not may_be_shared(own_tokens[0].text, self._vocabulary)
+            ):
                 continue
-            match = self.sure(path, prefixes=(own[0].text,))
+            match = self.sure(path, prefixes=(own_tokens[0].text,))
             if match is not None:
-                followed[own[0].text].add(match.cue)
+                followed[own_tokens[0].text].add(match.cue)
         return frozenset(word for word, cues in followed.items() if len(cues) >= SHARED_FROM)
 
     def _decided(
@@ -180,9 +184,9 @@ class NameIndex:
     ) -> tuple[list[_Slot], list[_Slot]]:
         """Return the slots that explain the whole name, of which a single one without doubt is sure; and others."""
         hits = self._hits(read)
-        known = self._own_words | people_words(people)
+        known_words = self._own_words | people_words(people)
         labelled = self._labelled(read)
-        slots = [self._slot(read, hit, known, frozenset(prefixes), labelled) for hit in hits]
+        slots = [self._slot(read, hit, known_words, frozenset(prefixes), labelled) for hit in hits]
         whole = [slot for slot in slots if not slot.doubt]
         if labelled and not whole and all(index in read.markers or index in labelled[1] for index in _own(read)):
             cue, places = labelled
@@ -222,8 +226,8 @@ class NameIndex:
 
     def _hits_of_folders(self, read: Reading) -> list[_Hit]:
         """Return the sets whose name is the end of the folders, where the file has only the number of a variation."""
-        own = [index for index in _own(read) if index not in read.markers]
-        if len(own) != 1 or not read.tokens[own[0]].is_number:
+        own_indices = [index for index in _own(read) if index not in read.markers]
+        if len(own_indices) != 1 or not read.tokens[own_indices[0]].is_number:
             return []
         hits = []
         for start in range(read.first):
@@ -250,7 +254,7 @@ class NameIndex:
         self,
         read: Reading,
         hit: _Hit,
-        known: frozenset[str],
+        known_words: frozenset[str],
         prefixes: frozenset[str],
         labelled: tuple[ListedCue, frozenset[int]] | None,
     ) -> _Slot:
@@ -277,9 +281,11 @@ class NameIndex:
             left.remove(after)
         before = [index for index in left if index < min(hit.places)]
         behind = [index for index in left if index > min(hit.places)]
-        unexplained = unexplained_before(read, hit.places, before, hit.cue.category, known, prefixes, self._vocabulary)
+        unexplained = unexplained_before(
+            read, hit.places, before, hit.cue.category, known_words, prefixes, self._vocabulary
+        )
         if behind and not is_ucs_name(read, hit.places, behind, self._vocabulary):
-            unexplained += [index for index in behind if read.tokens[index].text not in known - self._vocabulary]
+            unexplained += [index for index in behind if read.tokens[index].text not in known_words - self._vocabulary]
         if unexplained:
             rest = " ".join(read.tokens[index].written for index in sorted(unexplained))
             return _Slot(hit, variation, f'it has the name, and "{rest}" in addition')

@@ -36,23 +36,23 @@ def unexplained_before(
     hit: Collection[int],
     before: Sequence[int],
     category: str,
-    known: Collection[str],
+    known_words: Collection[str],
     prefixes: Collection[str],
     vocabulary: Collection[str],
 ) -> list[int]:
     """Return the places before the name of a cue that nothing explains."""
-    own = [index for index in before if index >= read.first]
+    own_indices = [index for index in before if index >= read.first]
     after_id = _after_cat_id(read, hit)
     if after_id:
-        own = [index for index in own if index >= after_id]
+        own_indices = [index for index in own_indices if index >= after_id]
     of_category = {token.text for token in tokens_of(plain(category))}
     is_shouted = all(read.tokens[index].written.isupper() for index in hit if not read.tokens[index].is_number)
     unexplained = []
-    for token_index in own:
+    for token_index in own_indices:
         word = read.tokens[token_index].text
         if word in PREFIX_WORDS or word in of_category or word in prefixes:
             continue
-        if word in known and word not in vocabulary:
+        if word in known_words and word not in vocabulary:
             continue
         is_first = token_index == read.first
         if (
@@ -97,9 +97,9 @@ def is_ucs_name(read: Reading, hit: Collection[int], behind: Sequence[int], voca
     """Whether what stands behind a name are the creator and the source of a UCS name: CatID_FXName_CREATOR_SOURCE."""
     if _after_cat_id(read, hit) is None or not 1 <= len(behind) <= MOST_UCS_BLOCKS:
         return False
-    own = [index for index in hit if index >= read.first]
-    is_shouted = all(read.tokens[index].written.isupper() for index in own if not read.tokens[index].is_number)
-    if is_shouted and "_" in read.stem[read.tokens[min(own)].start : read.tokens[max(own)].end]:
+    own_indices = [index for index in hit if index >= read.first]
+    is_shouted = all(read.tokens[index].written.isupper() for index in own_indices if not read.tokens[index].is_number)
+    if is_shouted and "_" in read.stem[read.tokens[min(own_indices)].start : read.tokens[max(own_indices)].end]:
         return False
     return all(
         read.tokens[index].written.isupper()

@@ -163,13 +163,13 @@ def read_name(path: str) -> Reading:
     stem = without_ending(name)
     near = folders[-FOLDERS_READ:]
     before = [token for index, folder in enumerate(near) for token in tokens_of(folder, len(near) - index)]
-    own = tokens_of(stem)[:MOST_TOKENS]
+    own_tokens = tokens_of(stem)[:MOST_TOKENS]
     before = before[-MOST_TOKENS:]
-    markers, groups, after, alternate = _markers(stem, own)
+    markers, groups, after, alternate = _markers(stem, own_tokens)
     first = len(before)
     return Reading(
         stem=stem,
-        tokens=(*before, *own),
+        tokens=(*before, *own_tokens),
         first=first,
         markers={first + index: kind for index, kind in markers.items()},
         groups={first + index: group for index, group in groups.items()},

@@ -111,12 +111,12 @@ def _natural(sound: NDArray[np.float64], gap: int, near: int) -> bool:
     count = len(later) - gap - PREDICTS
     if count <= 2 * PREDICTS:
         return False
-    wanted, known = later[:count], _lagged(later, gap + 1, count)
-    products = known @ known.T
+    targets, history = later[:count], _lagged(later, gap + 1, count)
+    products = history @ history.T
     products[np.diag_indices(PREDICTS)] += 1e-9 * np.trace(products) + 1e-15
-    weights = np.linalg.solve(products, known @ wanted)
+    weights = np.linalg.solve(products, history @ targets)
     largest = float(np.abs(sound[:near]).max())
-    error = _rms(wanted - weights @ known)
+    error = _rms(targets - weights @ history)
     if error > PREDICTED * largest:
         return False
     margin = max(3, gap)

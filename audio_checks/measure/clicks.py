@@ -228,9 +228,9 @@ class Clicks:
         Cell 0 starts at frame `origin`, `before` is the cell that the first of `cells` is, `total` the next to come.
         """
         dull = max(1, round(self._cell / DULL_FRAMES))  # frames that are taken as one
-        known = total - BURST - 1 - -(-self._around(dull) // self._cell)
-        ready = strongest([candidate for candidate in self._candidates if candidate.cell < known])
-        self._candidates = [candidate for candidate in self._candidates if candidate.cell >= known]
+        decided_cells = total - BURST - 1 - -(-self._around(dull) // self._cell)
+        ready = strongest([candidate for candidate in self._candidates if candidate.cell < decided_cells])
+        self._candidates = [candidate for candidate in self._candidates if candidate.cell >= decided_cells]
         for (channel, rules), alike in groupby(ready, key=itemgetter(0, 1)):
             doubts, sharpness = list(alike), cells.sharpness[channel]
             for rule in rules:

@@ -69,12 +69,12 @@ class Faults:
         detectors: Iterable[str] = tuple(DETECTORS),
         survey: Survey | None = None,
     ) -> None:
-        wanted = frozenset(detectors)
+        detector_set = frozenset(detectors)
         self._cell = cell_frames(sample_rate_hz)
-        self._sums_suffice = wanted <= SUMS_SUFFICE and self._cell >= LEAST_CELL
+        self._sums_suffice = detector_set <= SUMS_SUFFICE and self._cell >= LEAST_CELL
         cells_per_s = sample_rate_hz / self._cell
         most = MOST_SAMPLES // channels
-        history_s = 0.0 if wanted <= CELLS_SUFFICE else HISTORY_S
+        history_s = 0.0 if detector_set <= CELLS_SUFFICE else HISTORY_S
         self._history = _whole(max(HISTORY, min(math.ceil(history_s * sample_rate_hz), most // 2)), ROW_FRAMES)
         self._silence = Clicks.LATE * self._cell  # that follows the sound
         wanted_frames = max(min(STRETCH_FRAMES, most // 2, frames), self._silence)
@@ -87,18 +87,18 @@ class Faults:
         self._maxima[:, : self._history // ROW_FRAMES] = 0.0
         self._survey = survey or Survey()
         self._decoded: NDArray[np.float64] | None = None  # a block in its final place
-        self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in wanted else None
+        self._hum = Hum(channels, cells_per_s, frames // self._cell, self._cell) if "hum" in detector_set else None
         kept_sums = self._hum.back if self._hum else 0
         self._cells = CellStream(channels, self._cell, CELLS_KEPT, kept_sums, self._stretch // self._cell)
         self._known: tuple[NDArray[np.float64], int] | None = None  # what was measured while it was decoded, its cells
         self._end = self._history  # of what is known of the samples
         self._frame = -self._history  # the position in the signal of the first of them
         self._peak = 0.0
-        self._clicks = Clicks(self._cell, cells_per_s, step) if "clicks" in wanted else None
-        self._dropouts = Dropouts(channels, cells_per_s, step) if "dropouts" in wanted else None
-        self._repeats = Repeats(sample_rate_hz, step) if "repeats" in wanted else None
-        self._flat_tops = FlatTops(sample_rate_hz, channels, step) if "flat_tops" in wanted else None
-        self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in wanted else None
+        self._clicks = Clicks(self._cell, cells_per_s, step) if "clicks" in detector_set else None
+        self._dropouts = Dropouts(channels, cells_per_s, step) if "dropouts" in detector_set else None
+        self._repeats = Repeats(sample_rate_hz, step) if "repeats" in detector_set else None
+        self._flat_tops = FlatTops(sample_rate_hz, channels, step) if "flat_tops" in detector_set else None
+        self._noise = NoiseFloor(channels, self._cell) if "noise_floor" in detector_set else None
         self.errors: dict[str, Exception] = {}  # of detectors that failed: the others go on
 
     def room(self) -> int:

@@ -119,5 +119,5 @@ def stereo(sides: Floats, rows: Rows) -> tuple[Floats, float, float]:
 
 
 def _mean(values: Floats) -> float:
-    known = values[~np.isnan(values)]
-    return float(known.mean()) if len(known) else math.nan
+    measured = values[~np.isnan(values)]
+    return float(measured.mean()) if len(measured) else math.nan

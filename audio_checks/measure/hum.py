@@ -124,11 +124,13 @@ class _Windows:
 
     def add(self, sums: NDArray[np.float64], first: int) -> None:
         """Take sums of which the first is that of the cell `first`; all that a window still needs are among them."""
-        known = max(0, (first + sums.shape[1] - self._length) // self._hop + 1)
-        if known > self._known:
+        complete_windows = max(0, (first + sums.shape[1] - self._length) // self._hop + 1)
+        if complete_windows > self._known:
             start = self._known * self._hop - first
-            self._window_powers.by_bin(sums, first=start, hop=self._hop, powers=self._powers[:, self._known : known])
-            self._known = known
+            self._window_powers.by_bin(
+                sums, first=start, hop=self._hop, powers=self._powers[:, self._known : complete_windows]
+            )
+            self._known = complete_windows
 
     def loudest(self) -> tuple[float, float]:
         """Return the power of the loudest hum of any channel, 0 without one, and its mains frequency."""
@@ -171,9 +173,9 @@ class _Windows:
 
     def _line(self, spectrum: list[float], wanted_hz: float) -> tuple[float, float] | None:
         """Return the position of a line near a frequency, and its power; None if nothing stands out."""
-        wanted = wanted_hz / self._bin_hz
-        reach = max(1.0, OFF * wanted)
-        first, last = math.floor(wanted - reach), math.ceil(wanted + reach)
+        bin_position = wanted_hz / self._bin_hz
+        reach = max(1.0, OFF * bin_position)
+        first, last = math.floor(bin_position - reach), math.ceil(bin_position + reach)
         if last + 2 > len(spectrum):
             return None
         power = max(spectrum[first : last + 1])

@@ -92,8 +92,8 @@ def surroundings(cells: Cells, places: Sequence[tuple[int, int]], before: int, c
     """
     by_cell: dict[tuple[int, int], Surroundings] = {}
     for channel in {channel for _, channel in places}:
-        own = np.array([cell - before for cell, other in places if other == channel], np.int64)
-        for cell, around in zip(own.tolist(), _around(cells, own, cell_frames, channel), strict=True):
+        own_cells = np.array([cell - before for cell, other in places if other == channel], np.int64)
+        for cell, around in zip(own_cells.tolist(), _around(cells, own_cells, cell_frames, channel), strict=True):
             by_cell[cell + before, channel] = around
     return [by_cell[position] for position in places]
 

@@ -188,11 +188,13 @@ class Survey:
         self._sums, self._peaks, self._highest = figures[:, :2], figures[:, 2], None
         used = broken = done = 0
         for raw in pieces:
-            known = done + len(raw) // (channels * container_bits // 8)
-            rows = room.maxima[:, done // ROW_FRAMES : -(-known // ROW_FRAMES)]
+            frames_known = done + len(raw) // (channels * container_bits // 8)
+            rows = room.maxima[:, done // ROW_FRAMES : -(-frames_known // ROW_FRAMES)]
             cells = room.cells
             if cells is not None:
-                cells = cells[:, done // room.cell_frames : known // room.cell_frames if known < frames else None]
+                cells = cells[
+                    :, done // room.cell_frames : frames_known // room.cell_frames if frames_known < frames else None
+                ]
             hops, hop, at = self._stereo.place() if self._stereo else (None, 1, 0)
             bits, broken = kernel.survey(
                 raw,
@@ -210,8 +212,8 @@ class Survey:
             )
             used |= bits
             if self._stereo:
-                self._stereo.frames += known - done
-            done = known
+                self._stereo.frames += frames_known - done
+            done = frames_known
             if broken:
                 break
         self._block = room.samples[:, room.first : room.first + frames].T

@@ -136,11 +136,11 @@ def _slopes(course: Course) -> list[float]:
             slopes[~(active[:, :last] & active[:, rows - 1 :])] = np.inf
             slopes.sort(axis=1)
             counts = np.isfinite(slopes).sum(axis=1)
-            known = np.flatnonzero(counts >= 3)
-            places = np.rint(np.outer(counts[known] - 1, QUANTILES)).astype(int)
-            picked = np.take_along_axis(slopes[known], places, axis=1)
-            table[known, :-1] = np.sign(picked) * np.log1p(10 * np.abs(picked))
-            table[known, -1] = (slopes[known] < 0).sum(axis=1) / counts[known]
+            counted_bands = np.flatnonzero(counts >= 3)
+            places = np.rint(np.outer(counts[counted_bands] - 1, QUANTILES)).astype(int)
+            picked = np.take_along_axis(slopes[counted_bands], places, axis=1)
+            table[counted_bands, :-1] = np.sign(picked) * np.log1p(10 * np.abs(picked))
+            table[counted_bands, -1] = (slopes[counted_bands] < 0).sum(axis=1) / counts[counted_bands]
         features += [*table.ravel(), *_over_octaves(table)]
     return features
 

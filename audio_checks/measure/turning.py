@@ -42,9 +42,11 @@ def features_of(decay: DecayFigures) -> Floats | None:
     heard = ~np.isnan(levels[0])
     table[heard] = _leans_of(levels[:, heard])
     octaves = table[:_WIDE]
-    known = octaves[~np.isnan(octaves[:, 0])]
+    measured = octaves[~np.isnan(octaves[:, 0])]
     over = (
-        np.concatenate((np.median(known, axis=0), known.mean(axis=0))) if len(known) else np.full(2 * _EACH, math.nan)
+        np.concatenate((np.median(measured, axis=0), measured.mean(axis=0)))
+        if len(measured)
+        else np.full(2 * _EACH, math.nan)
     )
     return np.concatenate((table[_WIDE], over, octaves[:, 1], _between(levels)))
 
@@ -129,18 +131,18 @@ def _leans_of(levels: Floats) -> Floats:
 
 def _between(levels: Floats) -> list[float]:
     """Return the octaves' joint course: starts and ends at once, and the place of the highs in time."""
-    known = [index for index in range(_WIDE) if not np.isnan(levels[0, index])]
-    if len(known) < 2:
+    measured = [index for index in range(_WIDE) if not np.isnan(levels[0, index])]
+    if len(measured) < 2:
         return [math.nan] * 2
     starts, ends = [], []
-    for band in known:
+    for band in measured:
         loud = np.flatnonzero(levels[:, band] > levels[:, band].max() - 15)
         starts.append(float(loud[0]))
         ends.append(float(loud[-1]))
     together = math.log((np.std(ends) + 1) / (np.std(starts) + 1))
     rows = np.linspace(-1, 1, len(levels))
-    powers = 10 ** (levels[:, known] / 10)
+    powers = 10 ** (levels[:, measured] / 10)
     centres = (rows @ powers) / powers.sum(axis=0)
-    order = np.arange(len(known)) - (len(known) - 1) / 2
+    order = np.arange(len(measured)) - (len(measured) - 1) / 2
     tilt = float(order @ centres / (order @ order))
     return [together, tilt]

@@ -189,8 +189,11 @@ class _Reading:
     def _above(self, fmod_object: _Object) -> list[_Object]:
         if fmod_object.kind == "Event":
             plays = self._nested.get(fmod_object.id, [])
-            own = self._objects.get(fmod_object.first("mixerInput"))
-            return [*plays, *([own] if own is not None and (fmod_object.relations.get("banks") or not plays) else [])]
+            own_input = self._objects.get(fmod_object.first("mixerInput"))
+            return [
+                *plays,
+                *([own_input] if own_input is not None and (fmod_object.relations.get("banks") or not plays) else []),
+            ]
         if fmod_object.kind == "EventMixerMaster":
             event = self._events.get(fmod_object.file)
             return [event] if event is not None else []

@@ -250,11 +250,11 @@ class _Reading:
         for key, text in section.properties.items():
             if _STREAM.fullmatch(key) or key in ("audio_stream", "stream"):
                 volume_key = f"{key.partition('/')[0]}/volume"
-                own = gain(
+                own_gain = gain(
                     object_path, volume_key, number(section.properties.get(volume_key)), resources.file, section.line
                 )
                 for sound, more, others, is_random in self._sounds(text, resources, depth + 1):
-                    yield sound, more + own, others + depends, is_random or kind == "AudioStreamRandomizer"
+                    yield sound, more + own_gain, others + depends, is_random or kind == "AudioStreamRandomizer"
 
     def _of_holder(self, scene: _Scene, path: str, node: _Node) -> Iterator[PlayedSound]:
         """Yield the files that a node other than a player holds: its script plays them."""
@@ -336,8 +336,8 @@ class _Buses:
         section = self._effects.get(reference(text)[1])
         kind = text_of(section.header.get("type", "")) if section is not None else ""
         if section is not None and kind == "AudioEffectAmplify":
-            own = number(section.properties.get("volume_db"))
-            return gain(f"{bus_path}: {kind}", "volume_db", own, self._file, section.line), ()
+            volume_db = number(section.properties.get("volume_db"))
+            return gain(f"{bus_path}: {kind}", "volume_db", volume_db, self._file, section.line), ()
         if kind in ("AudioEffectSpectrumAnalyzer", "AudioEffectRecord", "AudioEffectCapture", ""):
             return (), ()
         return (), (Dependency(bus_path, "effect", "effect", kind),)

@@ -290,12 +290,12 @@ def _field_before(text: str, at: int) -> str:
 def _container(holder: _Holder, document: Document) -> list[tuple[str, tuple[Part, ...]]]:
     """Return the clips of a random container, with the container's gain and each one's own, in dB."""
     name = f"{holder.file}: {value(document.text, 'm_Name')}"
-    own = _element_gain(holder, document, name)
+    own_gain = _element_gain(holder, document, name)
     clips = []
     for element in holder.documents.values():
         if element.kind == "AudioContainerElement":
             element_gain = _element_gain(holder, element, f"{name}, element")
-            clips.append((flow(element.text, "m_AudioClip")[1], element_gain + own))
+            clips.append((flow(element.text, "m_AudioClip")[1], element_gain + own_gain))
     return clips
 
 

@@ -19,8 +19,8 @@ def properties_of(element: ET.Element) -> Iterator[tuple[str, ET.Element]]:
 
 def value_of(property_: ET.Element) -> str:
     """Return the value of a property that counts for all platforms, else the first."""
-    if (own := property_.get("Value")) is not None:
-        return own
+    if (own_value := property_.get("Value")) is not None:
+        return own_value
     values = property_.findall("ValueList/Value")
     shared = next((value for value in values if "Platform" not in value.attrib), values[0] if values else None)
     return (shared.text or "").strip() if shared is not None else ""

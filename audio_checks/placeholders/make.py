@@ -304,8 +304,8 @@ def _leveled(samples: NDArray[np.float64], view: DeliverySpec, form: _Form) -> N
         (limits.true_peak_dbtp or 0.0) - UNDER_LIMIT_DB,
     )
     sound = samples * (gain_of(peak_dbfs) / max(float(np.abs(samples).max()), 1e-9))
-    wanted = limits.loudness_lufs
-    if not wanted:
+    loudness_limits = limits.loudness_lufs
+    if not loudness_limits:
         return sound
     meter = Loudness(form.sample_rate_hz, form.channels, len(sound))
     meter.add(np.repeat(sound[:, np.newaxis], form.channels, axis=1))
@@ -313,8 +313,8 @@ def _leveled(samples: NDArray[np.float64], view: DeliverySpec, form: _Form) -> N
     loudness = figures["integrated_lufs"]
     if loudness is None or not math.isfinite(loudness):
         loudness = figures["short_loudness_lufs"]
-    low = loudness if wanted.min is None else wanted.min + INSIDE_LU
-    high = loudness if wanted.max is None else wanted.max - INSIDE_LU
+    low = loudness if loudness_limits.min is None else loudness_limits.min + INSIDE_LU
+    high = loudness if loudness_limits.max is None else loudness_limits.max - INSIDE_LU
     ceiling_db = min(limits.sample_peak_dbfs or 0.0, limits.true_peak_dbtp or 0.0) - UNDER_LIMIT_DB - peak_dbfs
     change_db = min(max(loudness, low), max(high, low)) - loudness
     return sound * gain_of(round(min(change_db, ceiling_db), 3))  # no machine's logarithm shows in the bytes

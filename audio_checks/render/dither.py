@@ -143,11 +143,11 @@ class _Shaper:
         silent: NDArray[np.uint8],
         noise: Requantisation,
     ) -> NDArray[np.int64]:
-        wanted = rows * scale
-        steps = wanted.copy()
+        scaled = rows * scale
+        steps = scaled.copy()
         triangular = ((words >> 32).astype(np.float64) - (words & 0xFFFFFFFF)) * 2.0**-32
-        shaped_steps(steps, np.ascontiguousarray(triangular.reshape(wanted.T.shape).T), silent, WEIGHTS, self._errors)
-        noise.add((steps - wanted) / scale)
+        shaped_steps(steps, np.ascontiguousarray(triangular.reshape(scaled.T.shape).T), silent, WEIGHTS, self._errors)
+        noise.add((steps - scaled) / scale)
         return steps.T.astype(np.int64)
 
 

@@ -79,11 +79,16 @@ def _paged(packets: Sequence[bytes]) -> Iterator[Page]:
         segments += bytes([SEGMENT_BYTES]) * (len(packet) // SEGMENT_BYTES) + bytes([len(packet) % SEGMENT_BYTES])
     at, goes_on = 0, False
     for begin in range(0, len(segments), MOST_SEGMENTS):
-        own = segments[begin : begin + MOST_SEGMENTS]
-        ends = any(segment < SEGMENT_BYTES for segment in own)
-        yield Page(CONTINUED if goes_on else 0, 0 if ends else NO_PACKET_ENDS, own, payload[at : at + sum(own)])
-        at += sum(own)
-        goes_on = own[-1] == SEGMENT_BYTES
+        page_segments = segments[begin : begin + MOST_SEGMENTS]
+        ends = any(segment < SEGMENT_BYTES for segment in page_segments)
+        yield Page(
+            CONTINUED if goes_on else 0,
+            0 if ends else NO_PACKET_ENDS,
+            page_segments,
+            payload[at : at + sum(page_segments)],
+        )
+        at += sum(page_segments)
+        goes_on = page_segments[-1] == SEGMENT_BYTES
 
 
 def _packed(page: Page, serial: int, number: int) -> bytes:

@@ -161,7 +161,7 @@ def export_master(path: str | os.PathLike[str], out_path: str | os.PathLike[str]
 
 def _plain(text: str) -> str:
     """Return a text that XML and a chunk of text can hold."""
-    return "".join(one if one.isprintable() else " " for one in text).strip()
+    return "".join(character if character.isprintable() else " " for character in text).strip()
 
 
 def _bext(old: bytes, layout: wav.WavLayout, provenance: Provenance) -> bytes:
@@ -215,8 +215,8 @@ def _ixml(old: bytes, layout: wav.WavLayout, provenance: Provenance) -> bytes:
 
 
 def _say(parent: "ET.Element[str]", name: str, text: str) -> None:
-    found = parent.find(name)
-    (ET.SubElement(parent, name) if found is None else found).text = text
+    element = parent.find(name)
+    (ET.SubElement(parent, name) if element is None else element).text = text
 
 
 def _sha256(path: Path) -> str:

@@ -161,14 +161,14 @@ def _on_grid(plan: Plan, reader: "_Reader", frames_out: int, at_once: int) -> It
     heard_from = positions // plan.up + (plan.edge_in - plan.reach)
     heard_until = -(-positions // plan.up) + (plan.edge_in + plan.reach)
     for first in range(0, frames_out, plan.hop_out * at_once):
-        wanted = min(plan.hop_out * at_once, frames_out - first)
-        blocks = -(-wanted // plan.hop_out)
+        block_frames = min(plan.hop_out * at_once, frames_out - first)
+        blocks = -(-block_frames // plan.hop_out)
         stream = reader.take(first // plan.up * plan.down - plan.edge_in, (blocks - 1) * plan.hop_in + plan.block_in)
         converted = np.empty((len(stream), blocks * plan.hop_out))
         convert(stream, converted, plan.response, turns_in, turns_out, plan.hop_in, plan.hop_out, plan.edge_out)
         frames = converted.shape[1]
         hush(stream, converted, heard_from[:frames], heard_until[:frames])
-        yield converted[:, :wanted].T
+        yield converted[:, :block_frames].T
 
 
 def _drifting(plan: Plan, stretch: "_Stretch", reader: "_Reader", frames_out: int) -> Iterator[NDArray[np.float64]]:

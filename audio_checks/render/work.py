@@ -143,21 +143,21 @@ class Work:
 
     def _encode(self, coder: Coder, plain: Path, path: Path, attempt: Attempt, *, durable: bool) -> None:
         """Write the coded file, and measure what it decodes to."""
-        with wav.open_regular(plain) as wanted:
-            layout = wav.read_layout(wanted)
+        with wav.open_regular(plain) as plain_file:
+            layout = wav.read_layout(plain_file)
             coder.write(
                 plain,
                 path,
                 seed=self._seed,
-                comments=comments_of(wanted, layout, self._sound, all_chunks=self._recipe.chunks == "all"),
-                chunks=kept_chunks(wanted, layout),
+                comments=comments_of(plain_file, layout, self._sound, all_chunks=self._recipe.chunks == "all"),
+                chunks=kept_chunks(plain_file, layout),
                 durable=durable,
             )
             with open_sound(path, name=f"game{CODINGS[coder.encoding].ending}", coded=True) as decoded:
                 if decoded.layout.frames != layout.frames:
                     raise AssertionError("a codec changed how long the sound is")
                 if self._recipe.is_lossy:
-                    attempt.watch_decoded(wav.blocks(decoded.file, decoded.layout), wav.blocks(wanted, layout))
+                    attempt.watch_decoded(wav.blocks(decoded.file, decoded.layout), wav.blocks(plain_file, layout))
                 attempt.pcm_sha256 = _sound_digest(decoded.file, decoded.layout)
                 if self._loops:
                     attempt.seam = seam_of(decoded.file, decoded.layout, self._new_points)

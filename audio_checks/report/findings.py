@@ -165,10 +165,10 @@ class FileReport:
     @classmethod
     def from_dict(cls, entry: Mapping[str, Any]) -> Self:
         """Return the entry that a report holds; a figure that was -inf comes back as None."""
-        known = {key: value for key, value in entry.items() if key in _FILE_FIELDS}
+        facts = {key: value for key, value in entry.items() if key in _FILE_FIELDS}
         findings = tuple(Finding.from_dict(finding) for finding in entry.get("findings", ()))
         unjudged = tuple(Unjudged.from_dict(failed) for failed in entry.get("unjudged", ()))
-        return cls(**{**known, "findings": findings, "unjudged": unjudged})
+        return cls(**{**facts, "findings": findings, "unjudged": unjudged})
 
 
 _FILE_FIELDS = frozenset(FileReport.__dataclass_fields__)

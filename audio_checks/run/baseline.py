@@ -58,12 +58,12 @@ def add_to_baseline(path: str | Path, entries: Iterable[FileReport]) -> int:
         It cannot be written.
     """
     document: dict[str, Any] = _document(path) if Path(path).exists() else {"format": 1, "waived": []}
-    known = read_baseline(path) if document["waived"] else {}
+    waived_before = read_baseline(path) if document["waived"] else {}
     added: dict[str, dict[str, Any]] = {}
     count = 0
     for entry in sorted(entries, key=lambda file: file.path):
         sound = entry.pcm_sha256 or entry.sha256
-        new = sorted({finding.code for finding in entry.findings} - known.get(sound or "", frozenset()))
+        new = sorted({finding.code for finding in entry.findings} - waived_before.get(sound or "", frozenset()))
         if sound is None or not new or entry.verdict == "unjudged":
             continue
         count += sum(finding.code in new for finding in entry.findings)

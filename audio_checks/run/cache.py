@@ -197,8 +197,8 @@ class VerdictCache:
             before = self._prints.get(task.path)
             if before is None or not _is_lasting(entry) or _print_of(task.path) != before:
                 continue  # it changed while it was judged, or the verdict is not about its bytes
-            known = bytes.fromhex(entry.sha256) if entry.sha256 else self._hashes.get(task.path)
-            sha256 = known or _sha256(task.path)
+            digest = bytes.fromhex(entry.sha256) if entry.sha256 else self._hashes.get(task.path)
+            sha256 = digest or _sha256(task.path)
             if sha256 is None:
                 continue
             self._hashes[task.path] = sha256

@@ -119,10 +119,10 @@ def memory_use(spec: DeliverySpec, target: str, sounds: Iterable[SoundSize]) -> 
     view_of = cache(spec.for_category)
     for sound in sounds:
         view = view_of(sound.category)
-        known = uses.get(sound.category) or MemoryUse(
+        category_use = uses.get(sound.category) or MemoryUse(
             sound.category, 0, 0, 0, 0, 0, _own_budget(spec, target, sound.category)
         )
-        uses[sound.category] = _plus(known, _use(sound, view, view.targets[target]))
+        uses[sound.category] = _plus(category_use, _use(sound, view, view.targets[target]))
     total = MemoryUse(None, 0, 0, 0, 0, 0, base.targets[target].budget_bytes)
     for use in uses.values():
         total = _plus(total, use)
@@ -157,6 +157,6 @@ def _plus(memory: MemoryUse, other: MemoryUse) -> MemoryUse:
 
 def _own_budget(spec: DeliverySpec, target: str, category: str | None) -> int | None:
     """Return the budget that the spec states for a category alone: the target's own is for all of them together."""
-    own = spec.tables.get("categories", {}).get(category, {}).get("targets", {}).get(target, {})
-    budget = own.get("budget_bytes")
+    own_table = spec.tables.get("categories", {}).get(category, {}).get("targets", {}).get(target, {})
+    budget = own_table.get("budget_bytes")
     return budget if isinstance(budget, int) else None

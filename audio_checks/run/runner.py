@@ -163,7 +163,7 @@ def measure_file(
     Unreadable
         The file breaks a rule of structure.
     """
-    wanted = {preset: PRESETS[preset] for preset in presets}
+    specs = {preset: PRESETS[preset] for preset in presets}
     with AudioFile(path, name=name) as file:
         measurements = file.measurements.to_dict()
         judged, failed = make_judgements(judgements.names(), file, kind)
@@ -179,7 +179,7 @@ def measure_file(
             facts=file.facts.to_dict(),
             measurements=measurements,
             judgements={check_name: judgement.to_dict() for check_name, judgement in judged.items()},
-            loudness_presets={preset_name: preset.against(measurements) for preset_name, preset in wanted.items()},
+            loudness_presets={preset_name: preset.against(measurements) for preset_name, preset in specs.items()},
             unjudged=failed_checks(file, failed),
         )
 
@@ -352,12 +352,12 @@ def broken(path: str, error: BaseException, category: str | None = None) -> File
 
 
 def _selected(spec: DeliverySpec, cue: CueFacts | None, wanted: Iterable[str] | None) -> list[Check]:
-    known = all_checks()
-    names = list(known) if wanted is None else list(wanted)
+    checks = all_checks()
+    names = list(checks) if wanted is None else list(wanted)
     for name in names:
-        if name not in known:
+        if name not in checks:
             raise ValueError(f"no check {name!r}")
-    return [known[name] for name in names if spec.checks.get(name) != "off" and known[name].applies(spec, cue)]
+    return [checks[name] for name in names if spec.checks.get(name) != "off" and checks[name].applies(spec, cue)]
 
 
 def _judgements_of(checks: Iterable[Check]) -> tuple[str, ...]:
@@ -379,11 +379,11 @@ def _reads_coded(spec: DeliverySpec) -> bool:
 
 def _refused(path: str, error: Unreadable, spec: DeliverySpec) -> FileReport:
     if error.code == "container:flac" and path.lower().endswith(".flac"):  # valid, but not accepted
-        wanted = spec.accept.containers or ()
+        accepted = spec.accept.containers or ()
         finding = Finding(
             code=error.code,
-            message=f"container FLAC, accepted {', '.join(wanted).upper()}",
-            fix=f"export the sound as {wanted[0].upper()}" if wanted else error.fix,
+            message=f"container FLAC, accepted {', '.join(accepted).upper()}",
+            fix=f"export the sound as {accepted[0].upper()}" if accepted else error.fix,
             severity="error",
         )
         return FileReport(path, "rejected", category=spec.category, findings=(finding,))

@@ -147,8 +147,8 @@ class DeliverySpec:
         view = self.for_category(category)
         target = view.targets.get(name)
         if target is None:
-            known = ", ".join(view.targets) or "none"
-            raise SpecError(f'no target "{name}"; targets of this spec: {known}', where=f"targets.{name}")
+            target_names = ", ".join(view.targets) or "none"
+            raise SpecError(f'no target "{name}"; targets of this spec: {target_names}', where=f"targets.{name}")
         coding = target.coding
         accept = Accept(
             containers=(coding.container if coding else "wav",),
@@ -220,8 +220,8 @@ def schema() -> dict[str, Any]:
 
 def _category_tables(tables: Tables, name: str) -> Tables:
     base = {key: value for key, value in tables.items() if key not in ("categories", "files")}
-    own = tables.get("categories", {}).get(name, {})
-    return merged(base, own)
+    category_table = tables.get("categories", {}).get(name, {})
+    return merged(base, category_table)
 
 
 def _spec(tables: Tables, folder: Path | None, where: str, text: str, inside: str = "") -> DeliverySpec:
@@ -246,8 +246,8 @@ def _spec(tables: Tables, folder: Path | None, where: str, text: str, inside: st
             except SpecError as error:
                 raise placed(error, f"categories.{name}", ".") from None
             if len(warnings) < MOST_WARNINGS:
-                own = _warnings_of(view, f"{name}: ")
-                warnings += (warning for warning in own if warning.removeprefix(f"{name}: ") not in warnings)
+                view_warnings = _warnings_of(view, f"{name}: ")
+                warnings += (warning for warning in view_warnings if warning.removeprefix(f"{name}: ") not in warnings)
     except SpecError as error:
         raise placed(with_lines(error, text, inside=inside), where) from None
     return _view(tables, folder, warnings=tuple(warnings[:MOST_WARNINGS]))

@@ -47,8 +47,8 @@ class Number:
         if isinstance(value, str) and value in self.words:
             return value
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            wanted = " or ".join(["a number", *(f'"{word}"' for word in self.words)])
-            raise SpecError(f"wanted {wanted}, found {_shown(value)}", where=where)
+            expected = " or ".join(["a number", *(f'"{word}"' for word in self.words)])
+            raise SpecError(f"wanted {expected}, found {_shown(value)}", where=where)
         if not self.low <= value <= self.high:
             raise SpecError(f"{value:g} is outside {self.low:g} to {self.high:g}", where=where)
         return float(value)
@@ -76,8 +76,8 @@ class Whole:
         if isinstance(value, str) and value in self.words:
             return value
         if isinstance(value, bool) or not isinstance(value, int):
-            wanted = " or ".join(["a whole number", *(f'"{word}"' for word in self.words)])
-            raise SpecError(f"wanted {wanted}, found {_shown(value)}", where=where)
+            expected = " or ".join(["a whole number", *(f'"{word}"' for word in self.words)])
+            raise SpecError(f"wanted {expected}, found {_shown(value)}", where=where)
         if not self.low <= value <= self.high:
             raise SpecError(f"{value} is outside {self.low} to {self.high}", where=where)
         return value
@@ -152,8 +152,8 @@ class Listed:
         if self.may_be_any and value == ANY:
             return ANY
         if not isinstance(value, list):
-            wanted = 'a list or "any"' if self.may_be_any else "a list"
-            raise SpecError(f"wanted {wanted}, found {_shown(value)}", where=where)
+            expected = 'a list or "any"' if self.may_be_any else "a list"
+            raise SpecError(f"wanted {expected}, found {_shown(value)}", where=where)
         if self.may_be_any and not value:
             raise SpecError('an empty list accepts nothing; "any" accepts everything', where=where)
         _ensure_few(value, self.most, where)
@@ -377,7 +377,7 @@ def _shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-def _nearest(key: str, known: Mapping[str, object] | tuple[str, ...], before: str = "") -> str:
+def _nearest(key: str, keys: Mapping[str, object] | tuple[str, ...], before: str = "") -> str:
     from difflib import get_close_matches  # only where a mistake is reported
 
-    return f'; the nearest known is "{before}{get_close_matches(key[:60], list(known), n=1, cutoff=0.0)[0]}"'
+    return f'; the nearest known is "{before}{get_close_matches(key[:60], list(keys), n=1, cutoff=0.0)[0]}"'

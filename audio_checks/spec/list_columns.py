@@ -79,9 +79,9 @@ def guess_column(name: str, cells: Sequence[str], rates: CellContext, *, has_rat
     wrong = unreadable(field, filled, judged)
     if 2 * len(wrong) > len(filled):
         shown = ", ".join(f'"{cell[:30]}"' for cell in dict.fromkeys(wrong[:SHOWN_CELLS]))
-        wanted = FIELD_WORDS.get(field, "yes or no")
+        words = FIELD_WORDS.get(field, "yes or no")
         not_read = f"{len(wrong)} of {counted(len(filled), 'cell')} {verb(len(wrong), 'is', 'are')}"
-        return ColumnGuess(None, context, note=f"{not_read} not {wanted}: {shown}")
+        return ColumnGuess(None, context, note=f"{not_read} not {words}: {shown}")
     return ColumnGuess(field, context, note=note)
 
 

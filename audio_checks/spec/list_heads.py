@@ -154,11 +154,11 @@ def plain_head(head: str) -> str:
 
 
 def _known_heads() -> dict[str, str]:
-    known: dict[str, str] = {}
+    fields_by_head: dict[str, str] = {}
     for field, heads in HEADS.items():
         for head in (field, *heads.split("|")):
-            known.setdefault(plain_head(head), field)
-    return known
+            fields_by_head.setdefault(plain_head(head), field)
+    return fields_by_head
 
 
 _FIELD_OF = _known_heads()

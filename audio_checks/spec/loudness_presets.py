@@ -66,8 +66,8 @@ PRESETS: dict[str, LoudnessPreset] = {
 }
 
 
-def _apart(level: float | None, wanted: float) -> float | None:
-    return None if level is None or not math.isfinite(level) else level - wanted
+def _apart(level: float | None, target: float) -> float | None:
+    return None if level is None or not math.isfinite(level) else level - target
 
 
 def in_words(name: str, stands: Mapping[str, Any]) -> str:

@@ -80,7 +80,7 @@ def misfit(stem: str, tokens: Sequence[Token], separator: str) -> str | None:
     """
     parts = stem.split(separator)
     places = [(0, 0)]  # (parts read, tokens done) that the name can be read to
-    known = set(places)
+    place_set = set(places)
     stuck: dict[int, set[int]] = {}  # tokens that do not fit, by the part they were tried on
     for read, done in places:
         if (read, done) == (len(parts), len(tokens)):
@@ -96,11 +96,11 @@ def misfit(stem: str, tokens: Sequence[Token], separator: str) -> str | None:
                 stuck.setdefault(read, set()).add(done)
         else:
             stuck.setdefault(read, set())
-        new = [step for step in dict.fromkeys(steps) if step not in known]
-        known.update(new)
+        new = [step for step in dict.fromkeys(steps) if step not in place_set]
+        place_set.update(new)
         places += new
     reached = max(stuck)
-    wanted = " or ".join(f"{tokens[done].name} ({tokens[done].wanted})" for done in sorted(stuck[reached]))
+    expected = " or ".join(f"{tokens[done].name} ({tokens[done].wanted})" for done in sorted(stuck[reached]))
     if reached == len(parts):
-        return f"{wanted} is missing at the end"
-    return f'part {reached + 1} is "{parts[reached]}", wanted {wanted or "no more parts"}'
+        return f"{expected} is missing at the end"
+    return f'part {reached + 1} is "{parts[reached]}", wanted {expected or "no more parts"}'

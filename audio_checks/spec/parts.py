@@ -301,11 +301,11 @@ def _ensure_no_quality(values: Tables, encoding: str, where: str) -> None:
 def _ensure_codable(coding: Coding, rate_hz: int, where: str) -> None:
     low, high = coding.lowest_hz, coding.highest_hz
     if not low <= rate_hz <= high:
-        wanted = f"{low} Hz" if low == high else f"{low} to {high} Hz"
+        range_hz = f"{low} Hz" if low == high else f"{low} to {high} Hz"
         nearest = min(max(rate_hz, low), high)
         other = 'encoding = "vorbis"' if coding.label == "Opus" else "another encoding"
         raise SpecError(
-            f"{coding.label} is made at {wanted}, found {rate_hz} Hz; set sample_rate_hz = {nearest}, or {other}",
+            f"{coding.label} is made at {range_hz}, found {rate_hz} Hz; set sample_rate_hz = {nearest}, or {other}",
             where=f"{where}.sample_rate_hz",
         )
 

@@ -221,7 +221,7 @@ def _set_test(items: Sequence[tuple[str, Any]], flags: int, *, negated: bool) ->
 
     def holds(character: str) -> bool:
         return any(low <= character <= high for low, high in ranges) or any(
-            test(character) is wanted for test, wanted in others
+            test(character) is expected for test, expected in others
         )
 
     if flags & re.IGNORECASE:

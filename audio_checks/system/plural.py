@@ -1,14 +1,14 @@
 """Numbers with their nouns, in sentences that people read."""
 
 
-def counted(count: int, one: str, many: str | None = None) -> str:
+def counted(count: int, singular: str, many: str | None = None) -> str:
     """Return a number with its noun.
 
     Parameters
     ----------
     count : int
         How many.
-    one : str
+    singular : str
         The noun for one, such as "file".
     many : str, optional
         The noun for none and for several, where it is no added s.
@@ -18,17 +18,17 @@ def counted(count: int, one: str, many: str | None = None) -> str:
     str
         0 files, 1 file, 1,200 files.
     """
-    return f"{count:,} {one if count == 1 else many or f'{one}s'}"
+    return f"{count:,} {singular if count == 1 else many or f'{singular}s'}"
 
 
-def verb(count: int, one: str, many: str) -> str:
+def verb(count: int, singular: str, many: str) -> str:
     """Return the form of a verb that agrees with a number.
 
     Parameters
     ----------
     count : int
         How many do it.
-    one, many : str
+    singular, many : str
         The forms for one and for others, such as "is" and "are".
 
     Returns
@@ -36,4 +36,4 @@ def verb(count: int, one: str, many: str) -> str:
     str
         One of the two.
     """
-    return one if count == 1 else many
+    return singular if count == 1 else many

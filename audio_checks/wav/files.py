@@ -75,9 +75,9 @@ def read_frames(file: BinaryIO, layout: WavLayout, frames: int) -> bytes:
     Unreadable
         R1, when the file became shorter meanwhile.
     """
-    wanted = frames * layout.frame_bytes
-    raw = read_up_to(file, wanted)
-    if len(raw) < wanted:
+    wanted_bytes = frames * layout.frame_bytes
+    raw = read_up_to(file, wanted_bytes)
+    if len(raw) < wanted_bytes:
         raise shrunk()
     return raw
 

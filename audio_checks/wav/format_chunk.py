@@ -81,8 +81,8 @@ def read_format(chunk: Chunk, content: bytes) -> tuple[Format, list[StructureWar
         raise _inconsistent(f"the header says {bits} valid bits in a sample of {container_bits} bits", "bit-depth")
     container_bits = (container_bits + 7) // 8 * 8
     if container_bits not in ((8, 16, 24, 32) if tag == PCM else (32, 64)) or (tag == FLOAT and bits != container_bits):
-        kind, wanted = ("PCM", "8, 16, 24 or 32") if tag == PCM else ("float", "32 or 64")
-        raise _inconsistent(f"the header says {kind} of {bits} bits; {wanted} bits are wanted", "bit-depth")
+        kind, expected_bits = ("PCM", "8, 16, 24 or 32") if tag == PCM else ("float", "32 or 64")
+        raise _inconsistent(f"the header says {kind} of {bits} bits; {expected_bits} bits are wanted", "bit-depth")
     if block_align != channels * container_bits // 8:
         raise _inconsistent(
             f"the header says {block_align} bytes a frame, but {channels} × {container_bits} bits make"

@@ -20,17 +20,18 @@ def calendar(session: Session, actor: Actor, studio_id: UUID) -> CalendarRead:
     return calendar_of(session, studio_id)
 
 
-def save_calendar(session: Session, actor: Actor, studio_id: UUID, wanted: CalendarSave) -> CalendarRead:
+def save_calendar(session: Session, actor: Actor, studio_id: UUID, calendar_save: CalendarSave) -> CalendarRead:
     """Replace a studio's calendar, as a producer; a holiday that stays keeps the moment at which it was entered."""
     studio = ensure_producer_of(session, actor, studio_id)
-    if wanted.time_zone not in available_timezones():
+    if calendar_save.time_zone not in available_timezones():
         raise TimeZoneUnknown(
-            f'there is no time zone "{wanted.time_zone}"', fix="give a name of the IANA list, such as Europe/Berlin"
+            f'there is no time zone "{calendar_save.time_zone}"',
+            fix="give a name of the IANA list, such as Europe/Berlin",
         )
-    names = {day_off.day: day_off.name for day_off in wanted.holidays}
-    if len(names) != len(wanted.holidays):
+    names = {day_off.day: day_off.name for day_off in calendar_save.holidays}
+    if len(names) != len(calendar_save.holidays):
         raise DayNamedTwice("a day is named twice; name each holiday once")
-    studio.time_zone = wanted.time_zone
+    studio.time_zone = calendar_save.time_zone
     for holiday in holidays_of(session, {studio_id}):
         if holiday.day in names:
             holiday.name = names.pop(holiday.day)

@@ -78,19 +78,19 @@ def _save(
     person_id: UUID | None = None,
     studio_id: UUID | None = None,
 ) -> PartyDetails:
-    wanted = replace(
+    new_details = replace(
         details,
         country_code=details.country_code.upper(),
         vat_id=normalised_code(details.vat_id),
         account_number=normalised_account(details.account_number),
     )
-    if faults := list(faults_of_details(wanted)):
+    if faults := list(faults_of_details(new_details)):
         raise BadInvoiceDetails(
             faults[0][1], errors=[{"where": field, "message": message} for field, message in faults]
         )
     history = queries.invoice_details_of(session, person_id=person_id, studio_id=studio_id)
-    if newest(history) == wanted:
-        return wanted
-    session.add(InvoiceDetails(**asdict(wanted), person_id=person_id, studio_id=studio_id, saved_by=actor.person))
+    if newest(history) == new_details:
+        return new_details
+    session.add(InvoiceDetails(**asdict(new_details), person_id=person_id, studio_id=studio_id, saved_by=actor.person))
     session.flush()
-    return wanted
+    return new_details

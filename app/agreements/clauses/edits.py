@@ -84,13 +84,13 @@ def edited_clause(
     pieces = pieces_of(source, sent, fill)
     if pieces is None:
         pieces = [Piece(0, len(sent))]
-    wanted = [(line.kind, line.text) for line in word_lines]
+    edited_lines = [(line.kind, line.text) for line in word_lines]
     named = variables_in(source)
     for changeable in (terms, {}):
         edit = _Edit(sent, lines, pieces, is_plain=is_plain, currency=currency, terms=changeable)
         text = edit.text(word_lines)
         written_out = tuple(name for name in named if name not in variables_in(text))
-        if _read_back(text, sent, pieces, edit.changed, currency) == wanted:
+        if _read_back(text, sent, pieces, edit.changed, currency) == edited_lines:
             return Edited(text, edit.changed, written_out, is_changed=True)
     text = _Edit("", (), (), is_plain=is_plain, currency=currency, terms={}).text(word_lines)
     return Edited(text, {}, tuple(named), is_changed=True)
@@ -355,15 +355,15 @@ def _words(glyphs: Sequence[_Glyph], letters: Sequence[Letter]) -> str:
 
 def _value_in(name: str, words: str, currency: str) -> TermValue | None:
     """Return the value of a term that a text would write in these words; None where it is none."""
-    known = known_terms().get(name)
-    values: list[TermValue] = [choice.value for choice in known.choices] if known else []
+    term = known_terms().get(name)
+    values: list[TermValue] = [choice.value for choice in term.choices] if term else []
     if not values:
         digits = "".join(re.findall(r"\d", words))
         numbers = [int(digits), int(digits) * 10, int(digits) * 100] if 0 < len(digits) < 16 else []
         values = [*numbers, _MARKUP.sub(r"\\\1", words)]
     for value in values:
         is_written = written_term(name, value, currency) == (
-            words if not isinstance(value, str) or (known and known.choices) else _MARKUP.sub(r"\\\1", words)
+            words if not isinstance(value, str) or (term and term.choices) else _MARKUP.sub(r"\\\1", words)
         )
         if is_written and not any(faults_of_term(name, value)):
             return value

@@ -59,8 +59,8 @@ def facts_of(
     project = contract.project
     milestones, covered = milestones_of(session, contract.id), covered_cues(session, contract.id)
     prices = {each.cue_id: each.price_minor for each in covered}
-    wanted = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
-    cues = [cue for cue in wanted if cue.id in prices] if prices else wanted
+    listed_cues = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
+    cues = [cue for cue in listed_cues if cue.id in prices] if prices else listed_cues
     total_minor = sum(milestone.amount_minor for milestone in milestones) + _time_minor(terms)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     return {
@@ -92,8 +92,11 @@ def _approver(session: Session, project: Project) -> str:
     rights = approval_rights(session, project)
     people = people_by_id(session, {rights.approver_id, *rights.by_category.values()})
     name = literal(people[rights.approver_id].name)
-    own = [f"for {literal(category)} {literal(people[one].name)}" for category, one in rights.by_category.items()]
-    return f"{name} ({', '.join(own)})" if own else name
+    by_category = [
+        f"for {literal(category)} {literal(people[approver_id].name)}"
+        for category, approver_id in rights.by_category.items()
+    ]
+    return f"{name} ({', '.join(by_category)})" if by_category else name
 
 
 def ensure_open_answers_are_said(session: Session, contract: Contract, clauses: Sequence[Clause]) -> None:
@@ -186,10 +189,10 @@ def _milestone_table(
     heads = ["Milestone", "Date", "Cues", "Amount", *(["Tax"] if has_rates else [])]
     rows = [heads, ["---"] * len(heads)]
     for milestone in milestones:
-        own = [label(cue_prefix, each.cue.number) for each in covered if each.milestone_id == milestone.id]
+        labels = [label(cue_prefix, each.cue.number) for each in covered if each.milestone_id == milestone.id]
         day = "at signing" if milestone.is_deposit else format_long_date(milestone.due_on) if milestone.due_on else ""
         rate = percent(milestone.tax_bp) if milestone.tax_bp is not None else ""
         amount = mark(f"milestone.{milestone.position}", money(milestone.amount_minor, currency))
-        cells = [literal(milestone.name), day, ", ".join(own), amount, rate]
+        cells = [literal(milestone.name), day, ", ".join(labels), amount, rate]
         rows.append(cells[: len(heads)])
     return _table(rows)

@@ -239,9 +239,9 @@ def number_in(words: str) -> int | None:
 def _fields_missing(in_force: Sequence[Clause], named: set[str]) -> dict[str, Clause]:
     """Return the counted fields that a clause of the library has lost and that no clause in force names."""
     lost: dict[str, Clause] = {}
-    own = _own_fields()
+    own_fields = _own_fields()
     for clause in in_force:
-        for name in own.get(clause.key, ()):
+        for name in own_fields.get(clause.key, ()):
             if name not in named:
                 lost[name] = clause
     return lost

@@ -29,14 +29,14 @@ def named_terms(session: Session, contracts: Collection[Contract]) -> dict[UUID,
             (newest.c.contract_id == ContractVersion.contract_id) & (newest.c.number == ContractVersion.number),
         )
     )
-    own: dict[UUID, dict[str, TermValue]] = {}
+    terms_by_contract: dict[UUID, dict[str, TermValue]] = {}
     for contract_id, clauses, terms in rows:
         named = names_in([clause for clause in map(Clause.of, clauses) if clause.stands])
-        own[contract_id] = {name: value for name, value in terms.items() if name in named}
+        terms_by_contract[contract_id] = {name: value for name, value in terms.items() if name in named}
     of_none: dict[str, TermValue] = {}
     return {
-        contract.id: (own.get(contract.framework_id, of_none) if contract.framework_id else of_none)
-        | own.get(contract.id, of_none)
+        contract.id: (terms_by_contract.get(contract.framework_id, of_none) if contract.framework_id else of_none)
+        | terms_by_contract.get(contract.id, of_none)
         for contract in contracts
     }
 

@@ -131,16 +131,16 @@ def library() -> tuple[LibraryClause, ...]:
 
 def _read(path: Path) -> LibraryClause:
     _, head, text = path.read_text(encoding="utf-8").split("+++\n", 2)
-    said = tomllib.loads(head)
-    music = said.get("music", False)
+    head_facts = tomllib.loads(head)
+    music = head_facts.get("music", False)
     return LibraryClause(
-        clause=Clause(path.stem, said["title"], text.strip(), said.get("stands", True)),
-        order=said["order"],
-        kinds=frozenset(ContractKind(kind) for kind in said["kinds"]),
-        why=said["why"],
+        clause=Clause(path.stem, head_facts["title"], text.strip(), head_facts.get("stands", True)),
+        order=head_facts["order"],
+        kinds=frozenset(ContractKind(kind) for kind in head_facts["kinds"]),
+        why=head_facts["why"],
         music=music,
-        instead_of=said.get("instead_of"),
-        terms=tuple(_term(name, facts) for name, facts in said.get("terms", {}).items()),
+        instead_of=head_facts.get("instead_of"),
+        terms=tuple(_term(name, facts) for name, facts in head_facts.get("terms", {}).items()),
     )
 
 
@@ -192,11 +192,11 @@ def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> It
         yield "clauses", f"{len(clauses)} clauses; at most {MAX_CLAUSES} are kept"
     seen: set[str] = set()
     for clause in clauses:
-        place = f"clauses.{clause.key}"
+        where = f"clauses.{clause.key}"
         if clause.key in seen:
-            yield place, f"the key {clause.key} stands twice"
+            yield where, f"the key {clause.key} stands twice"
         seen.add(clause.key)
-        yield from ((place, fault) for fault in faults_of_clause(clause, terms))
+        yield from ((where, fault) for fault in faults_of_clause(clause, terms))
     access = {clause.key for clause in clauses if clause.stands}
     for each in library():
         if each.instead_of and {each.clause.key, each.instead_of} <= access:
@@ -206,15 +206,15 @@ def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> It
             )
     named, written = names_in(clauses), names_in([clause for clause in clauses if clause.stands])
     for name, value in terms.items():
-        place = f"terms.{name}"
-        yield from ((place, fault) for fault in faults_of_term(name, value))
-        known = known_terms().get(name)
+        where = f"terms.{name}"
+        yield from ((where, fault) for fault in faults_of_term(name, value))
+        term = known_terms().get(name)
         if value == "" and name in written:
-            yield place, f"{{{name}}} is empty; fill it in, or remove its clause"
-        elif known and known.said and value != known.default and name not in written:
-            yield place, f"{_shown(name, value)}, and no clause in force says so; let one say {{{name}}}"
-        elif not known and name not in named and (near := difflib.get_close_matches(name, known_terms(), 1, MISTYPED)):
-            yield place, f"no clause names {{{name}}}; is it {{{near[0]}}}?"
+            yield where, f"{{{name}}} is empty; fill it in, or remove its clause"
+        elif term and term.said and value != term.default and name not in written:
+            yield where, f"{_shown(name, value)}, and no clause in force says so; let one say {{{name}}}"
+        elif not term and name not in named and (near := difflib.get_close_matches(name, known_terms(), 1, MISTYPED)):
+            yield where, f"no clause names {{{name}}}; is it {{{near[0]}}}?"
     days, reminder_days = terms.get("silence_days"), terms.get("silence_reminder_days")
     if "silence_days" in written and isinstance(days, int) and isinstance(reminder_days, int) and reminder_days >= days:
         yield (
@@ -244,8 +244,8 @@ def faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
             yield f"there is no variable {{{name}}}{_nearest(name, [*FACTS, *terms])}"
 
 
-def _nearest(name: str, known: Collection[str]) -> str:
-    near = difflib.get_close_matches(name, list(known), n=1)
+def _nearest(name: str, known_names: Collection[str]) -> str:
+    near = difflib.get_close_matches(name, list(known_names), n=1)
     return f"; is it {{{near[0]}}}?" if near else "; write \\{ for a brace that is meant as one"
 
 
@@ -254,25 +254,25 @@ def faults_of_term(name: str, value: Any) -> Iterator[str]:
     if not KEY.fullmatch(name) or name in FACTS:
         yield f'"{name}" is not a name for a term; wanted small letters, digits and _, and none of the server\'s own'
         return
-    known = known_terms().get(name)
+    term = known_terms().get(name)
     is_number = isinstance(value, int) and not isinstance(value, bool)
-    if known and known.choices:
-        wanted = [choice.value for choice in known.choices]
-        if value not in wanted:
-            near = difflib.get_close_matches(str(value), [str(each) for each in wanted], n=1)
-            yield f"{value!r}; wanted {' or '.join(map(str, wanted))}" + (f"; is it {near[0]}?" if near else "")
-    elif not is_number and (name.endswith(("_bp", "_minor")) or (known and isinstance(known.default, int))):
+    if term and term.choices:
+        choices = [choice.value for choice in term.choices]
+        if value not in choices:
+            near = difflib.get_close_matches(str(value), [str(each) for each in choices], n=1)
+            yield f"{value!r}; wanted {' or '.join(map(str, choices))}" + (f"; is it {near[0]}?" if near else "")
+    elif not is_number and (name.endswith(("_bp", "_minor")) or (term and isinstance(term.default, int))):
         yield f"{value!r}; wanted a whole number"
-    elif is_number and known and isinstance(known.default, str):
+    elif is_number and term and isinstance(term.default, str):
         yield f"{value}; wanted a text"
-    elif is_number and known and known.min is not None and known.max is not None:
-        if not known.min <= value <= known.max:
-            yield f"{_shown(name, value)}; wanted {_shown(name, known.min)} to {_shown(name, known.max)}"
+    elif is_number and term and term.min is not None and term.max is not None:
+        if not term.min <= value <= term.max:
+            yield f"{_shown(name, value)}; wanted {_shown(name, term.min)} to {_shown(name, term.max)}"
     elif is_number and not 0 <= value <= LARGEST:
         yield f"{value}; wanted 0 or more"
     elif isinstance(value, str) and len(value) > MAX_TERM_CHARS:
         yield f"{len(value)} characters; at most {MAX_TERM_CHARS} are kept"
-    elif value and known and name.endswith("_on") and day_of_term(value) is None:
+    elif value and term and name.endswith("_on") and day_of_term(value) is None:
         yield f'"{value}" is not a day; wanted it as in 2027-12-31'
 
 
@@ -290,8 +290,8 @@ def _shown(name: str, value: TermValue) -> str:
 
 def written_term(name: str, value: TermValue, currency: str) -> str:
     """Return a term as the text says it."""
-    known = known_terms().get(name)
-    for choice in known.choices if known else ():
+    term = known_terms().get(name)
+    for choice in term.choices if term else ():
         if choice.value == value:
             return choice.words
     if isinstance(value, str):
@@ -308,7 +308,7 @@ def filler(terms: Terms, facts: Mapping[str, str], currency: str, mark: Marker =
     def fill(text: str, depth: int = 2) -> str:
         if not depth:
             return text
-        return VARIABLE.sub(lambda found: _value(found[0], found[1], depth - 1), text)
+        return VARIABLE.sub(lambda match: _value(match[0], match[1], depth - 1), text)
 
     def _value(variable: str, name: str, depth: int) -> str:
         if name in facts or name not in filled:

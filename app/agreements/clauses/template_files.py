@@ -84,9 +84,9 @@ def _clause(number: int, row: Any) -> Clause:
     return Clause(row["key"], row["title"].strip(), row["text"].strip(), row.get("stands", True))
 
 
-def _ensure_keys(where: str, table: dict[str, Any], known: set[str], needed: set[str]) -> None:
-    if strange := sorted(set(table) - known):
-        raise BadTemplate(f"{where}there is no key {strange[0]} here; known are {', '.join(sorted(known))}")
+def _ensure_keys(where: str, table: dict[str, Any], known_keys: set[str], needed: set[str]) -> None:
+    if strange := sorted(set(table) - known_keys):
+        raise BadTemplate(f"{where}there is no key {strange[0]} here; known are {', '.join(sorted(known_keys))}")
     if missing := sorted(needed - set(table)):
         raise BadTemplate(f"{where}{missing[0]} is missing")
 

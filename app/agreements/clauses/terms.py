@@ -99,22 +99,24 @@ class MoneyTerms:
     @classmethod
     def of(cls, terms: Mapping[str, Any]) -> "MoneyTerms":
         """Read the terms of a version; what it does not say is the default, and what is no matter of money is left."""
-        known = {field.name: terms[field.name] for field in fields(cls) if terms.get(field.name) is not None}
-        if "price_mode" in known:
-            known["price_mode"] = PriceMode(known["price_mode"])
-        if known.get("notice_days") == "":
-            del known["notice_days"]  # its clause is struck
-        if "deposit_at_end" in known:
-            known["deposit_at_end"] = DepositAtEnd(known["deposit_at_end"])
-        if "sources_needed" in known:
-            known["sources_needed"] = SourcesNeeded(known["sources_needed"])
-        if "downloads_open" in known:
-            known["downloads_open"] = DownloadsOpen(known["downloads_open"])
-        if "bonus_when" in known:
-            known["bonus_when"] = BonusWhen(known["bonus_when"])
-        if "reverse_charge" in known:
-            known["reverse_charge"] = bool(known["reverse_charge"])  # 0 or 1 where only numbers and text are kept
-        return cls(**known)
+        given_terms = {field.name: terms[field.name] for field in fields(cls) if terms.get(field.name) is not None}
+        if "price_mode" in given_terms:
+            given_terms["price_mode"] = PriceMode(given_terms["price_mode"])
+        if given_terms.get("notice_days") == "":
+            del given_terms["notice_days"]  # its clause is struck
+        if "deposit_at_end" in given_terms:
+            given_terms["deposit_at_end"] = DepositAtEnd(given_terms["deposit_at_end"])
+        if "sources_needed" in given_terms:
+            given_terms["sources_needed"] = SourcesNeeded(given_terms["sources_needed"])
+        if "downloads_open" in given_terms:
+            given_terms["downloads_open"] = DownloadsOpen(given_terms["downloads_open"])
+        if "bonus_when" in given_terms:
+            given_terms["bonus_when"] = BonusWhen(given_terms["bonus_when"])
+        if "reverse_charge" in given_terms:
+            given_terms["reverse_charge"] = bool(
+                given_terms["reverse_charge"]
+            )  # 0 or 1 where only numbers and text are kept
+        return cls(**given_terms)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the terms as a version keeps them."""

@@ -170,7 +170,7 @@ def _pauses(session: Session, waiting: Sequence[_Waiting]) -> Mapping[UUID, Iter
     for pause in clock_pauses(session, {contract.id for contract in contracts.values()}):
         change_order = Pause("change_order", pause.began_at, pause.ended_at)
         of_contracts.setdefault(pause.contract_id, []).append(change_order)
-    return {cue_id: [*own, *of_contracts.get(contracts[cue_id].id, [])] for cue_id, own in by_cue.items()}
+    return {cue_id: [*cue_pauses, *of_contracts.get(contracts[cue_id].id, [])] for cue_id, cue_pauses in by_cue.items()}
 
 
 def _stated(session: Session, takes: Sequence[Take]) -> dict[UUID, datetime]:

@@ -215,9 +215,9 @@ def preview(
     blocks, clauses = [head(draft.title, 1)], list[PreviewedClause]()
     for number, clause in clause_rules.numbered(draft.clauses):
         blocks.append(head(f"{number}. {clause.title}", 2))
-        own = blocks_of(fill(clause.text).strip())
-        clauses.append(PreviewedClause(clause.key, number, clause.title, len(blocks), len(own)))
-        blocks += own
+        clause_blocks = blocks_of(fill(clause.text).strip())
+        clauses.append(PreviewedClause(clause.key, number, clause.title, len(blocks), len(clause_blocks)))
+        blocks += clause_blocks
     problems = text_faults(session, contract, draft.clauses, draft.terms, holdback_bp=draft.holdback_bp)
     return blocks, clauses, problems
 
@@ -316,7 +316,7 @@ def _ensure_amounts_entered(
     The plan's amounts are given beside the draft; with them, those among the terms count as entered again.
     """
     named = clause_rules.names_in([clause for clause in draft.clauses if clause.stands])
-    known = clause_rules.known_terms()
+    library = clause_rules.known_terms()
     before = newest_of(session, contract).terms
     missing = [
         FieldProblem(
@@ -330,11 +330,11 @@ def _ensure_amounts_entered(
         missing += [
             FieldProblem(
                 where=f"terms.{name}",
-                message=f"{known[name].label if name in known else name}: {money(value, contract.currency)}",
+                message=f"{library[name].label if name in library else name}: {money(value, contract.currency)}",
             )
             for name, value in draft.terms.items()
             if name.endswith("_minor") and isinstance(value, int) and value and name in named
-            if before.get(name) == value and not (name in known and known[name].default == value)
+            if before.get(name) == value and not (name in library and library[name].default == value)
         ]
     if missing:
         listed = "; ".join(problem["message"] for problem in missing[:5])

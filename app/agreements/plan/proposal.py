@@ -102,8 +102,8 @@ def _parts(cues: Sequence[WantedCue], *, today: date, ends_on: date | None) -> l
         by_day.setdefault(cue.due_on or last_day, []).append(cue)
     parts = [_Part(day, by_day[day]) for day in sorted(by_day)]
     parts = list(_apart(parts))
-    wanted = min(max((last_day - today) // APART, FEWEST_PARTS), MOST_PARTS, len(cues))
-    while len(parts) < wanted and (more := _parted(parts, today, wanted)) is not None:
+    part_count = min(max((last_day - today) // APART, FEWEST_PARTS), MOST_PARTS, len(cues))
+    while len(parts) < part_count and (more := _parted(parts, today, part_count)) is not None:
         parts = more
     return parts
 
@@ -123,14 +123,14 @@ def _apart(parts: Sequence[_Part]) -> Iterator[_Part]:
         yield waiting
 
 
-def _parted(parts: Sequence[_Part], today: date, wanted: int) -> list[_Part] | None:
+def _parted(parts: Sequence[_Part], today: date, part_count: int) -> list[_Part] | None:
     """Return parts with the heaviest that can be in several, the earlier ones due before it; None where none can be."""
     for index in sorted(range(len(parts)), key=lambda at: -sum(cue.weight for cue in parts[at].cues)):
         part = parts[index]
         room_days = (part.due_on - (parts[index - 1].due_on if index else today)).days
         if len(part.cues) < 2 or (index and room_days < 2):
             continue
-        count = min(wanted - len(parts) + 1, len(part.cues), max(room_days // APART.days, 2))
+        count = min(part_count - len(parts) + 1, len(part.cues), max(room_days // APART.days, 2))
         apart_days = max(min(APART.days, room_days // count), 1)
         shares = _shared(part.cues, count)
         days = [part.due_on - timedelta(days=apart_days * (count - 1 - at)) for at in range(count)]

@@ -81,8 +81,8 @@ class Concepts:
 def concepts_in(session: Session, contract: Contract, plan: Sequence[PlannedMilestone]) -> Concepts:
     """Return the number of concept cues in a plan, and the sum that it pays for them."""
     cue_ids = [cue.cue_id for planned in plan for cue in planned.cues]
-    known = plan_queries.cues_in_project(session, contract.project_id, cue_ids)
-    concepts = {cue.id for cue in known if cue.state is CueState.CONCEPT}
+    cues_in_project = plan_queries.cues_in_project(session, contract.project_id, cue_ids)
+    concepts = {cue.id for cue in cues_in_project if cue.state is CueState.CONCEPT}
     paid_minor = 0
     for planned in plan:
         if planned.cues and planned.whole_minor >= 0:
@@ -236,12 +236,12 @@ def enter_amounts(session: Session, contract: Contract, amounts: Mapping[UUID, i
         if milestone.id not in amounts:
             continue
         milestone.amount_minor = amounts[milestone.id]
-        own = [cue for cue in cues if cue.milestone_id == milestone.id]
-        if own and all(cue.price_minor is not None for cue in own):
-            for cue, price_minor in zip(own, _shares(milestone, own), strict=True):
+        milestone_cues = [cue for cue in cues if cue.milestone_id == milestone.id]
+        if milestone_cues and all(cue.price_minor is not None for cue in milestone_cues):
+            for cue, price_minor in zip(milestone_cues, _shares(milestone, milestone_cues), strict=True):
                 cue.price_minor = price_minor
         else:
-            for cue in own:
+            for cue in milestone_cues:
                 cue.price_minor = None  # it was a price in the other currency
     session.flush()
 
@@ -252,8 +252,8 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
     def report(where: str, message: str) -> None:
         faults.append(FieldProblem(where=where, message=message))
 
-    wanted = [cue.cue_id for planned in plan for cue in planned.cues]
-    known = {cue.id: cue for cue in plan_queries.cues_in_project(session, contract.project_id, wanted)}
+    planned_cue_ids = [cue.cue_id for planned in plan for cue in planned.cues]
+    cues_by_id = {cue.id: cue for cue in plan_queries.cues_in_project(session, contract.project_id, planned_cue_ids)}
     for index, planned in enumerate(plan):
         at = f"milestones.{index}"
         if planned.is_deposit and planned.cues:
@@ -272,13 +272,15 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
         elif planned.amount_minor is None and None in prices:
             report(at, f"{planned.name} has no amount, and one of its cues has no price; enter one of them")
         for cue in planned.cues:
-            if cue.cue_id not in known:
+            if cue.cue_id not in cues_by_id:
                 report(at, f"{planned.name}: there is no cue {cue.cue_id} in this project")
-            elif known[cue.cue_id].state is CueState.CUT:
-                report(at, f"{planned.name}: {known[cue.cue_id].name} was cut")
-    for cue_id, times in Counter(wanted).items():
-        if times > 1 and cue_id in known:
-            report("milestones", f"{known[cue_id].name} is in the plan {times} times; a cue belongs to one milestone")
+            elif cues_by_id[cue.cue_id].state is CueState.CUT:
+                report(at, f"{planned.name}: {cues_by_id[cue.cue_id].name} was cut")
+    for cue_id, times in Counter(planned_cue_ids).items():
+        if times > 1 and cue_id in cues_by_id:
+            report(
+                "milestones", f"{cues_by_id[cue_id].name} is in the plan {times} times; a cue belongs to one milestone"
+            )
     return faults
 
 
@@ -321,9 +323,9 @@ def activate_plan(session: Session, contract: Contract, *, person_id: UUID) -> N
         )
     by_day = terms_of(session, contract).price_mode is PriceMode.DAY_RATE
     for milestone in milestones:
-        own = [cue for cue in cues if cue.milestone_id == milestone.id]
-        if not milestone.is_deposit and (own or (milestone.amount_minor and not by_day)):
-            for cue, amount_minor in zip(own, _shares(milestone, own), strict=True):
+        milestone_cues = [cue for cue in cues if cue.milestone_id == milestone.id]
+        if not milestone.is_deposit and (milestone_cues or (milestone.amount_minor and not by_day)):
+            for cue, amount_minor in zip(milestone_cues, _shares(milestone, milestone_cues), strict=True):
                 cue.amount_minor = amount_minor
     session.flush()
     record_plan(session, contract, person_id=person_id)

@@ -158,8 +158,8 @@ def _empty(milestones: Sequence[PlannedPayment]) -> Iterator[Advice]:
 
 def worsened(before: Sequence[Advice], after: Sequence[Advice]) -> list[Advice]:
     """Return the warnings that a change adds to a plan or makes worse."""
-    known = {advice.key: advice.excess for advice in before}
-    return [advice for advice in after if advice.key not in known or advice.excess > known[advice.key]]
+    excess_before = {advice.key: advice.excess for advice in before}
+    return [advice for advice in after if advice.key not in excess_before or advice.excess > excess_before[advice.key]]
 
 
 def resolved(before: Sequence[Advice], after: Sequence[Advice]) -> list[Advice]:

@@ -225,8 +225,8 @@ def text_faults(session: Session, store: Store, contract: Contract) -> Iterator[
             yield f"entry {event.seq} cannot be read"
             continue
         if named[1] is not None:
-            known = versions.get(named[0])
-            if known is None or (known.text_sha256, known.pdf_sha256 or "") != named[1:]:
+            named_version = versions.get(named[0])
+            if named_version is None or (named_version.text_sha256, named_version.pdf_sha256 or "") != named[1:]:
                 yield f"version {named[0]} is not the text that entry {event.seq} names"
 
 

@@ -355,14 +355,14 @@ def _with(clauses: Sequence[Clause], clause: Clause, earlier: Sequence[str]) -> 
 
 def is_in(redline: Redline, text: Text, base: Sequence[Clause]) -> bool:
     """Whether a text has a redline as it was answered, word for word; True where there is nothing that it must have."""
-    wanted, wording = agreed_clause(redline, base), redline.agreed_wording
-    if wanted is None or wording is None:
+    agreed, wording = agreed_clause(redline, base), redline.agreed_wording
+    if agreed is None or wording is None:
         return True
     clauses, terms = text
-    current = next((clause for clause in clauses if clause.key == wanted.key), None)
-    if not wanted.stands:
+    current = next((clause for clause in clauses if clause.key == agreed.key), None)
+    if not agreed.stands:
         return current is None or not current.stands
-    return current == wanted and all(terms.get(name) == value for name, value in wording.terms.items())
+    return current == agreed and all(terms.get(name) == value for name, value in wording.terms.items())
 
 
 def faults_of_sent(rounds: Sequence[Round], texts: Mapping[int, Text]) -> Iterator[str]:

@@ -196,9 +196,9 @@ def answer(
     answered = replace(redline, answer=Answer(kind, wording if is_counter else None, comment, person.name, clock.now()))
     draft = text_of(newest_of(session, contract))
     clauses, terms = answered_draft(draft, base, rounds_sent[-1], answered)
-    known = text_faults(session, contract, *draft, holdback_bp=contract.holdback_bp)
+    faults_before = text_faults(session, contract, *draft, holdback_bp=contract.holdback_bp)
     now = text_faults(session, contract, clauses, terms, holdback_bp=contract.holdback_bp)
-    if faults := [fault for fault in now if fault not in known]:
+    if faults := [fault for fault in now if fault not in faults_before]:
         raise BadRedlines(
             f"nothing was saved; the draft would not be whole: {faults[0]['message']}",
             errors=faults,
@@ -283,7 +283,7 @@ def _marked(
 ) -> list[MarkedClause]:
     clauses, terms = text_of(sent)
     # Before the NDA is agreed its designer may know nothing but what the text says that was sent.
-    known = clause_rules.names_in([clause for clause in clauses if clause.stands])
+    names = clause_rules.names_in([clause for clause in clauses if clause.stands])
     facts = facts_of(session, contract, terms_in_force(clauses, terms))
-    shown = {name: value for name, value in facts.items() if name in known}
+    shown = {name: value for name, value in facts.items() if name in names}
     return marked_clauses((clauses, terms), redlines, shown, contract.currency, sent.text)

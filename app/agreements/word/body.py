@@ -75,21 +75,21 @@ class BodyReader:
     def start(self, tag: str, attributes: Mapping[str, str]) -> None:
         """Take the start of an element."""
         is_main, name = local_name(tag)
-        known = name if is_main else f"other:{name}"
-        self._open.append(known)
-        if known in _UNREAD or known == "other:Fallback":
+        element_name = name if is_main else f"other:{name}"
+        self._open.append(element_name)
+        if element_name in _UNREAD or element_name == "other:Fallback":
             self._unread += 1
         if self._unread:
             return
         parent = self._open[-2] if len(self._open) > 1 else ""
-        if known in _GONE:
+        if element_name in _GONE:
             self._start_gone(parent)
         elif parent == "rPr":
-            self._start_letters(known, attributes)
+            self._start_letters(element_name, attributes)
         elif parent in ("pPr", "numPr"):
-            self._start_paragraph_property(known, attributes)
+            self._start_paragraph_property(element_name, attributes)
         else:
-            self._start_content(known, attributes)
+            self._start_content(element_name, attributes)
 
     def _start_gone(self, parent: str) -> None:
         self._gone += 1
@@ -247,7 +247,7 @@ class BodyReader:
 
 def block_kind(kind: str) -> BlockKind:
     """Return the kind of a line by its name; a name of no kind is that of a paragraph."""
-    return next((known for known in get_args(BlockKind) if known == kind), "text")
+    return next((block for block in get_args(BlockKind) if block == kind), "text")
 
 
 def _kind_of(paragraph: _Paragraph) -> tuple[BlockKind, int]:

@@ -163,7 +163,7 @@ class _Reading:
         keys = [section.key for section in sections if section.key is not None]
         order = [clause.key for clause in self._clauses if clause.key in keys]
         if keys != order:
-            moved = next(key for key, wanted in zip(keys, order, strict=True) if key != wanted)
+            moved = next(key for key, expected in zip(keys, order, strict=True) if key != expected)
             self._add(
                 moved,
                 f"Clauses stand in another order in the file, from “{self._title(moved)}” on. "
@@ -176,13 +176,13 @@ class _Reading:
         for clause in self._clauses:
             if clause.key in by_key:
                 continue
-            own = {line.text for line in self._source_lines.get(clause.key, ()) if line.text}
+            own_texts = {line.text for line in self._source_lines.get(clause.key, ()) if line.text}
             for section in sections:
                 others = {line.text for line in self._source_lines.get(section.key or "", ())}
-                at = next((n for n, line in enumerate(section.lines) if line.text in own - others), None)
+                at = next((n for n, line in enumerate(section.lines) if line.text in own_texts - others), None)
                 if at is None:
                     continue
-                while at and self._is_edited(section.lines[at - 1].text, own, others):
+                while at and self._is_edited(section.lines[at - 1].text, own_texts, others):
                     at -= 1
                 by_key[clause.key] = _Section(clause.key, section.key, None, section.lines[at:])
                 del section.lines[at:]
@@ -194,9 +194,9 @@ class _Reading:
                 break
 
     @staticmethod
-    def _is_edited(text: str, own: Collection[str], others: Collection[str]) -> bool:
+    def _is_edited(text: str, own_texts: Collection[str], others: Collection[str]) -> bool:
         """Whether a line is one of a clause that was edited, rather than one of the clause before it."""
-        return text not in others and any(likeness(text, line) >= ALIKE for line in own)
+        return text not in others and any(likeness(text, line) >= ALIKE for line in own_texts)
 
     def _edits(self, by_key: Mapping[str | None, _Section]) -> dict[str, Edited]:
         """Return each clause as the document has it; a value that is changed in two ways is written out in both."""
@@ -289,8 +289,8 @@ class _Reading:
         )
 
     def _name_written_out(self, clause: Clause, name: str) -> None:
-        known = known_terms().get(name)
-        label = f" ({known.label})" if known else ""
+        term = known_terms().get(name)
+        label = f" ({term.label})" if term else ""
         self._add(
             clause.key,
             f"In “{clause.title}” the file has other words where the value {{{name}}}{label} stood. "

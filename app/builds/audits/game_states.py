@@ -36,16 +36,16 @@ def mark_cue(session: Session, actor: Actor, cue_id: UUID, *, mark: CueMark, is_
     except ProjectNotFound:
         raise CueNotFound(f"no cue {cue_id}") from None
     ensure_may_implement(access)
-    known = session.get(MarkedCue, (cue_id, mark), with_for_update=True)
-    if is_set and known is None:
+    marked_cue = session.get(MarkedCue, (cue_id, mark), with_for_update=True)
+    if is_set and marked_cue is None:
         session.add(
             MarkedCue(
                 cue_id=cue_id, mark=mark, studio_id=cue.studio_id, project_id=cue.project_id, marked_by=actor.person,
                 marked_at=clock.now(),
             )
         )  # fmt: skip
-    elif known is not None and not is_set:
-        session.delete(known)
+    elif marked_cue is not None and not is_set:
+        session.delete(marked_cue)
     session.flush()
     return _states(session, access)
 

@@ -106,9 +106,9 @@ def ensure_amount(heard_as: HeardAs, amount_db: float | None) -> None:
     if heard_as not in (HeardAs.TOO_LOUD, HeardAs.TOO_SOFT):
         raise ListeningNoteInvalid(f"a sound that is {heard_as} has no gain to suggest; leave amount_db out")
     if (amount_db < 0) != (heard_as is HeardAs.TOO_LOUD) or not 0 < abs(amount_db) <= MAX_AMOUNT_DB:
-        wanted = "below 0" if heard_as is HeardAs.TOO_LOUD else "above 0"
+        side = "below 0" if heard_as is HeardAs.TOO_LOUD else "above 0"
         raise ListeningNoteInvalid(
-            f"{amount_db:+.1f} dB does not go with {heard_as}; send a gain {wanted}, of {MAX_AMOUNT_DB:.0f} dB at most"
+            f"{amount_db:+.1f} dB does not go with {heard_as}; send a gain {side}, of {MAX_AMOUNT_DB:.0f} dB at most"
         )
 
 

@@ -52,11 +52,11 @@ def save_audit(session: Session, actor: Actor, project_id: UUID, posted: AuditAd
     report = posted.report
     before = audit_queries.audit_before(session, project_id, posted.target, None)
     sounds = _sounds(session, access.project, report.files)
-    known = [
+    accepted_drifts = [
         *_drifts(session, before),
         *(accepted_drift.drift for accepted_drift in audit_queries.accepted_drifts(session, project_id)),
     ]
-    by_path = _by_path(known)
+    by_path = _by_path(accepted_drifts)
     drifted = [sound.drift for sound in sounds if sound.has_drifted]
     project = report.project
     audit = BuildAudit(
@@ -192,7 +192,7 @@ def read_sounds(
     """Return sounds of an audit with their cues, what is new, what was accepted, and the approved sound to play."""
     project = access.project
     before = audit_queries.audit_before(session, project.id, audit.target, audit.id)
-    known = _by_path(_drifts(session, before))
+    drifts_before = _by_path(_drifts(session, before))
     accepted = audit_queries.accepted_drifts(session, project.id)
     tasks = audit_queries.open_drift_tasks(session, project.id)
     cues = cues_by_id(session, project.id, {sound.cue_id for sound in sounds if sound.cue_id})
@@ -210,7 +210,7 @@ def read_sounds(
                 status=sound.status,
                 played_status=sound.played_status,
                 has_drifted=sound.has_drifted,
-                is_new=sound.has_drifted and not _is_among(sound.drift, known),
+                is_new=sound.has_drifted and not _is_among(sound.drift, drifts_before),
                 gain_db=sound.gain_db,
                 file_db=sound.file_db,
                 property_db=sound.property_db,
@@ -268,9 +268,11 @@ def accept_drift(session: Session, actor: Actor, audit_id: UUID, *, path: str, r
     access.ensure_may_speak()
     sound = _drifted_sound(session, audit, path)
     standing = audit_queries.accepted_drifts(session, audit.project_id)
-    known = next((accepted_drift for accepted_drift in standing if accepted_drift.drift.is_same(sound.drift)), None)
-    if known is not None:
-        return read_accepted(known)
+    same_drift = next(
+        (accepted_drift for accepted_drift in standing if accepted_drift.drift.is_same(sound.drift)), None
+    )
+    if same_drift is not None:
+        return read_accepted(same_drift)
     session.add(
         AcceptedDrift(
             studio_id=audit.studio_id,
@@ -344,5 +346,5 @@ def accepted_sounds(session: Session, project_id: UUID) -> list[AcceptedSound]:
 
 def read_accepted(accepted: AcceptedDrift) -> AcceptedDriftRead:
     """Return an accepted drift as it is shown."""
-    own = {name: getattr(accepted, name) for name in AcceptedDriftRead.model_fields if name != "accepted_by"}
-    return AcceptedDriftRead(**own, accepted_by=PersonBrief.model_validate(accepted.author))
+    facts = {name: getattr(accepted, name) for name in AcceptedDriftRead.model_fields if name != "accepted_by"}
+    return AcceptedDriftRead(**facts, accepted_by=PersonBrief.model_validate(accepted.author))

@@ -112,9 +112,9 @@ def open_handovers(session: Session, actor: Actor, project_id: UUID) -> list[Ope
     return handovers
 
 
-def _palette(session: Session, project: Project, own: set[UUID]) -> list[Take]:
+def _palette(session: Session, project: Project, own_take_ids: set[UUID]) -> list[Take]:
     """Return the accepted sounds of the palette that the contract itself does not have."""
-    return [take for cue, _, take in accepted_takes(session, project.id) if cue.palette and take.id not in own]
+    return [take for cue, _, take in accepted_takes(session, project.id) if cue.palette and take.id not in own_take_ids]
 
 
 def _files(session: Session, project: Project, folder: str, takes: Sequence[Take]) -> dict[UUID, HandedFile]:

@@ -153,5 +153,7 @@ def distinct(names: Iterable[tuple[str, str]]) -> dict[str, str]:
 
 def stated(extra: Mapping[str, str], *columns: str) -> str:
     """Return the first text that a list has in one of these columns of its own, however they are spelt."""
-    own = {column.casefold().replace("_", " ").strip(): text for column, text in extra.items()}
-    return next((one_line(own[column]) for column in columns if own.get(column, "").strip()), "")
+    texts_by_column = {column.casefold().replace("_", " ").strip(): text for column, text in extra.items()}
+    return next(
+        (one_line(texts_by_column[column]) for column in columns if texts_by_column.get(column, "").strip()), ""
+    )

@@ -24,10 +24,10 @@ def handoff_entries(session: Session, pack: Pack, handoff: Handoff) -> list[Entr
     """Return the files by which an engine imports a pack; none where the pack is handed over without."""
     if handoff is Handoff.NONE:
         return []
-    known = handoff_queries.handed_paths(session, pack.project.id, pack.target, handoff)
+    known_paths = handoff_queries.handed_paths(session, pack.project.id, pack.target, handoff)
     in_game = handoff_queries.cues_of_the_game(session, pack.project.id, handoff)
-    known |= {sound.path for sound in pack.sounds if sound.cue.id in in_game}
-    made = handoff_files(handoff, handed_cues(session, pack, handoff), known)
+    known_paths |= {sound.path for sound in pack.sounds if sound.cue.id in in_game}
+    made = handoff_files(handoff, handed_cues(session, pack, handoff), known_paths)
     return [memory_entry(path, content) for path, content in made.items()]
 
 

@@ -29,10 +29,10 @@ def compare_with_libraries(runtime: Runtime, payload: Payload) -> None:
         if take is None:
             return
         take_id, sha256 = take.id, take.master_sha256
-        known = same_sound_queries.master_fingerprints(session, take.studio_id, [sha256]).get(sha256)
-        if known is None:
+        fingerprint = same_sound_queries.master_fingerprints(session, take.studio_id, [sha256]).get(sha256)
+        if fingerprint is None:
             return
-        matches = _found(session, known, queries.library_moments(session, take.studio_id))
+        matches = _found(session, fingerprint, queries.library_moments(session, take.studio_id))
     if matches:
         with runtime.database.writing() as session:
             libraries.save_library_matches(session, take_id, matches)
@@ -50,7 +50,7 @@ def compare_library(runtime: Runtime, payload: Payload) -> None:
         studio_id, size = library.studio_id, library.sounds
         moments = queries.library_moments(session, studio_id, library_id)
         takes = queries.takes_with_fingerprints(session, studio_id, after, TAKES_AT_ONCE)
-        matches_by_take = {take_id: _found(session, known, moments) for take_id, known in takes}
+        matches_by_take = {take_id: _found(session, fingerprint, moments) for take_id, fingerprint in takes}
     with runtime.database.writing() as session:
         for take_id, matches in matches_by_take.items():
             if matches:

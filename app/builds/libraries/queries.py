@@ -83,7 +83,7 @@ def takes_with_fingerprints(
     )
     if after is not None:
         query = query.where(Take.id > after)
-    return [(take_id, known) for take_id, known in session.execute(query.order_by(Take.id).limit(limit))]
+    return [(take_id, fingerprint) for take_id, fingerprint in session.execute(query.order_by(Take.id).limit(limit))]
 
 
 def library_matches_of(session: Session, take_ids: Collection[UUID]) -> Sequence[LibraryMatch]:

@@ -95,11 +95,11 @@ def add_note(session: Session, actor: Actor, listening_pass_id: UUID, body: List
     A note that came already is answered as it stands, so that a phone may send it again.
     """
     access, current = _visible_pass(session, actor, listening_pass_id)
-    known = listening_queries.note_by_id(session, body.note_id)
-    if known is not None:
-        if known.written_by != actor.person_id or known.pass_id != current.id:
+    same_note = listening_queries.note_by_id(session, body.note_id)
+    if same_note is not None:
+        if same_note.written_by != actor.person_id or same_note.pass_id != current.id:
             raise ListeningNoteTaken("another note has this id; make a new one")
-        return _read_note(session, access, known)
+        return _read_note(session, access, same_note)
     if current.closed_at is not None:
         raise ListeningPassClosed("this listening pass is closed", fix="begin a new one, and write the note there")
     ensure_amount(body.said, body.amount_db)
@@ -201,8 +201,8 @@ def _visible_pass(session: Session, actor: Actor, listening_pass_id: UUID) -> tu
 
 
 def _sees(session: Session, access: ProjectAccess, cue_id: UUID) -> bool:
-    own = _own_cues(session, access)
-    return own is None or cue_id in own
+    own_cues = _own_cues(session, access)
+    return own_cues is None or cue_id in own_cues
 
 
 def _own_cues(session: Session, access: ProjectAccess) -> set[UUID] | None:
@@ -218,10 +218,10 @@ def _furthest(sounds: Sequence[AuditedSound]) -> AuditedSound:
 def _read_pass(
     session: Session, access: ProjectAccess, current: ListeningPass, newest: BuildAudit | None
 ) -> ListeningPassRead:
-    own = _own_cues(session, access)
+    own_cues = _own_cues(session, access)
     by_cue: dict[UUID, list[AuditedSound]] = {}
     for sound in listening_queries.sounds_with_cues(session, current.audit_id):
-        if sound.cue_id is not None and (own is None or sound.cue_id in own):
+        if sound.cue_id is not None and (own_cues is None or sound.cue_id in own_cues):
             by_cue.setdefault(sound.cue_id, []).append(sound)
     cues = cues_by_id(session, access.project.id, by_cue)
     notes = [note for note in listening_queries.notes_of(session, current.id) if note.cue_id in cues]

@@ -59,9 +59,9 @@ def add_task(session: Session, task: GameTask) -> GameTask:
 
 def send_back(session: Session, access: ProjectAccess, audit_id: UUID, sound: AuditedSound, *, text: str) -> GameTask:
     """Ask the implementers to bring a sound back to what was approved; asked twice, it is one task."""
-    known = listening_queries.open_drift_task(session, access.project.id, sound.path)
-    if known is not None:
-        return known
+    open_task = listening_queries.open_drift_task(session, access.project.id, sound.path)
+    if open_task is not None:
+        return open_task
     task = add_task(
         session,
         GameTask(

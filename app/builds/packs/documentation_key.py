@@ -88,15 +88,15 @@ def workbook_of(title: str, columns: Sequence[str], rows: Sequence[Sequence[Cell
     sheet = workbook.add_worksheet(title)
     head = workbook.add_format({"bold": True})
     wrapped = workbook.add_format({"text_wrap": True, "valign": "top"})
-    for place, column in enumerate(columns):
-        sheet.set_column(place, place, widths.get(column, 14), wrapped)
-        sheet.write_string(0, place, column, head)
+    for column_index, column in enumerate(columns):
+        sheet.set_column(column_index, column_index, widths.get(column, 14), wrapped)
+        sheet.write_string(0, column_index, column, head)
     for line, row in enumerate(rows, start=1):
-        for place, cell in enumerate(row):
+        for column_index, cell in enumerate(row):
             if isinstance(cell, str):
-                sheet.write_string(line, place, cell)
+                sheet.write_string(line, column_index, cell)
             elif cell is not None:
-                sheet.write_number(line, place, cell)
+                sheet.write_number(line, column_index, cell)
     sheet.freeze_panes(1, 1)
     workbook.close()
     return out.getvalue()

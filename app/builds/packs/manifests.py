@@ -115,10 +115,10 @@ def manifest_read(session: Session, store: Store, approved: Approved) -> Manifes
             f"{verb(len(unheard), 'is', 'are')} still being listened to",
             fix=f"ask again in {wait_s} seconds; where it stays so, the page of jobs says why",
         )
-    known = queries.manifest_entries(session, approved.studio_id, sizes_bytes)
+    entries_by_sha256 = queries.manifest_entries(session, approved.studio_id, sizes_bytes)
     levels = queries.game_levels(session, [UUID(file.take) for file in approved.files])
     files = [
-        {**known[file.sha256], "path": file.path, "cue": file.cue, "take": file.take}
+        {**entries_by_sha256[file.sha256], "path": file.path, "cue": file.cue, "take": file.take}
         | ({"plays": levels[file.take]} if file.take in levels else {})
         for file in approved.files
     ]

@@ -50,7 +50,7 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
     spec = parsed_spec(current_spec(session, pack.project.id).toml)
     there = {(sound.cue.id, sound.variation) for sound in pack.sounds if sound.made}
     languages = languages_by_cue(session, pack.project.id)
-    said = spoken_sha256s(session, pack.project.id)
+    spoken_by_cue = spoken_sha256s(session, pack.project.id)
     views: dict[str, DeliverySpec] = {}
     for cue in cues_of(session, pack.project.id):
         if cue.state is CueState.CUT:
@@ -59,11 +59,11 @@ def open_slots(session: Session, pack: Pack) -> Iterator[Slot]:
             views[cue.category] = spec.for_target(pack.target, cue.category or None)
         view = views[cue.category]
         facts = replace(cue_facts(cue), number=label(pack.project.cue_prefix, cue.number))
-        for stem in sorted(cue.stems, key=lambda one: one.variation):
+        for stem in sorted(cue.stems, key=lambda slot_stem: slot_stem.variation):
             if (cue.id, stem.variation) not in there and view.target is not None:
                 path = view.target.path_of(stem.stem + view.ending, cue.category, languages.get(cue.id))
-                key = _key(facts, stem.variation, view, said.get(cue.id))
-                yield Slot(cue, stem.variation, path, facts, view, key, said.get(cue.id))
+                key = _key(facts, stem.variation, view, spoken_by_cue.get(cue.id))
+                yield Slot(cue, stem.variation, path, facts, view, key, spoken_by_cue.get(cue.id))
 
 
 def _key(facts: CueFacts, variation: int, view: DeliverySpec, said_sha256: str | None) -> str:
@@ -168,7 +168,7 @@ def slots_to_make(
         slot
         for slot in open_slots(session, pack)
         if cue_id is None or slot.cue.id == cue_id
-        if (known := made.get((slot.cue.id, slot.variation))) is None or known.key != slot.key
+        if (placeholder_file := made.get((slot.cue.id, slot.variation))) is None or placeholder_file.key != slot.key
     ]
 
 
@@ -188,8 +188,8 @@ def keep(
     refusal: str,
 ) -> None:
     """Put a placeholder file on record, or why there is none; not where something else has been said meanwhile."""
-    said = spoken_placeholder(session, slot.cue.id)
-    if (said.sha256 if said else None) != slot.said_sha256:
+    spoken = spoken_placeholder(session, slot.cue.id)
+    if (spoken.sha256 if spoken else None) != slot.said_sha256:
         return  # the job of what is said now makes the file
     row = queries.placeholder_file(session, slot.cue.id, slot.variation, target)
     if row is None:
@@ -210,8 +210,12 @@ def with_placeholder_files(session: Session, pack: Pack) -> Pack:
     """Return a pack with placeholder files for what it lacks, those that were made for cue and spec as they are now."""
     made = queries.placeholder_files_of(session, pack.project.id, pack.target)
     filled = [
-        PackedPlaceholder(slot.cue, slot.variation, slot.path, known.sha256, known.file_bytes or 0)
+        PackedPlaceholder(
+            slot.cue, slot.variation, slot.path, placeholder_file.sha256, placeholder_file.file_bytes or 0
+        )
         for slot in open_slots(session, pack)
-        if (known := made.get((slot.cue.id, slot.variation))) and known.key == slot.key and known.sha256
+        if (placeholder_file := made.get((slot.cue.id, slot.variation)))
+        and placeholder_file.key == slot.key
+        and placeholder_file.sha256
     ]
     return replace(pack, placeholder_files=filled)

@@ -33,25 +33,25 @@ from app.projects.queries import lock_project
 from app.projects.service import project_access
 
 
-def request_pack(session: Session, actor: Actor, project_id: UUID, wanted: PackAdd) -> SealedPack:
+def request_pack(session: Session, actor: Actor, project_id: UUID, pack_add: PackAdd) -> SealedPack:
     """Begin a numbered pack of the sounds accepted now, for the worker to assemble; raise what prevents it."""
     access = project_access(session, actor, project_id)
     access.ensure_team()
-    pack_now = pack_of(session, access.project, wanted.target, actor)
-    if wanted.placeholders:
+    pack_now = pack_of(session, access.project, pack_add.target, actor)
+    if pack_add.placeholders:
         pack_now = with_placeholder_files(session, pack_now)
-    ensure_packable(pack_now, allow_missing=wanted.allow_missing, placeholders=wanted.placeholders)
+    ensure_packable(pack_now, allow_missing=pack_add.allow_missing, placeholders=pack_add.placeholders)
     lock_project(session, project_id)
     pack = SealedPack(
         studio_id=access.project.studio_id,
         project_id=project_id,
-        target=wanted.target,
-        number=queries.last_pack_number(session, project_id, wanted.target) + 1,
-        note=wanted.note,
-        with_masters=wanted.masters,
-        allow_missing=wanted.allow_missing,
-        placeholders=wanted.placeholders,
-        handoff=wanted.handoff,
+        target=pack_add.target,
+        number=queries.last_pack_number(session, project_id, pack_add.target) + 1,
+        note=pack_add.note,
+        with_masters=pack_add.masters,
+        allow_missing=pack_add.allow_missing,
+        placeholders=pack_add.placeholders,
+        handoff=pack_add.handoff,
         sealer=session.get_one(Person, actor.person),
     )
     session.add(pack)

@@ -168,8 +168,8 @@ def pack_of(session: Session, project: Project, target: str | None, actor: Actor
         ending, made_to = categories[cue.category]
         language = languages.get(cue.id)
         render = renders[take.id].get(chosen)
-        own = game_ending(render.facts if render else {}, made_to, ending)
-        path = made_to.path_of(stems[cue.id, variation] + own, cue.category, language)
+        file_ending = game_ending(render.facts if render else {}, made_to, ending)
+        path = made_to.path_of(stems[cue.id, variation] + file_ending, cue.category, language)
         before = last_renders.get(path)
         if before and render and render.state is RenderState.MADE and mark_of(before) == mark_of(render):
             render = before
@@ -229,16 +229,16 @@ def pack_read(pack: Pack) -> PackRead:
 
 def changes_read(since: int | None, before: Mapping[str, str], after: Mapping[str, str]) -> PackChanges:
     """Return the changes of the game files since a pack; everything is new where there was none."""
-    found = changes_between(before, after)
+    changes = changes_between(before, after)
     return PackChanges(
         since=since,
-        new=len(found.new),
-        changed=len(found.changed),
-        gone=len(found.gone),
-        same=found.same,
+        new=len(changes.new),
+        changed=len(changes.changed),
+        gone=len(changes.gone),
+        same=changes.same,
         paths=[
             ChangedPath(path=path, kind=kind)
-            for kind, paths in (("changed", found.changed), ("new", found.new), ("gone", found.gone))
+            for kind, paths in (("changed", changes.changed), ("new", changes.new), ("gone", changes.gone))
             for path in paths[:PATHS_SHOWN]
         ],
     )
@@ -250,19 +250,19 @@ def key_rows(pack: Pack, *, masters: bool) -> list[KeyRow]:
     return rows + [_placeholder_file_row(pack, placeholder_file) for placeholder_file in pack.placeholder_files]
 
 
-def _placeholder_file_row(pack: Pack, one: PackedPlaceholder) -> KeyRow:
+def _placeholder_file_row(pack: Pack, placeholder: PackedPlaceholder) -> KeyRow:
     return KeyRow(
-        file=one.path,
-        cue=label(pack.project.cue_prefix, one.cue.number),
-        name=one.cue.name,
-        category=one.cue.category,
-        variation=one.variation,
-        variations=one.cue.variations,
-        description=one.cue.description,
-        use=one.cue.use,
-        trigger=one.cue.trigger,
-        loop="yes" if one.cue.loop else "no",
-        duration_s=one.cue.duration_s,
+        file=placeholder.path,
+        cue=label(pack.project.cue_prefix, placeholder.cue.number),
+        name=placeholder.cue.name,
+        category=placeholder.cue.category,
+        variation=placeholder.variation,
+        variations=placeholder.cue.variations,
+        description=placeholder.cue.description,
+        use=placeholder.cue.use,
+        trigger=placeholder.cue.trigger,
+        loop="yes" if placeholder.cue.loop else "no",
+        duration_s=placeholder.cue.duration_s,
         sample_rate_hz=None,
         bit_depth=None,
         channels=None,
@@ -274,7 +274,7 @@ def _placeholder_file_row(pack: Pack, one: PackedPlaceholder) -> KeyRow:
         contract="",
         state=work_state(TakeState.RECEIVED, is_placeholder=True),
         master="",
-        file_sha256=one.sha256,
+        file_sha256=placeholder.sha256,
         master_sha256="",
     )
 

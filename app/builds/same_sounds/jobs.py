@@ -39,13 +39,13 @@ def compare_take(runtime: Runtime, payload: Payload) -> None:
         is_known = queries.has_master_fingerprint(session, studio_id, sha256)
     if not is_known:
         try:
-            known = _known(runtime, studio_id, sha256, size_bytes)
+            known_sounds = _known(runtime, studio_id, sha256, size_bytes)
         except (BlobAltered, BlobMissing) as error:
             # Nothing is recorded: once it is restored, the next check or approval compares it.
             log.warning("a master could not be compared", sha256=sha256, error=str(error))
             return
         with runtime.database.writing() as session:
-            same_sounds.save_master_fingerprint(session, studio_id, sha256, known)
+            same_sounds.save_master_fingerprint(session, studio_id, sha256, known_sounds)
     matches = _found_elsewhere(runtime, studio_id, project_id, sha256)
     with runtime.database.writing() as session:
         if matches:

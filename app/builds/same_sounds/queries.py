@@ -28,12 +28,12 @@ def master_fingerprints(session: Session, studio_id: UUID, sha256s: Collection[s
 
 def has_master_fingerprint(session: Session, studio_id: UUID, sha256: str) -> bool:
     """Whether a master was fingerprinted by this version."""
-    known = select(MasterFingerprint.sound_sha256).where(
+    fingerprints = select(MasterFingerprint.sound_sha256).where(
         MasterFingerprint.studio_id == studio_id,
         MasterFingerprint.sound_sha256 == sha256,
         MasterFingerprint.fingerprint_version == FINGERPRINT_VERSION,
     )
-    return session.scalar(known) is not None
+    return session.scalar(fingerprints) is not None
 
 
 def approved_moments_elsewhere(session: Session, studio_id: UUID, project_id: UUID) -> list[tuple[str, bytes]]:
@@ -71,14 +71,14 @@ def approved_takes_elsewhere(
 
 def approved_without_fingerprint(session: Session, studio_id: UUID, limit: int) -> Sequence[UUID]:
     """Return approved takes of a studio whose masters this version has not fingerprinted."""
-    known = exists().where(
+    has_fingerprint = exists().where(
         MasterFingerprint.studio_id == studio_id,
         MasterFingerprint.sound_sha256 == Take.master_sha256,
         MasterFingerprint.fingerprint_version == FINGERPRINT_VERSION,
     )
     return session.scalars(
         select(Take.id)
-        .where(Take.studio_id == studio_id, Take.state == TakeState.APPROVED, ~known)
+        .where(Take.studio_id == studio_id, Take.state == TakeState.APPROVED, ~has_fingerprint)
         .order_by(Take.id)
         .limit(limit)
     ).all()

@@ -36,7 +36,7 @@ class FoundElsewhere:
     is_resampled: bool
 
 
-def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, known: SoundSignature | None) -> None:
+def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, fingerprint: SoundSignature | None) -> None:
     """Record a master's fingerprint once, in place of one made by another version; None: it could not be read."""
     session.execute(
         delete(MasterFingerprint).where(
@@ -49,10 +49,10 @@ def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, know
         "studio_id": studio_id,
         "sound_sha256": sha256,
         "fingerprint_version": FINGERPRINT_VERSION,
-        "pcm_sha256": known.pcm_sha256 if known else None,
-        "sample_rate_hz": known.sample_rate_hz if known else 0,
-        "fingerprint": known.fingerprint if known else None,
-        "moments": known.moments if known else b"",
+        "pcm_sha256": fingerprint.pcm_sha256 if fingerprint else None,
+        "sample_rate_hz": fingerprint.sample_rate_hz if fingerprint else 0,
+        "fingerprint": fingerprint.fingerprint if fingerprint else None,
+        "moments": fingerprint.moments if fingerprint else b"",
         "made_at": clock.now(),
     }
     insert_if_absent(session, MasterFingerprint, row, unique=("studio_id", "sound_sha256"))

@@ -286,11 +286,11 @@ class JobQueue:
         partitions: dict[str, FairnessPartition] = {}
         with self._database.reading() as session:
             for key, status, count, oldest_ms in session.execute(counted.where(lane.is_not(None))):
-                known = partitions.get(key) or _empty_lane(key)
+                lane_so_far = partitions.get(key) or _empty_lane(key)
                 changed: dict[str, Any] = {STATE_WORDS[status]: count}
                 if status == "ENQUEUED":
                     changed["oldest_at"] = _instant(oldest_ms)
-                partitions[key] = replace(known, **changed)
+                partitions[key] = replace(lane_so_far, **changed)
         return sorted(
             partitions.values(), key=lambda lane: (-lane.waiting - lane.running, -lane.delayed, str(lane.studio_id))
         )

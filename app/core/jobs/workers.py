@@ -160,7 +160,7 @@ class Worker:
         heard.pop(self.id, None)
         now = time.monotonic()
         self._watched = {
-            worker_id: known if (known := self._watched.get(worker_id)) and known[0] == beat else (beat, now)
+            worker_id: watched if (watched := self._watched.get(worker_id)) and watched[0] == beat else (beat, now)
             for worker_id, beat in heard.items()
         }
         return {worker_id: beat for worker_id, (beat, since) in self._watched.items() if now - since >= self._silent_s}

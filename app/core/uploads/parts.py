@@ -137,12 +137,13 @@ class UploadParts:
         incoming = self._incoming(upload)
         try:
             parts = direct.parts(incoming)
-            wanted = range(1, multipart.parts_of(upload.length) + 1)
-            if missing := [number for number in wanted if number not in {part.number for part in parts}]:
+            part_numbers = range(1, multipart.parts_of(upload.length) + 1)
+            if missing := [number for number in part_numbers if number not in {part.number for part in parts}]:
                 named = ", ".join(str(number) for number in missing[:PARTS_NAMED])
                 more = f" and {len(missing) - PARTS_NAMED} more" if len(missing) > PARTS_NAMED else ""
                 raise UploadUnfinished(
-                    f"of {len(wanted)} parts these are not in the store: {named}{more}", fix="ask for links, send them"
+                    f"of {len(part_numbers)} parts these are not in the store: {named}{more}",
+                    fix="ask for links, send them",
                 )
             direct.complete(incoming, parts)
         except MultipartGone:  # made whole before, or kept and written down by a request that was faster

@@ -57,8 +57,8 @@ def _share_problem_response(operation: dict[str, Any]) -> None:
 
 
 def _sends(response: dict[str, Any], model: str) -> bool:
-    wanted = {"$ref": SCHEMA_REF.format(model=model)}
-    return any(media.get("schema") == wanted for media in response.get("content", {}).values())
+    reference = {"$ref": SCHEMA_REF.format(model=model)}
+    return any(media.get("schema") == reference for media in response.get("content", {}).values())
 
 
 class ApiDocument:

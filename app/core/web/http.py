@@ -48,8 +48,8 @@ def problems(*errors: type[Refused]) -> dict[int | str, dict[str, Any]]:
     """Return the `responses` of an endpoint that can refuse in these ways."""
     by_status: dict[int | str, dict[str, Any]] = {}
     for error in errors:
-        known = by_status.get(error.status)
-        codes = f"{known['description']}, `{error.code()}`" if known else f"`{error.code()}`"
+        responses = by_status.get(error.status)
+        codes = f"{responses['description']}, `{error.code()}`" if responses else f"`{error.code()}`"
         by_status[error.status] = {"model": Problem, "description": codes}
     return by_status
 

@@ -93,9 +93,9 @@ def _named(
     roles: Roles, people: dict[UUID, Person], names: dict[UUID, CreditName], agreed_lines: dict[UUID, str]
 ) -> Iterator[Credit]:
     for role, person_id in roles:
-        wanted = names.get(person_id)
-        if wanted is None or not wanted.is_left_out:
-            name = (wanted.name if wanted else "") or people[person_id].name
+        credit_name = names.get(person_id)
+        if credit_name is None or not credit_name.is_left_out:
+            name = (credit_name.name if credit_name else "") or people[person_id].name
             agreed = agreed_lines.get(person_id, "") if role is CreditRole.SOUND_DESIGN else ""
             yield Credit(role.value, name, person_id=person_id, agreed_line=agreed)
 

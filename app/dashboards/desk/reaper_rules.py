@@ -41,24 +41,24 @@ class RenderFormat(NamedTuple):
     bit_depth: int
 
 
-def reaper_project(title: str, about: Sequence[str], files: Sequence[OwedFile], wanted: RenderFormat) -> str:
+def reaper_project(title: str, about: Sequence[str], files: Sequence[OwedFile], render_format: RenderFormat) -> str:
     """Return the text of a project, in the order of the files."""
     lines = [
         '<REAPER_PROJECT 0.1 "6.0" 0',
         "  <NOTES 0 2",
         *(f"    |{_one_line(line)}" for line in [title, *about][:MOST_LINES]),
         "  >",
-        f"  SAMPLERATE {wanted.sample_rate_hz} 1 0",
+        f"  SAMPLERATE {render_format.sample_rate_hz} 1 0",
         "  TEMPO 120 4 4",
         '  RENDER_FILE "Renders"',
         '  RENDER_PATTERN "$region"',
-        f"  RENDER_FMT 0 2 {wanted.sample_rate_hz}",
+        f"  RENDER_FMT 0 2 {render_format.sample_rate_hz}",
         "  RENDER_1X 0",
         f"  RENDER_RANGE {ALL_REGIONS} 0 0 18 1000",
         "  RENDER_STEMS 0",
         "  RENDER_DITHER 0",
         "  <RENDER_CFG",
-        f"    {_wave_format(wanted.bit_depth)}",
+        f"    {_wave_format(render_format.bit_depth)}",
         "  >",
         *(f"  {line}" for line in _markers(files)),
         "  <TRACK",

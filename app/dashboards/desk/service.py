@@ -82,9 +82,9 @@ class Desk:
             self._session, self._project.id, self._designer_id, after=instant_cursor(cursor), limit=BACK_CUES + 1
         )
         page = cues[:BACK_CUES]
-        wanted = [cue.id for cue in page if not _is_accepted(cue.facts, cue.variations)]
+        open_cue_ids = [cue.id for cue in page if not _is_accepted(cue.facts, cue.variations)]
         return Page(
-            items=self._takes_back(wanted),
+            items=self._takes_back(open_cue_ids),
             next=cursor_of(page[-1].since.isoformat(), page[-1].id) if len(cues) > BACK_CUES else None,
         )
 
@@ -111,7 +111,7 @@ class Desk:
         return Page(items=items, next=following)
 
     def _walked(
-        self, cursor: str | None, wanted: frozenset[CueStatus], only: ColumnElement[bool] | None = None
+        self, cursor: str | None, statuses: frozenset[CueStatus], only: ColumnElement[bool] | None = None
     ) -> tuple[list[ListRow], str | None]:
         """Walk the list from a place in it until a page of cues is found that stand so."""
         walked: list[ListRow] = []
@@ -120,7 +120,7 @@ class Desk:
             stretch = progress_queries.list_rows(
                 self._session, self._project.id, self._designer_id, after=after, limit=STRETCH, only=only
             )
-            walked += [row for row in stretch if status_of(row) in wanted]
+            walked += [row for row in stretch if status_of(row) in statuses]
             if len(stretch) < STRETCH:
                 break
             after = stretch[-1].position, stretch[-1].number
@@ -189,5 +189,5 @@ def _to_make(project: Project, cue: Cue, row: ListRow) -> schemas.ToMake:
 
 
 def _peak_limit(spec: audio_checks.DeliverySpec, category: str | None) -> float | None:
-    known = category if category in spec.categories else None
-    return spec.for_category(known).limits.sample_peak_dbfs
+    spec_category = category if category in spec.categories else None
+    return spec.for_category(spec_category).limits.sample_peak_dbfs

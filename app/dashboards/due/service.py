@@ -51,8 +51,10 @@ def _cues_due(
     session: Session, access: ProjectAccess, contracts: Sequence[Contract], link: CalendarLink
 ) -> Iterator[Event]:
     """Yield one event for each day on which cues are due; a designer's own, once a contract says which those are."""
-    own = _own_cues(session, contracts) if access.only_designer_id and contracts else None
-    open_cues = [cue for cue in due_queries.open_cues(session, link.project_id) if own is None or cue.id in own]
+    own_cue_ids = _own_cues(session, contracts) if access.only_designer_id and contracts else None
+    open_cues = [
+        cue for cue in due_queries.open_cues(session, link.project_id) if own_cue_ids is None or cue.id in own_cue_ids
+    ]
     for day, cues in groupby(open_cues, key=lambda cue: cue.due_on):
         if day is not None:
             due = list(cues)
@@ -80,13 +82,13 @@ def _of_contract(session: Session, actor: Actor, contract: Contract, name: str) 
     cues = plan_queries.cues_of(session, contract.id)
     for milestone in plan_queries.milestones_of(session, contract.id):
         if milestone.due_on is not None:
-            wanted = [cue for cue in cues if cue.milestone_id == milestone.id and cue.cut_at is None]
-            accepted = sum(cue.accepted_at is not None for cue in wanted)
+            milestone_cues = [cue for cue in cues if cue.milestone_id == milestone.id and cue.cut_at is None]
+            accepted = sum(cue.accepted_at is not None for cue in milestone_cues)
             yield _event(
                 str(milestone.id),
                 stamp,
                 milestone.due_on,
-                f"{name}: {milestone.name} due, {accepted} of {len(wanted)} accepted",
+                f"{name}: {milestone.name} due, {accepted} of {len(milestone_cues)} accepted",
                 f"{contract.title}, {money(milestone.amount_minor, contract.currency)}",
             )
     for invoice in invoices.invoices(session, actor, contract.id):

@@ -65,7 +65,8 @@ def by_category(works: Iterable[OpenWork]) -> list[tuple[str, Sum]]:
     for work in works:
         works_by_category[work.category].append(work)
     return sorted(
-        ((name, summed(own)) for name, own in works_by_category.items()), key=lambda pair: (-pair[1].left_h, pair[0])
+        ((name, summed(category_works)) for name, category_works in works_by_category.items()),
+        key=lambda pair: (-pair[1].left_h, pair[0]),
     )
 
 
@@ -77,7 +78,7 @@ def outlook(
     `free_days` are the working days of each week that are not taken, of five. What is overdue is due in the first week.
     Cues without an estimate or without a day are in no week.
     """
-    wanted = there = 0.0
+    due_h = there = 0.0
     weeks = []
     for week, days in enumerate(free_days):
         monday = first_monday + week * WEEK
@@ -86,8 +87,8 @@ def outlook(
             for work in works
             if work.due_on is not None and work.due_on < monday + WEEK and (week == 0 or work.due_on >= monday)
         )
-        wanted += due
+        due_h += due
         there += days / 5 * (weekly_hours or 0.0)
-        known = there if weekly_hours is not None else None
-        weeks.append(WeekOutlook(monday, due, wanted, known, known is not None and wanted > known + 1e-9))
+        capacity_h = there if weekly_hours is not None else None
+        weeks.append(WeekOutlook(monday, due, due_h, capacity_h, capacity_h is not None and due_h > capacity_h + 1e-9))
     return weeks

@@ -42,7 +42,7 @@ def project_hours(session: Session, actor: Actor, project_id: UUID) -> ProjectHo
     return ProjectHours(
         total=HoursSum.model_validate(summed(every)),
         uncontracted=hours_queries.uncontracted_cues(session, project_id),
-        categories=[CategoryHours(category=name, **vars(own)) for name, own in by_category(every)],
+        categories=[CategoryHours(category=name, **vars(category_work)) for name, category_work in by_category(every)],
         designers=designers,
     )
 

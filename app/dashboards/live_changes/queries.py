@@ -76,8 +76,8 @@ def sights_of(database: Database, viewers: Collection[Viewer]) -> Mapping[Viewer
             .where(Engagement.designer_id.in_(people), Engagement.ended_at.is_(None))
         )
         for person_id, project_id, is_past_nda, is_demo in session.execute(engaged):
-            known = sights[person_id].engaged_in
-            known[project_id] = known.get(project_id, False) or bool(is_past_nda)
+            engaged_in = sights[person_id].engaged_in
+            engaged_in[project_id] = engaged_in.get(project_id, False) or bool(is_past_nda)
             if is_demo:
                 in_demo.add(person_id)
     return {

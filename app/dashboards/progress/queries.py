@@ -311,8 +311,8 @@ def unheard_takes(session: Session, person_id: UUID, cue_ids: Collection[UUID]) 
 @cache
 def _unheard_takes() -> Select[*tuple[Any, ...]]:
     heard = exists().where(HeardTake.take_id == Take.id, HeardTake.person_id == bindparam("person_id"))
-    wanted = (in_array(Take.cue_id, "cue_ids"), Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)), ~heard)
-    return select(Take.cue_id, Take.id).where(*wanted).order_by(Take.variation, Take.number)
+    conditions = (in_array(Take.cue_id, "cue_ids"), Take.state.in_((TakeState.CONFORMING, TakeState.APPROVED)), ~heard)
+    return select(Take.cue_id, Take.id).where(*conditions).order_by(Take.variation, Take.number)
 
 
 def waiting_files(session: Session, project_id: UUID, designer_id: UUID | None) -> int:

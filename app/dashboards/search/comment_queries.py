@@ -30,8 +30,8 @@ class InProject:
 
     def conditions(self, table: Table) -> list[ColumnElement[bool]]:
         """Admit rows of this work."""
-        own = [] if self.designer_id is None else [table.designer_id == self.designer_id]
-        return [table.project_id == self.project_id, *own]
+        of_designer = [] if self.designer_id is None else [table.designer_id == self.designer_id]
+        return [table.project_id == self.project_id, *of_designer]
 
 
 @dataclass(frozen=True)
@@ -43,10 +43,10 @@ class Elsewhere:
 
     def conditions(self, table: Table) -> list[ColumnElement[bool]]:
         """Admit rows of this work."""
-        own = visible_work(
+        is_visible = visible_work(
             self.actor, studio_id=table.studio_id, project_id=table.project_id, designer_id=table.designer_id
         )
-        return [in_array(table.project_id, self.project_ids), own]
+        return [in_array(table.project_id, self.project_ids), is_visible]
 
 
 @dataclass(frozen=True)

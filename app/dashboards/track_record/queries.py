@@ -62,14 +62,15 @@ def revision_times(session: Session, studio_id: UUID, designer_id: UUID) -> Sequ
         .correlate(Round)
         .scalar_subquery()
     )
-    own = select(Take.cue_id).where(Take.studio_id == studio_id, Take.designer_id == designer_id)
+    own_cue_ids = select(Take.cue_id).where(Take.studio_id == studio_id, Take.designer_id == designer_id)
     is_awaited = and_(
-        Cue.state != CueState.CUT, Cue.id.in_(own.where(Take.state == TakeState.CHANGE_REQUESTED).correlate(None))
+        Cue.state != CueState.CUT,
+        Cue.id.in_(own_cue_ids.where(Take.state == TakeState.CHANGE_REQUESTED).correlate(None)),
     )
     rows = session.execute(
         select(Round.created_at, next_take, is_awaited)
         .join(Cue, Cue.id == Round.cue_id)
-        .where(Round.studio_id == studio_id, Round.cue_id.in_(own))
+        .where(Round.studio_id == studio_id, Round.cue_id.in_(own_cue_ids))
         .order_by(Round.id.desc())
         .limit(NEWEST)
     )

@@ -111,14 +111,14 @@ def _decided(session: Session, project_id: UUID, designer_id: UUID | None) -> di
 def _cue_pace(decided: Decided, variations: int, due_on: date | None) -> CuePace:
     rounds, first_round_at, approved = decided
     first = [at for at in (first_round_at, *(at for at, _ in approved.values())) if at is not None]
-    wanted = [approved[variation] for variation in range(1, variations + 1) if variation in approved]
-    is_accepted = len(wanted) == variations
+    approved_at = [approved[variation] for variation in range(1, variations + 1) if variation in approved]
+    is_accepted = len(approved_at) == variations
     return CuePace(
         rounds=rounds,
         first_decided_at=min(first, default=None),
-        accepted_at=max(at for at, _ in wanted) if is_accepted else None,
+        accepted_at=max(at for at, _ in approved_at) if is_accepted else None,
         due_on=due_on,
-        is_adopted=rounds == 0 and is_accepted and all(is_adopted for _, is_adopted in wanted),
+        is_adopted=rounds == 0 and is_accepted and all(is_adopted for _, is_adopted in approved_at),
     )
 
 

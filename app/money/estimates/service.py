@@ -92,9 +92,9 @@ def estimates_of(session: Session, contract: Contract) -> schemas.EstimatesRead:
     worked = queries.worked_minutes(session, [contract.id])
     of_cues = [_of_cue(cue, worked.get((contract.id, cue.cue_id))) for cue in cues if cue.estimate_min]
     of_milestones = [
-        one
+        estimate
         for milestone in milestones
-        if (one := _of_milestone(contract, milestone, [cue for cue in cues if cue.milestone_id == milestone.id]))
+        if (estimate := _of_milestone(contract, milestone, [cue for cue in cues if cue.milestone_id == milestone.id]))
     ]
     cue_rate, milestone_rate = _rate(of_cues), _rate(of_milestones)
     wild = [

@@ -173,12 +173,12 @@ def settle_shares(book: LedgerBook, cues: Sequence[PricedCue], rules: PayRules) 
     for cue in cues:
         owed_by_kind = book.owed_by_kind(cue.cue_id)
         waits = rules.release is ReleaseClause.ON_COMPLETION and cue.milestone_id in open_milestones
-        wanted = _wanted_shares(cue, owed_by_kind, rules, waits=waits, is_last=not open_milestones)
-        kept = {kind for kind, line in owed_by_kind.items() if wanted.get(kind) == line.amount_minor}
+        shares = _wanted_shares(cue, owed_by_kind, rules, waits=waits, is_last=not open_milestones)
+        kept = {kind for kind, line in owed_by_kind.items() if shares.get(kind) == line.amount_minor}
         entries += [reverse(line) for kind, line in owed_by_kind.items() if kind not in kept]
         entries += [
             Entry(kind, amount_minor, _clause(kind, cue), cue_id=cue.cue_id, milestone_id=cue.milestone_id)
-            for kind, amount_minor in wanted.items()
+            for kind, amount_minor in shares.items()
             if kind not in kept and amount_minor
         ]
     return entries

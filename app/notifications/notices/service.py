@@ -124,10 +124,10 @@ def unread(session: Session, actor: Actor) -> int:
 
 def mark_read(session: Session, actor: Actor, *, ids: Sequence[UUID], up_to: UUID | None) -> None:
     """Mark the caller's notices of these ids as read, and all up to one; what came after it stays unread."""
-    wanted: ColumnElement[bool] = in_array(Notice.id, ids)
+    is_named: ColumnElement[bool] = in_array(Notice.id, ids)
     if up_to is not None:
-        wanted = or_(wanted, Notice.id <= up_to)
-    unread_ones = update(Notice).where(Notice.person_id == actor.person, Notice.read_at.is_(None), wanted)
+        is_named = or_(is_named, Notice.id <= up_to)
+    unread_ones = update(Notice).where(Notice.person_id == actor.person, Notice.read_at.is_(None), is_named)
     session.execute(unread_ones.values(read_at=clock.now(), is_open=False))
 
 

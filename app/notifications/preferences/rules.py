@@ -52,12 +52,12 @@ def send_after(wishes: Preferences, cadence: Cadence, now: datetime, delay: time
         return _next(wishes.daily_at, now, zone)
     if cadence is Cadence.HOURLY:
         local = now.astimezone(zone)
-        wanted = now + (timedelta(hours=1) - timedelta(minutes=local.minute, seconds=local.second))
+        moment = now + (timedelta(hours=1) - timedelta(minutes=local.minute, seconds=local.second))
     else:
-        wanted = now + delay
-    if _is_quiet(wishes, wanted.astimezone(zone).time()) and wishes.quiet_until is not None:
-        return _next(wishes.quiet_until, wanted, zone)
-    return wanted
+        moment = now + delay
+    if _is_quiet(wishes, moment.astimezone(zone).time()) and wishes.quiet_until is not None:
+        return _next(wishes.quiet_until, moment, zone)
+    return moment
 
 
 def _is_quiet(wishes: Preferences, at: time) -> bool:

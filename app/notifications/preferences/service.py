@@ -54,19 +54,26 @@ def read(session: Session, person_id: UUID) -> Preferences:
     )
 
 
-def save(session: Session, actor: Actor, wanted: MailPreferencesSave) -> Preferences:
+def save(session: Session, actor: Actor, preferences_save: MailPreferencesSave) -> Preferences:
     """Replace the caller's wishes; mails that wait are sent by the new ones."""
-    if wanted.time_zone not in available_timezones():
+    if preferences_save.time_zone not in available_timezones():
         raise TimeZoneUnknown(
-            f'there is no time zone "{wanted.time_zone}"', fix="give a name of the IANA list, such as Europe/Berlin"
+            f'there is no time zone "{preferences_save.time_zone}"',
+            fix="give a name of the IANA list, such as Europe/Berlin",
         )
-    if (wanted.quiet_from is None) != (wanted.quiet_until is None):
+    if (preferences_save.quiet_from is None) != (preferences_save.quiet_until is None):
         raise QuietHoursUnclear("quiet hours have a begin or an end alone", fix="give both, or neither")
-    if wanted.quiet_from is not None and wanted.quiet_from == wanted.quiet_until:
+    if preferences_save.quiet_from is not None and preferences_save.quiet_from == preferences_save.quiet_until:
         raise QuietHoursUnclear("quiet hours begin and end at the same time", fix="give different times, or neither")
     for news in ALWAYS_MAILED:
-        _ensure_mailed(news, wanted.cadences.get(news, Cadence.AT_ONCE))
-    wishes = Preferences(wanted.cadences, wanted.time_zone, wanted.daily_at, wanted.quiet_from, wanted.quiet_until)
+        _ensure_mailed(news, preferences_save.cadences.get(news, Cadence.AT_ONCE))
+    wishes = Preferences(
+        preferences_save.cadences,
+        preferences_save.time_zone,
+        preferences_save.daily_at,
+        preferences_save.quiet_from,
+        preferences_save.quiet_until,
+    )
     _keep(session, actor.person, wishes)
     return wishes
 

@@ -43,12 +43,12 @@ def request_batch(session: Session, actor: Actor, project_id: UUID, targets: Seq
     access = project_access(session, actor, project_id)
     access.ensure_team()
     access.ensure_may_speak()
-    known = list(queries.parsed_spec(current_spec(session, project_id).toml).targets)
-    unknown = [target for target in targets if target not in known]
+    target_names = list(queries.parsed_spec(current_spec(session, project_id).toml).targets)
+    unknown = [target for target in targets if target not in target_names]
     if unknown:
-        raise TargetUnknown(f'the spec has no target "{unknown[0]}"; it has {", ".join(known) or "none"}')
-    if not known or not queries.has_admitted_takes(session, project_id):
-        missing = "version conforms" if known else "target is in the spec"
+        raise TargetUnknown(f'the spec has no target "{unknown[0]}"; it has {", ".join(target_names) or "none"}')
+    if not target_names or not queries.has_admitted_takes(session, project_id):
+        missing = "version conforms" if target_names else "target is in the spec"
         raise NothingToRender(f"no {missing} yet, so there is no game file to make")
     return begin(session, access.project, asked_by=actor.person, targets=targets)
 
@@ -112,9 +112,10 @@ def planned_items(session: Session, batch: Batch, spec: Spec, takes: Sequence[Ta
                 continue
             key = recipe.key(take.master_sha256)
             there = so_far.get((take.id, target), [])
-            known = next((render for render in there if render.key == key), None)
+            same_render = next((render for render in there if render.key == key), None)
             before = next(
-                (render for render in reversed(there) if render.key != key and render.file_bytes is not None), known
+                (render for render in reversed(there) if render.key != key and render.file_bytes is not None),
+                same_render,
             )
             items.append(
                 {
@@ -124,19 +125,19 @@ def planned_items(session: Session, batch: Batch, spec: Spec, takes: Sequence[Ta
                     "take_id": take.id,
                     "target": target,
                     "category": category or "",
-                    "state": _planned_state(known.state if known else None),
+                    "state": _planned_state(same_render.state if same_render else None),
                     "before_bytes": before.file_bytes if before else None,
-                    "after_bytes": known.file_bytes if known else None,
-                    "reason": (known.refusal or "") if known else "",
+                    "after_bytes": same_render.file_bytes if same_render else None,
+                    "reason": (same_render.refusal or "") if same_render else "",
                 }
             )
     return items
 
 
-def _planned_state(known: RenderState | None) -> ItemState:
-    if known is None:
+def _planned_state(state: RenderState | None) -> ItemState:
+    if state is None:
         return ItemState.WAITING
-    return ItemState.KEPT if known is RenderState.MADE else ItemState.REFUSED
+    return ItemState.KEPT if state is RenderState.MADE else ItemState.REFUSED
 
 
 @dataclass(frozen=True)

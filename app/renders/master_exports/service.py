@@ -41,8 +41,8 @@ def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
     take, access = take_for(session, actor, take_id)
     ensure_open(session, actor, take.cue_id, take.designer_id)
     ensure_master_kept(take.master_deleted_at)
-    known = asdict(_provenance(session, take, access.project))
-    made_of = [EXPORT_VERSION, take.master_sha256, known]
+    provenance = asdict(_provenance(session, take, access.project))
+    made_of = [EXPORT_VERSION, take.master_sha256, provenance]
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
     export = queries.master_export_of(session, take_id, key)
     if export is not None and export.refusal is None:
@@ -54,7 +54,7 @@ def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
             project_id=take.project_id,
             take_id=take_id,
             key=key,
-            provenance=known,
+            provenance=provenance,
             file_name=f"{name}.wav",
         )
         session.add(export)
@@ -71,7 +71,7 @@ def _provenance(session: Session, take: Take, project: Project) -> Provenance:
     studio = session.get_one(Studio, project.studio_id)
     work_of = {} if take.cue_id is None else {take.id: (take.cue_id, take.designer_id)}
     contracts = ChainMap(*send(session, ContractsNamed(project.cue_prefix, work_of)))
-    known = Provenance(
+    provenance = Provenance(
         project=project.name,
         studio=studio.name,
         originator=take.designer.name,
@@ -83,9 +83,9 @@ def _provenance(session: Session, take: Take, project: Project) -> Provenance:
     made_from = f"Sources: {words_of(stated)}" if stated else ""
     cue = take.cue
     if cue is None:
-        return replace(known, notes=made_from, fields=fields)
+        return replace(provenance, notes=made_from, fields=fields)
     return replace(
-        known,
+        provenance,
         number=label(project.cue_prefix, cue.number),
         name=cue.name,
         notes=" ".join(part for part in (cue.description, made_from) if part),

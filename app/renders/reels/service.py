@@ -22,10 +22,10 @@ MAX_DURATION_S = 600.0  # of all sounds together: the child holds them in memory
 ENDING = "_reel"
 
 
-def request_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) -> Reel:
+def request_reel(session: Session, actor: Actor, cue_id: UUID, reel_add: ReelAdd) -> Reel:
     """Return the reel of the takes that the caller sees of a cue, and have it made unless it was or is."""
     access, cue = visible_cue(session, actor, cue_id)
-    takes = queries.visible_takes_of_cue(session, actor, cue_id, newest_first=wanted.order == "newest")
+    takes = queries.visible_takes_of_cue(session, actor, cue_id, newest_first=reel_add.order == "newest")
     pictures = queries.pictures_of_sounds(session, [cue.studio_id], [take.master_sha256 for take in takes])
     if any(take.master_sha256 not in pictures for take in takes):
         raise TakesBeingDrawn("a take of this cue is still being drawn", fix="ask again in a moment")
@@ -41,7 +41,7 @@ def request_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) 
         {"take_id": str(take.id), "preview_sha256": preview, "variation": take.variation, "number": take.number}
         for take, preview in heard
     ]
-    made_of = [REEL_VERSION, wanted.gap_ms, wanted.crossfade_ms, wanted.slates, cue.variations > 1, order]
+    made_of = [REEL_VERSION, reel_add.gap_ms, reel_add.crossfade_ms, reel_add.slates, cue.variations > 1, order]
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
     reel = queries.reel_of(session, cue_id, key)
     if reel is not None and reel.refusal is None:
@@ -52,9 +52,9 @@ def request_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) 
             project_id=cue.project_id,
             cue_id=cue_id,
             key=key,
-            gap_ms=wanted.gap_ms,
-            crossfade_ms=wanted.crossfade_ms,
-            with_slates=wanted.slates != "none",
+            gap_ms=reel_add.gap_ms,
+            crossfade_ms=reel_add.crossfade_ms,
+            with_slates=reel_add.slates != "none",
             takes=order,
             file_name=f"{slug(cue.file_name or cue.name)}{ENDING}.wav",
         )
@@ -67,7 +67,7 @@ def request_reel(session: Session, actor: Actor, cue_id: UUID, wanted: ReelAdd) 
         studio_id=access.project.studio_id,
         reel_id=reel.id,
         sets=int(cue.variations > 1),
-        speaks=int(wanted.slates == "spoken"),
+        speaks=int(reel_add.slates == "spoken"),
     )
     return reel
 

@@ -53,12 +53,12 @@ def set_checklist(
             f"{len(has_one)} categories have a checklist, as many as may have one",
             fix="remove a checklist, or write the items in the one for every cue",
         )
-    known = {item.text: item for item in queries.items_ever(session, project_id, category)}
-    for text, item in known.items():
+    items_by_text = {item.text: item for item in queries.items_ever(session, project_id, category)}
+    for text, item in items_by_text.items():
         if text not in items and item.removed_at is None:
             item.removed_at = clock.now()
     for position, text in enumerate(items):
-        item = known.get(text) or ChecklistItem(
+        item = items_by_text.get(text) or ChecklistItem(
             studio_id=access.project.studio_id,
             project_id=project_id,
             category=category,

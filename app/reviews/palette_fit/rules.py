@@ -111,25 +111,25 @@ def fit_of(sound: Likeness, others: Sequence[Likeness]) -> dict[Measure, Fit]:
 
 
 def _placed(measure: Measure, value: float | None, others: list[float | None]) -> Fit | None:
-    known = [other for other in others if other is not None]
-    if value is None or len(known) < FEWEST:
+    measured = [other for other in others if other is not None]
+    if value is None or len(measured) < FEWEST:
         return None
-    lowest, highest, slack = min(known), max(known), SLACK[measure]
+    lowest, highest, slack = min(measured), max(measured), SLACK[measure]
     stands = Stands.ABOVE if value > highest + slack else Stands.BELOW if value < lowest - slack else Stands.WITHIN
     if stands is Stands.BELOW and measure in (Measure.SPECTRUM, Measure.TIMBRE):
         stands = Stands.WITHIN  # nearer to the middle than any other
-    return Fit(value, others, median(known), lowest, highest, stands)
+    return Fit(value, others, median(measured), lowest, highest, stands)
 
 
 def _apart(
-    own: Numbers | None, others: Sequence[Numbers | None], distance: Callable[[Numbers, Numbers], float]
+    figures: Numbers | None, others: Sequence[Numbers | None], distance: Callable[[Numbers, Numbers], float]
 ) -> tuple[float | None, list[float | None]]:
     """Return the distance from the middle of the others, and of each of them from the middle of the rest."""
-    known = [other for other in others if other]
-    if not own or len(known) < FEWEST:
+    measured = [other for other in others if other]
+    if not figures or len(measured) < FEWEST:
         return None, []
-    middles = iter(_middles_without_each(known))
-    return distance(own, _middle(known)), [distance(other, next(middles)) if other else None for other in others]
+    middles = iter(_middles_without_each(measured))
+    return distance(figures, _middle(measured)), [distance(other, next(middles)) if other else None for other in others]
 
 
 def _middles_without_each(lists: Sequence[Numbers]) -> list[list[float]]:

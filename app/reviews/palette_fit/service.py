@@ -66,19 +66,19 @@ def delivery_fit(session: Session, actor: Actor, delivery_id: UUID) -> DeliveryF
         for approved_sound in queries.approved_sounds(session, delivery.project_id)
         if approved_sound.take.designer_id != delivery.designer_id
     ]
-    takes = [_fit(access.project, one, before) for one in queries.takes_compared(session, delivery_id)]
+    takes = [_fit(access.project, sound, before) for sound in queries.takes_compared(session, delivery_id)]
     return DeliveryFitRead(
         delivery_id=delivery.id,
         project_id=delivery.project_id,
         number=delivery.number,
         designer=PersonBrief.model_validate(delivery.designer),
         is_first=queries.is_first_delivery(session, delivery),
-        made_before_by=sorted({one.take.designer.name for one in before}),
+        made_before_by=sorted({sound.take.designer.name for sound in before}),
         takes=takes,
         shifts=[
             DeliveryShift(measure=measure, unit=UNITS[measure], compared=len(fits), apart=apart, shift=moved)
             for measure in Measure
-            if (fits := [one for take in takes for one in take.measures if one.measure is measure])
+            if (fits := [sound for take in takes for sound in take.measures if sound.measure is measure])
             for apart, moved in [shift([(fit.value, fit.middle, fit.stands) for fit in fits])]
         ],
     )
@@ -88,9 +88,9 @@ def _fit(
     project: Project, sound: Compared, approved: Sequence[Compared], *, first_delivery_id: UUID | None = None
 ) -> TakeFitRead:
     """Compare one sound with the approved cues of its category, else of the palette."""
-    cues = _by_cue([one for one in approved if one.cue.id != sound.cue.id])
-    of_category = [one for one in cues if one[0].category == sound.cue.category]
-    of_palette = [one for one in cues if one[0].palette]
+    cues = _by_cue([cue_sound for cue_sound in approved if cue_sound.cue.id != sound.cue.id])
+    of_category = [cue_sound for cue_sound in cues if cue_sound[0].category == sound.cue.category]
+    of_palette = [cue_sound for cue_sound in cues if cue_sound[0].palette]
     basis, others = (FitBasis.CATEGORY, of_category) if len(of_category) >= FEWEST else (FitBasis.PALETTE, of_palette)
     cue = _brief(project, sound.cue)
     if len(others) < FEWEST:
@@ -104,7 +104,9 @@ def _fit(
         category=sound.cue.category,
         says=in_words(fits) + ("" if sound.is_analysed else BEING_HEARD),
         is_apart=any(fit.stands is not Stands.WITHIN for fit in fits.values()),
-        measures=[_read(project, measure, fit, [one for one, _ in others]) for measure, fit in fits.items()],
+        measures=[
+            _read(project, measure, fit, [cue_sound for cue_sound, _ in others]) for measure, fit in fits.items()
+        ],
         first_delivery_id=first_delivery_id,
     )
 

@@ -92,8 +92,8 @@ def waits() -> ColumnElement[bool]:
     )
     rendered = row_exists(made, Take)  # of EXISTS PostgreSQL may gather all that was ever rendered
     drawn = exists().where(Picture.studio_id == Take.studio_id, Picture.sound_sha256 == Take.master_sha256)
-    wanted = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
-    return and_(Take.state == TakeState.CONFORMING, wanted.correlate(Take), drawn.correlate(Take), rendered)
+    is_listed = exists().where(Cue.id == Take.cue_id, Cue.state != CueState.CUT)
+    return and_(Take.state == TakeState.CONFORMING, is_listed.correlate(Take), drawn.correlate(Take), rendered)
 
 
 class WaitingCue(NamedTuple):

@@ -128,8 +128,8 @@ def _place_of(cursor: str | None) -> QueuePlace | None:
     return QueuePlace(int(read[1]), int(read[2]), int(read[3]), *since_and_cue)
 
 
-def _wanted(reach: ColumnElement[bool], wanted: QueueFilter, person_id: UUID) -> ColumnElement[bool]:
-    return reach if wanted == EVERYTHING else and_(reach, filtered(wanted, person_id))
+def _wanted(reach: ColumnElement[bool], queue_filter: QueueFilter, person_id: UUID) -> ColumnElement[bool]:
+    return reach if queue_filter == EVERYTHING else and_(reach, filtered(queue_filter, person_id))
 
 
 def queue_count(

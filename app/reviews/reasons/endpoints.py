@@ -34,8 +34,8 @@ def set_review_reasons(
     studio_id: UUID, body: ReviewReasonsSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
 ) -> ReviewReasonsRead:
     """Write whole lists; what was said before stays as it was said. An empty list gives ours back."""
-    wanted = {kind: chosen for kind in ReasonKind if (chosen := getattr(body, kind.value)) is not None}
-    return reasons.set_reasons(session, actor, studio_id, wanted)
+    chosen_by_kind = {kind: chosen for kind in ReasonKind if (chosen := getattr(body, kind.value)) is not None}
+    return reasons.set_reasons(session, actor, studio_id, chosen_by_kind)
 
 
 @router.get("/projects/{project_id}/review-reasons", responses=problems(ProjectNotFound))

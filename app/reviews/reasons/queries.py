@@ -40,10 +40,10 @@ class ReasonPlace:
     start_s: float | None
 
 
-def counts(session: Session, wanted: ReasonFilter) -> Sequence[tuple[ReasonKind, str, int]]:
+def counts(session: Session, reason_filter: ReasonFilter) -> Sequence[tuple[ReasonKind, str, int]]:
     """Return the number of uses of each reason, the most frequent first."""
     given = func.count()
-    query = _filtered(select(GivenReason.kind, GivenReason.reason, given), wanted)
+    query = _filtered(select(GivenReason.kind, GivenReason.reason, given), reason_filter)
     grouped = query.group_by(GivenReason.kind, GivenReason.reason)
     return session.execute(grouped.order_by(given.desc(), GivenReason.reason)).all()
 
@@ -54,18 +54,18 @@ def designers_with_reasons(session: Session, project_id: UUID) -> Sequence[Perso
     return session.scalars(select(Person).where(Person.id.in_(ids)).order_by(Person.name, Person.id)).all()
 
 
-def categories_with_reasons(session: Session, wanted: ReasonFilter) -> Sequence[str]:
+def categories_with_reasons(session: Session, reason_filter: ReasonFilter) -> Sequence[str]:
     """Return the categories of the cues of which reasons were given, by name; empty for cues without one."""
-    cues = _filtered(select(GivenReason.cue_id).distinct(), wanted)
+    cues = _filtered(select(GivenReason.cue_id).distinct(), reason_filter)
     return session.scalars(select(Cue.category).distinct().where(Cue.id.in_(cues)).order_by(Cue.category)).all()
 
 
 def places(
-    session: Session, wanted: ReasonFilter, kind: ReasonKind, reason: str, *, after: UUID | None, limit: int
+    session: Session, reason_filter: ReasonFilter, kind: ReasonKind, reason: str, *, after: UUID | None, limit: int
 ) -> list[ReasonPlace]:
     """Return the verdicts that gave a reason, newest first."""
     query = (
-        _filtered(select(Verdict, Take, Cue, ChangeRequest.start_s).select_from(GivenReason), wanted)
+        _filtered(select(Verdict, Take, Cue, ChangeRequest.start_s).select_from(GivenReason), reason_filter)
         .join(Verdict, Verdict.id == GivenReason.verdict_id)
         .join(Take, Take.id == Verdict.take_id)
         .join(Cue, Cue.id == GivenReason.cue_id)
@@ -80,11 +80,13 @@ def places(
     return [ReasonPlace(*row) for row in session.execute(query)]
 
 
-def _filtered(query: Select[*tuple[Any, ...]], wanted: ReasonFilter) -> Select[*tuple[Any, ...]]:
-    query = query.where(GivenReason.project_id == wanted.project_id)
-    if wanted.designer_id is not None:
-        query = query.where(GivenReason.designer_id == wanted.designer_id)
-    if wanted.category is not None:
-        of_category = select(Cue.id).where(Cue.project_id == wanted.project_id, Cue.category == wanted.category)
+def _filtered(query: Select[*tuple[Any, ...]], reason_filter: ReasonFilter) -> Select[*tuple[Any, ...]]:
+    query = query.where(GivenReason.project_id == reason_filter.project_id)
+    if reason_filter.designer_id is not None:
+        query = query.where(GivenReason.designer_id == reason_filter.designer_id)
+    if reason_filter.category is not None:
+        of_category = select(Cue.id).where(
+            Cue.project_id == reason_filter.project_id, Cue.category == reason_filter.category
+        )
         query = query.where(GivenReason.cue_id.in_(of_category))
     return query

@@ -22,8 +22,8 @@ def reason_counts(
 ) -> ReasonsRead:
     """Return the number of uses of each reason; a designer sees those of their own takes."""
     access = project_access(session, actor, project_id)
-    wanted = _filter(access, designer_id, category)
-    counted = queries.counts(session, wanted)
+    reason_filter = _filter(access, designer_id, category)
+    counted = queries.counts(session, reason_filter)
     designers = queries.designers_with_reasons(session, project_id) if access.is_team else []
     return ReasonsRead(
         change=[ReasonCount(reason=reason, versions=number) for kind, reason, number in counted if kind == "change"],
@@ -46,8 +46,8 @@ def reason_places(
 ) -> Page[ReasonPlaceRead]:
     """Return the versions of which a reason was given, newest first."""
     access = project_access(session, actor, project_id)
-    wanted = _filter(access, designer_id, category)
-    reason_rows = queries.places(session, wanted, kind, reason, after=uuid_cursor(cursor), limit=PAGE_PLACES + 1)
+    reason_filter = _filter(access, designer_id, category)
+    reason_rows = queries.places(session, reason_filter, kind, reason, after=uuid_cursor(cursor), limit=PAGE_PLACES + 1)
     shown = reason_rows[:PAGE_PLACES]
     return Page(
         items=[_shown(row, access.project.cue_prefix) for row in shown],

@@ -32,11 +32,11 @@ def reasons_of_project(session: Session, actor: Actor, project_id: UUID) -> Revi
 
 
 def set_reasons(
-    session: Session, actor: Actor, studio_id: UUID, wanted: Mapping[ReasonKind, Sequence[str]]
+    session: Session, actor: Actor, studio_id: UUID, reasons_by_kind: Mapping[ReasonKind, Sequence[str]]
 ) -> ReviewReasonsRead:
     """Write lists of a studio; an empty one, and one that says what ours says, gives ours back."""
     ensure_producer_of(session, actor, studio_id)
-    for kind, reasons in wanted.items():
+    for kind, reasons in reasons_by_kind.items():
         ensure_distinct(reasons, kind)
         if not reasons or tuple(reasons) == OURS[kind]:
             session.execute(delete(ReasonList).where(ReasonList.studio_id == studio_id, ReasonList.kind == kind))
@@ -44,16 +44,17 @@ def set_reasons(
         facts = {"reasons": list(reasons), "set_by": actor.person, "set_at": clock.now()}
         row = {"studio_id": studio_id, "kind": kind, **facts}
         if not insert_if_absent(session, ReasonList, row, unique=("studio_id", "kind")):
-            known = session.get_one(ReasonList, (studio_id, kind), populate_existing=True)
-            known.reasons, known.set_by, known.set_at = list(reasons), actor.person, clock.now()
+            reason_list = session.get_one(ReasonList, (studio_id, kind), populate_existing=True)
+            reason_list.reasons, reason_list.set_by, reason_list.set_at = list(reasons), actor.person, clock.now()
     session.flush()
     return _lists(session, studio_id)
 
 
 def _lists(session: Session, studio_id: UUID) -> ReviewReasonsRead:
-    own = queries.lists_of(session, studio_id)
+    lists_of_studio = queries.lists_of(session, studio_id)
     lists = {
-        kind.value: ReasonListRead(reasons=list(own.get(kind, OURS[kind])), is_own=kind in own) for kind in ReasonKind
+        kind.value: ReasonListRead(reasons=list(lists_of_studio.get(kind, OURS[kind])), is_own=kind in lists_of_studio)
+        for kind in ReasonKind
     }
     return ReviewReasonsRead(**lists)
 

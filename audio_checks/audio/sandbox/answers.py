@@ -78,11 +78,11 @@ def returned_type(function: Callable[..., Any]) -> Any:
 
 def _ensure_declared(value: Any) -> None:
     declared = _declared(type(value))  # type: ignore[arg-type]
-    for name, wanted in declared.items():
+    for name, declared_type in declared.items():
         held = getattr(value, name, MISSING)
         if isinstance(held, tuple) and len(held) > MOST_ITEMS:
             raise UnexpectedAnswer(f"a list of {len(held):,} entries; {MOST_ITEMS:,} are allowed")
-        if misfit := _misfit(held, wanted, f"{type(value).__name__}.{name}"):
+        if misfit := _misfit(held, declared_type, f"{type(value).__name__}.{name}"):
             raise UnexpectedAnswer(misfit)
     if extra := set(getattr(value, "__dict__", ())) - set(declared):
         raise UnexpectedAnswer(f"{type(value).__name__} has no {min(extra)}")
@@ -102,11 +102,11 @@ def _hints(kind: type) -> dict[str, Any]:
         return {}
 
 
-def _misfit(value: Any, wanted: Any, where: str) -> str:
+def _misfit(value: Any, declared_type: Any, where: str) -> str:
     """Return the place where a value is not of a declared type, "" if it is; anything not understood here fits."""
-    if wanted is Any:
+    if declared_type is Any:
         return f"{where} is missing" if value is MISSING else ""
-    origin, arguments = typing.get_origin(wanted), typing.get_args(wanted)
+    origin, arguments = typing.get_origin(declared_type), typing.get_args(declared_type)
     fits = True
     if origin is Literal:
         fits = isinstance(value, str | int | bool | None) and value in arguments
@@ -116,15 +116,15 @@ def _misfit(value: Any, wanted: Any, where: str) -> str:
         if isinstance(value, origin):
             return _misfit_inside(value, origin, arguments, where)
         fits = False
-    elif hasattr(wanted, "__required_keys__"):
+    elif hasattr(declared_type, "__required_keys__"):
         if isinstance(value, dict):
-            return _misfit_of_keys(value, wanted, where)
+            return _misfit_of_keys(value, declared_type, where)
         fits = False
-    elif wanted in LEAVES:
-        fits = _fits_leaf(value, wanted)
-    elif isinstance(wanted, type):
-        fits = isinstance(value, wanted)
-    return "" if fits else f"{where} is not {wanted}"
+    elif declared_type in LEAVES:
+        fits = _fits_leaf(value, declared_type)
+    elif isinstance(declared_type, type):
+        fits = isinstance(value, declared_type)
+    return "" if fits else f"{where} is not {declared_type}"
 
 
 # numpy's float64 is a float, and an enumeration of texts is a text; a bool is not a number.
@@ -139,13 +139,13 @@ LEAVES: dict[Any, tuple[type, ...]] = {
 }
 
 
-def _fits_leaf(value: Any, wanted: Any) -> bool:
+def _fits_leaf(value: Any, declared_type: Any) -> bool:
     # -inf is the level of silence; what is not a number at all fits nowhere.
-    return _is_leaf(type(value), wanted) and value == value
+    return _is_leaf(type(value), declared_type) and value == value
 
 
-def _is_leaf(kind: type, wanted: Any) -> bool:
-    return issubclass(kind, LEAVES[wanted]) and (kind is not bool or wanted is bool)
+def _is_leaf(kind: type, declared_type: Any) -> bool:
+    return issubclass(kind, LEAVES[declared_type]) and (kind is not bool or declared_type is bool)
 
 
 def _misfit_inside(value: Any, origin: type, arguments: tuple[Any, ...], where: str) -> str:
@@ -157,28 +157,28 @@ def _misfit_inside(value: Any, origin: type, arguments: tuple[Any, ...], where: 
         if len(value) != len(arguments):
             return f"{where} has {len(value)} values; {len(arguments)} are wanted"
         pairs = enumerate(zip(value, arguments, strict=True))
-        misfits = (_misfit(element, wanted, f"{where}[{index}]") for index, (element, wanted) in pairs)
+        misfits = (_misfit(element, declared_type, f"{where}[{index}]") for index, (element, declared_type) in pairs)
         return next(filter(None, misfits), "")
     if origin in (tuple, list, set, frozenset):
         return _misfit_of_all(value, arguments[0], f"an entry of {where}")
     return ""  # an array: its dtype says what it holds
 
 
-def _misfit_of_all(values: typing.Collection[Any], wanted: Any, where: str) -> str:
-    if wanted in LEAVES:  # a sheet has 400,000 cells
+def _misfit_of_all(values: typing.Collection[Any], declared_type: Any, where: str) -> str:
+    if declared_type in LEAVES:  # a sheet has 400,000 cells
         kinds = set(map(type, values))
-        if all(_is_leaf(kind, wanted) for kind in kinds) and (
-            wanted is not float or all(value == value for value in values)
+        if all(_is_leaf(kind, declared_type) for kind in kinds) and (
+            declared_type is not float or all(value == value for value in values)
         ):
             return ""
-        return f"{where} is not {wanted}"
-    return next(filter(None, (_misfit(value, wanted, where) for value in values)), "")
+        return f"{where} is not {declared_type}"
+    return next(filter(None, (_misfit(value, declared_type, where) for value in values)), "")
 
 
-def _misfit_of_keys(value: dict[Any, Any], wanted: Any, where: str) -> str:
-    hints = _hints(wanted)
+def _misfit_of_keys(value: dict[Any, Any], declared_type: Any, where: str) -> str:
+    hints = _hints(declared_type)
     if unknown := value.keys() - hints.keys():
         return f"{where} has no {min(map(str, unknown))}"
-    if missing := wanted.__required_keys__ - value.keys():
+    if missing := declared_type.__required_keys__ - value.keys():
         return f"{where} lacks {min(missing)}"
     return next(filter(None, (_misfit(entry, hints[key], f"{where}.{key}") for key, entry in value.items())), "")

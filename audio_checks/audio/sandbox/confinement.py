@@ -87,13 +87,13 @@ def library_places() -> list[str]:
     Of a folder that is not the interpreter's own only the packages and modules that are loaded: a checkout may
     contain data next to its code.
     """
-    own = {sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")}
-    own |= {*site.getsitepackages(), os.path.join(sys.base_prefix, "lib"), os.environ.get("NUMBA_CACHE_DIR", "")}
-    own |= set(os.environ.get("LD_LIBRARY_PATH", "").split(os.pathsep))
-    own |= {entry for entry in sys.path if os.path.basename(entry) in ("site-packages", "dist-packages")}
-    own = {os.path.realpath(folder) for folder in own if os.path.isabs(folder)}
-    inside = tuple(folder + os.sep for folder in own)
-    places = set(own)
+    folders = {sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")}
+    folders |= {*site.getsitepackages(), os.path.join(sys.base_prefix, "lib"), os.environ.get("NUMBA_CACHE_DIR", "")}
+    folders |= set(os.environ.get("LD_LIBRARY_PATH", "").split(os.pathsep))
+    folders |= {entry for entry in sys.path if os.path.basename(entry) in ("site-packages", "dist-packages")}
+    folders = {os.path.realpath(folder) for folder in folders if os.path.isabs(folder)}
+    inside = tuple(folder + os.sep for folder in folders)
+    places = set(folders)
     for name, module in list(sys.modules.items()):
         if "." not in name:
             module_paths = [*getattr(module, "__path__", ()), getattr(module, "__file__", None)]

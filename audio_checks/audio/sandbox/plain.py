@@ -159,10 +159,10 @@ class _Reader:
         return self._blobs[begin:end]
 
     def _array(self, dtype: str, shape: list[Any], size: int) -> np.ndarray[Any, Any]:
-        wanted = np.dtype(dtype)
-        if wanted.kind not in NUMBERS or not all(type(count) is int and count >= 0 for count in shape):
+        array_dtype = np.dtype(dtype)
+        if array_dtype.kind not in NUMBERS or not all(type(count) is int and count >= 0 for count in shape):
             raise NotPlain("an array of objects; numbers are wanted")
-        return np.frombuffer(self._blob(size), wanted).reshape(shape).copy()
+        return np.frombuffer(self._blob(size), array_dtype).reshape(shape).copy()
 
     def _data(self, kind: type[Any], values: list[Any], depth: int) -> Any:
         made: Any = object.__new__(kind)

@@ -78,8 +78,8 @@ def _of_every_process(machine: str) -> tuple[bytes, ...]:
 def install(pid: int) -> None:
     """Hold this thread to the filter for good; OSError where the kernel refuses."""
     content = program(platform.machine(), pid)
-    wanted = _Program(len(content) // 8, content)
-    if c_library().prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.byref(wanted), 0, 0):
+    filter_program = _Program(len(content) // 8, content)
+    if c_library().prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.byref(filter_program), 0, 0):
         raise OSError(ctypes.get_errno(), f"seccomp: {os.strerror(ctypes.get_errno())}")
 
 

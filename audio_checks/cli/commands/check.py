@@ -216,10 +216,10 @@ class _Judging:
     @staticmethod
     def _is_known(rule: Path, changes: "Changes") -> bool:
         """Return whether Git knows a file that sounds are judged by; say so where it does not."""
-        if known := changes.knows(rule):
-            return known
+        if waived := changes.knows(rule):
+            return waived
         note(f"{rule} is in no Git repository, so it is taken for unchanged")
-        return known
+        return waived
 
     def entries(self, tasks: Sequence["Task"]) -> list[FileReport]:
         """Return the report of each file: from the cache where nothing changed, checked again elsewhere."""
@@ -255,13 +255,13 @@ class _Judging:
         cache = VerdictCache(options.cache_dir or default_folder(), threads=options.jobs or CORES)
         if options.cache_dir and not cache.usable:
             note(f"{options.cache_dir}: verdicts cannot be kept there, so every file is judged")
-        known = cache.recall(tasks)
-        unknown = [task for task, entry in zip(tasks, known, strict=True) if entry is None]
+        cached = cache.recall(tasks)
+        unknown = [task for task, entry in zip(tasks, cached, strict=True) if entry is None]
         judged = self._judged(unknown)
         cache.remember(unknown, judged)
         cache.close()
         fresh = iter(judged)
-        return [entry or next(fresh) for entry in known]
+        return [entry or next(fresh) for entry in cached]
 
     def _judged(self, tasks: Sequence["Task"]) -> list[FileReport]:
         from audio_checks.run import runner

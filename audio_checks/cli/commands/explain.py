@@ -45,12 +45,12 @@ def _by_judgement(name: str) -> "Check | None":
     return next((check for check in all_checks().values() if check.judgement == name), None)
 
 
-def _unknown(name: str, known: list[str]) -> str:
+def _unknown(name: str, names: list[str]) -> str:
     if name in check_names.DEFAULT_SEVERITY:
         return f"{name}: the name is kept for a check that this version lacks"
     from difflib import get_close_matches
 
-    near = [known_name for known_name in known if name in known_name] or get_close_matches(name, known, n=1, cutoff=0.0)
+    near = [known_name for known_name in names if name in known_name] or get_close_matches(name, names, n=1, cutoff=0.0)
     nearest = " and ".join(f'"{candidate}"' for candidate in near[:3])
     return f'no check "{name}"; the nearest {"is" if len(near) == 1 else "are"} {nearest}; audio-checks list names all'
 

@@ -97,8 +97,8 @@ def _randomizer(cue: ExportedCue, path: str) -> bytes:
     lines = [head, ""]
     for number, file in enumerate(cue.files, start=1):
         source = f"res://{file.path}"
-        known = f"uid={quoted(uid_of(source))} path={quoted(source)}"
-        lines.append(f'[ext_resource type="AudioStream" {known} id="{number}"]')
+        stream_address = f"uid={quoted(uid_of(source))} path={quoted(source)}"
+        lines.append(f'[ext_resource type="AudioStream" {stream_address} id="{number}"]')
     lines += ["", "[resource]", f"streams_count = {count}"]
     for index in range(count):
         lines += [f'stream_{index}/stream = ExtResource("{index + 1}")', f"stream_{index}/weight = 1.0"]

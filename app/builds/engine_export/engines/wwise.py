@@ -58,11 +58,11 @@ def event_name(cue: ExportedCue) -> str:
 def _object_paths(cues: Sequence[ExportedCue]) -> dict[str, str]:
     """Return the path of each cue's object, no two alike, and none that of a category's folder."""
     folders = {_object_name(cue.category).casefold() for cue in cues if cue.category}
-    own = {}
+    object_paths = {}
     for cue in cues:
         name = _object_name(cue.name)
-        own[cue.label] = f"{name}_{identifier(cue.label)}" if name.casefold() in folders else name
-    names = distinct(own.items())
+        object_paths[cue.label] = f"{name}_{identifier(cue.label)}" if name.casefold() in folders else name
+    names = distinct(object_paths.items())
     paths = {}
     for cue in cues:
         folder = rf"<Virtual Folder>{_object_name(cue.category)}" + "\\" if cue.category else ""
