@@ -17,7 +17,7 @@ Cause = dict[str, str]  # what a job's log lines carry on from the request, or t
 
 
 class _Stderr(logging.StreamHandler[TextIO]):
-    """Writes to what stderr is now: a thread that ends late may outlive what it was when logging began."""
+    """Writes to the present stderr: a thread that ends late may outlive what it was when logging began."""
 
     def emit(self, record: logging.LogRecord) -> None:
         self.stream = sys.stderr

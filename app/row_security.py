@@ -214,7 +214,7 @@ def _functions() -> Iterator[str]:
 
 
 def _guarded(connection: sa.Connection) -> dict[str, str]:
-    """Return by table what its policy was made from."""
+    """Return the source of each table's policy."""
     policies = sa.text(
         "select relname, obj_description(pg_policy.oid, 'pg_policy') from pg_policy"
         " join pg_class on pg_class.oid = polrelid"

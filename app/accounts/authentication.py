@@ -78,7 +78,7 @@ class AuthResult:
 
 
 def caller_key(credentials: RequestCredentials) -> str:
-    """Return by whom a request is counted before it is authenticated: the person or project, or else the network.
+    """Return the key that counts a request before it is authenticated: of person or project, or else of the network.
 
     A secret counts once it was good: anyone can send another one with each request, and a person has many.
     """

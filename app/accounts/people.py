@@ -47,7 +47,7 @@ def create_person(
 
 
 def person_with_password(database: Database, email: str, password: str) -> UUID | None:
-    """Return whose address and password these are. Takes as long for an unknown address, and no transaction waits."""
+    """Return the person of an address and password. Takes as long for an unknown address, and no transaction waits."""
     with database.reading() as session:
         person = queries.person_by_email(session, normalised_email(email))
         person_id, password_hash = (person.id, person.password_hash) if person else (None, None)
@@ -64,7 +64,7 @@ def person_by_link(
     password: str | None,
     studio_name: str = "",
 ) -> Person:
-    """Return whose address an invitation is for: the account's holder, or a new account's.
+    """Return the person of an invitation's address: the account's holder, or a new account's.
 
     A link that was only mailed verifies the address. Raises SignInNeeded when the address has an account and the
     caller has not shown to be its holder.

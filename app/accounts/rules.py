@@ -146,7 +146,7 @@ def ensure_strong_password(password: str | None, address: str, *names: str) -> s
 
 
 def _why_weak(password: str, address: str, names: Collection[str]) -> str | None:
-    """Return in words why a password is easily guessed; None where it is not."""
+    """Return the reason, in words, that a password is easily guessed; None where it is not."""
     from zxcvbn import zxcvbn  # its lists take 0.2 s to load, which the command line need not wait for
 
     personal_words = [

@@ -182,7 +182,7 @@ def template_by_name(session: Session, studio_id: UUID, name: str) -> ContractTe
 
 
 def turns_to_sign(session: Session, contracts: Collection[Contract]) -> dict[UUID, Turn]:
-    """Return by contract whose turn it is to sign its newest text, as if each had been sent."""
+    """Return the turn to sign the newest text of each contract, as if each had been sent."""
     ids = [contract.id for contract in contracts]
     newest = (
         select(ContractVersion.contract_id, func.max(ContractVersion.number).label("number"))

@@ -58,7 +58,7 @@ class Caps:
         return f"At most {' and '.join(parts)} are paid, at {money(rate_minor, self.contract.currency)} {unit}."
 
     def added_minor(self, change: SetCaps) -> int:
-        """Return by how much the most that the contract can cost grows."""
+        """Return the growth of the contract's highest possible cost."""
         return MoneyTerms.of(self.terms.to_dict() | change.terms).time_cap_minor - self.terms.time_cap_minor
 
     def _pays_by(self, name: str) -> bool:

@@ -70,12 +70,12 @@ class SettledOffers:
         )
 
     def revision_of(self, kind: OfferKind, cue_id: UUID) -> int:
-        """Return up to which revision of the list the offers about a cue are settled."""
+        """Return the last revision of the list whose offers about a cue are settled."""
         start = f"{kind}:{cue_id}:"
         return max((int(key.removeprefix(start)) for key in self.settled if key.startswith(start)), default=0)
 
     def spec_version(self) -> int:
-        """Return up to which version of the delivery spec the offers are settled."""
+        """Return the last version of the delivery spec whose offers are settled."""
         start = f"{OfferKind.SPEC}:"
         return max((int(key.removeprefix(start)) for key in self.settled if key.startswith(start)), default=0)
 

@@ -93,7 +93,7 @@ def without_answers(changes: Sequence[ListChange], answers: Sequence[str]) -> It
 
 
 def earlier_day(changes: Sequence[ListChange], agreed_on: date | None) -> tuple[date, date] | None:
-    """Return from which day to which a cue's day moved up, None where it did not.
+    """Return the days between which a cue's day moved up, None where it did not.
 
     `agreed_on` is the day of the cue's milestone: a day on the list that is later asks for nothing new.
     """

@@ -35,7 +35,7 @@ def _later_versions(session: Session, contract: Contract, entries: Sequence[Entr
 
 
 def _since(entries: Sequence[Entry]) -> dict[str, datetime]:
-    """Return since when a contract has had each of its cues, as its plans say."""
+    """Return the moment at which a contract got each of its cues, by its plans."""
     since: dict[str, datetime] = {}
     for entry in entries:
         if entry.kind == "planned":

@@ -173,7 +173,7 @@ def _until(turns: list[Turn], accepted_at: datetime | None) -> list[Turn]:
 
 
 def turns_of(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, list[Turn]]:
-    """Return from when on each cue lay with whom: sounds and questions pass it on, and answers."""
+    """Return the moments at which each cue passed to another person: sounds and questions pass it on, and answers."""
     turns: dict[UUID, list[Turn]] = defaultdict(list)
     for cue_id, at in queries.conforming_since(session, cue_ids):
         turns[cue_id].append(Turn(at, Holder.STUDIO))

@@ -230,7 +230,7 @@ def latest_feedback(session: Session, project_id: UUID) -> Sequence[Row[Feedback
 
 
 def conforming_takes_since(session: Session, project_id: UUID, designer_id: UUID) -> datetime | None:
-    """Return since when the oldest of a designer's takes waits for its verdict."""
+    """Return the start of the longest wait for a verdict among a designer's takes."""
     return session.scalar(
         select(func.min(Take.state_since)).where(
             Take.project_id == project_id, Take.state == TakeState.CONFORMING, Take.designer_id == designer_id
@@ -239,7 +239,7 @@ def conforming_takes_since(session: Session, project_id: UUID, designer_id: UUID
 
 
 def back_since(session: Session, project_id: UUID, viewer_id: UUID) -> datetime | None:
-    """Return since when the oldest take lies with its designer again, in a viewer's sight."""
+    """Return the start of the longest wait of a take that went back to its designer, in a viewer's sight."""
     of_viewer = (CueSums.project_id == project_id, CueSums.viewer_id == viewer_id, CueSums.state != CueState.CUT)
     return session.scalar(select(func.min(CueSums.back_since)).where(*of_viewer, CueSums.back_since.is_not(None)))
 

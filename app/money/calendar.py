@@ -51,7 +51,7 @@ def end_links_of_member(session: Session, payload: Mapping[str, Any]) -> None:
 
 
 def holder_of(session: Session, secret: str) -> tuple[Actor, CalendarLink]:
-    """Return whose calendar is behind a link, and go on with that person's reach; raise CalendarNotFound for others."""
+    """Return the owner of a link's calendar, and go on with that person's reach; raise CalendarNotFound for others."""
     with bypass_row_policies(session):  # the secret is all that says whose calendar it is
         link = queries.calendar_by_secret(session, sha256_of(secret))
         actor = actor_for_person(session, link.person_id) if link else None

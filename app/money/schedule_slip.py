@@ -70,7 +70,7 @@ def _holder_at(turns: Sequence[Turn], moment: datetime) -> Holder:
 
 
 def growth_days(slips: Sequence[int]) -> float | None:
-    """Return by how many days each milestone slips more than the one before, by least squares; None for one alone."""
+    """Return the days by which each milestone slips more than the one before, by least squares; None for one alone."""
     if len(slips) < 2:
         return None
     middle = (len(slips) - 1) / 2

@@ -129,7 +129,7 @@ def preferences_of(session: Session, person_id: UUID) -> MailPreferences | None:
 
 
 def person_id_at(session: Session, address: str) -> UUID | None:
-    """Return whose address it is."""
+    """Return the person of an address."""
     return session.scalar(select(Person.id).where(Person.email == address))
 
 

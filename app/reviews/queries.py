@@ -92,7 +92,7 @@ def approved_takes(session: Session, cue_id: UUID) -> Sequence[Take]:
 def variation_states(
     session: Session, cue_ids: Collection[UUID], designer_id: UUID
 ) -> dict[UUID, dict[int, set[TakeState]]]:
-    """Return in which states a designer's takes of cues are, by cue and variation; set aside ones count as work too."""
+    """Return the states of a designer's takes of cues, by cue and variation; set aside ones count as work too."""
     states: dict[UUID, dict[int, set[TakeState]]] = defaultdict(lambda: defaultdict(set))
     query = select(Take.cue_id, Take.variation, Take.state).where(
         in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id

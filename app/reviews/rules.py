@@ -175,7 +175,7 @@ def mentioned_in(mentions: Mapping[str, str]) -> list[dict[str, str]]:
 
 
 def what_is_open(comments: int, notes: int, items: Sequence[str]) -> str:
-    """Return in words what is open of a take: comments on it, notes on earlier versions, items that are not checked."""
+    """Return the open points of a take in words: comments, notes on earlier versions, items that are not checked."""
     parts = []
     if comments:
         parts.append(f"{comments} {'comment is' if comments == 1 else 'comments are'} not resolved")

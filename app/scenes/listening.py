@@ -115,7 +115,7 @@ def compare(path: str, against_path: str, folder: str) -> Compared:
 
 
 def lag_frames(sound: Samples, against: Samples, *, farthest: int) -> int:
-    """Return by how many frames `against` is to be moved later so that it lies on `sound`: where they agree most.
+    """Return the frames by which `against` is moved later to lie on `sound`, at their best agreement.
 
     Both have the shape (frames, channels); a turned polarity agrees too.
     """

@@ -282,7 +282,7 @@ def remove_bed(session: Session, actor: Actor, bed_id: UUID) -> None:
 def bed_sources(
     session: Session, actor: Actor, project_id: UUID
 ) -> tuple[list[tuple[UUID, Cue]], Sequence[ReferenceVersion]]:
-    """Return to the team which sounds of a project can be beds: approved versions with their cues, and references."""
+    """Return sounds of a project that can be beds, to the team: approved versions with their cues, and references."""
     project_access(session, actor, project_id).ensure_team()
     takes = [(take.id, cue) for take, cue in queries.bed_takes(session, project_id)]
     return takes, queries.bed_references(session, project_id)

@@ -206,7 +206,7 @@ def approved_duration_s(takes: Iterable[TakeFacts]) -> float | None:
 
 
 def length_percent(duration_s: float | None, original_s: float | None) -> float | None:
-    """Return by how many percent a take is longer than the original's; None where either is not known."""
+    """Return the percentage by which a take is longer than the original's; None where either is not known."""
     if duration_s is None or not original_s:
         return None
     return round(100 * (duration_s / original_s - 1), 1)

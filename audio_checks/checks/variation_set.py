@@ -140,7 +140,7 @@ def _limit_lu(spec: DeliverySpec, levels: Sequence[float]) -> float:
 
 
 def _most_off(levels: Mapping[int, float], off: Mapping[int, float], chosen: Set, limit: float) -> float | None:
-    """Return beyond which distance a file is named; None where none is.
+    """Return the distance beyond which a file is named; None where none is.
 
     One that is farther from the middle than the whole set may spread is named. Where none is, but the
     set spreads too far all the same, those that lie farthest are.

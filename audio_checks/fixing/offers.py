@@ -96,7 +96,7 @@ def fix_in_words(offers: Iterable[Offer]) -> str:
 
 
 def excess_db(finding: Finding) -> float:
-    """Return by how much a level exceeds its limit, in dB; negative below a lower bound."""
+    """Return the excess of a level over its limit, in dB; negative below a lower bound."""
     if finding.measured is None or finding.limit is None:
         return 0.0
     return finding.measured - finding.limit
@@ -157,7 +157,7 @@ def _raising(finding: Finding, report: FileReport, spec: DeliverySpec) -> Offer:
 
 
 def headroom_db(report: FileReport, spec: DeliverySpec) -> float | None:
-    """Return by how much the level can rise until a peak meets its limit, in dB; None where peaks were not measured.
+    """Return the headroom until a peak meets its limit, in dB; None where peaks were not measured.
 
     Without limits, full scale is the limit.
     """

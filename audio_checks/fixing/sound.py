@@ -65,6 +65,6 @@ class Extremes:
             yield np.clip(block, -self._full, self._full - 1)
 
     def over_db(self) -> float:
-        """Return by how many dB the largest exceeded that; 0 where none did."""
+        """Return the excess of the largest in dB; 0 where none did."""
         most = max(self._highest / (self._full - 1), -self._lowest / self._full)
         return 20 * math.log10(most) if most > 1 else 0.0

@@ -102,7 +102,7 @@ class Faults:
         self.errors: dict[str, Exception] = {}  # of detectors that failed: the others go on
 
     def room(self) -> int:
-        """Return for how many more samples there is room until the next look."""
+        """Return the number of samples that fit until the next look."""
         return self._history + self._stretch - self._end
 
     def piece_frames(self) -> int:

@@ -52,7 +52,7 @@ def features_of(decay: DecayFigures) -> Floats | None:
 
 
 def rises_and_falls(decay: DecayFigures) -> list[dict[str, Any]]:
-    """Return by octave how fast it rises at its fastest, and falls, over 20 ms, in dB a second; what a picture shows.
+    """Return the fastest rise and fall of each octave, over 20 ms, in dB a second; what a picture shows.
 
     Octaves that the sample rate lacks, and those far under the loudest, are left out; silence has none.
     """

@@ -85,7 +85,7 @@ class Attempt:
         return self._figures
 
     def over_db(self, recipe: Recipe) -> float:
-        """Return by how much the loudest peak must come down; 0 when none is beyond its limit."""
+        """Return the excess of the loudest peak in dB; 0 when none is beyond its limit."""
         figures = self.figures()
         over = [0.0]
         for level, limit in (

@@ -40,7 +40,7 @@ def position_after(position: int, sample_rate_hz: int, to_hz: int) -> int:
 
 
 def loop_fit_frames(frames: int, sample_rate_hz: int, to_hz: int) -> float:
-    """Return by how many new frames a loop was lengthened (+) or shortened (−) to become whole."""
+    """Return the new frames by which a loop was lengthened (+) or shortened (−) to become whole."""
     whole = frames_after(frames, sample_rate_hz, to_hz, loop=True)
     return (whole * sample_rate_hz - frames * to_hz) / sample_rate_hz
 

@@ -70,7 +70,7 @@ def record_token(session: Session, payload: Mapping[str, Any]) -> None:
 
 
 def record_joining(session: Session, payload: Mapping[str, Any]) -> None:
-    """Record with which roles a person came into the studio."""
+    """Record the roles of a person who joined the studio."""
     summary = f"joined with the roles {names_of_roles(payload['roles'])}"
     studio_ids = [UUID(payload["studio_id"])]
     record(session, SecurityEventKind.ROLES, summary, studio_ids=studio_ids, person_id=UUID(payload["person_id"]))

@@ -46,7 +46,7 @@ def _credentials(request: Request) -> RequestCredentials:
 
 
 def caller_key(request: Request) -> str:
-    """Return by whom a request is counted before it is authenticated."""
+    """Return the key that counts a request before it is authenticated."""
     return authentication.caller_key(_credentials(request))
 
 

@@ -95,7 +95,7 @@ class Wait:
     def under(
         cls, clause: DeemedAcceptance, since: datetime, calendar: WorkCalendar, pauses: Iterable[Pause]
     ) -> "Wait":
-        """Return a wait by what the clause goes by."""
+        """Return a wait by the calendar of its clause."""
         return cls(clause, since, calendar, tuple(pauses)) if clause.by_studio_calendar else cls(clause, since)
 
     def paused_by(self, now: datetime) -> PausedBy | None:

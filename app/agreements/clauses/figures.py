@@ -323,7 +323,7 @@ def _plain(text: str) -> str:
 
 @cache
 def _patterns() -> Mapping[str, Sequence[re.Pattern[str]]]:
-    """Return by figure how a text types it as a number: the patterns of the library, and those of the plan's facts."""
+    """Return the patterns of each figure typed as a number: those of the library, and those of the plan's facts."""
     sources = {**{name: term.typed for name, term in known_terms().items() if term.typed}, **_TYPED_FACTS}
     return {name: [_compiled(pattern) for pattern in patterns] for name, patterns in sources.items()}
 

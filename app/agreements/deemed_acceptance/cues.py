@@ -160,7 +160,7 @@ def _calendars(session: Session, studio_ids: Collection[UUID]) -> dict[UUID, Wor
 
 
 def _pauses(session: Session, waiting: Sequence[_Waiting]) -> Mapping[UUID, Iterable[Pause]]:
-    """Return by cue what stopped its count: questions of the contract's designer on it, and open change orders."""
+    """Return the pauses of each cue's count: questions of the contract's designer on it, and open change orders."""
     by_cue: dict[UUID, list[Pause]] = {deemed.cue.id: [] for deemed in waiting}
     contracts = {deemed.cue.id: deemed.contract for deemed in waiting}
     for question in queries.questions_on(session, by_cue):

@@ -134,7 +134,7 @@ def today_of(session: Session, contract: Contract) -> date:
 
 
 def terms_of(session: Session, contract: Contract) -> MoneyTerms:
-    """Return by which terms a contract's money is calculated."""
+    """Return the terms of a contract's money."""
     return MoneyTerms.of(agreed_terms(session, contract))
 
 

@@ -176,7 +176,7 @@ def document_of(session: Session, contract: Contract) -> dict[str, Any]:
 
 
 def read_document(text: str) -> tuple[UUID, list[Entry]]:
-    """Return whose record a kept file is, and its entries; raise NoRecord, saying why, for anything else."""
+    """Return the contract and the entries of a kept file; raise NoRecord, saying why, for anything else."""
     try:
         document = json.loads(text)
         if document["format"] != FORMAT:

@@ -32,7 +32,7 @@ def marked_clauses(
 
 
 def clauses_as_sent(text: str, clauses: Sequence[Clause]) -> dict[str, str]:
-    """Return by key what a text says of each clause in force, without its heading."""
+    """Return the wording of each clause in force by its key, without its heading."""
     texts_by_key: dict[str, str] = {}
     offset, key = 0, None
     for number, clause in enumerate((clause for clause in clauses if clause.stands), start=1):

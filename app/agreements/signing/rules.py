@@ -60,7 +60,7 @@ class SigningOrder:
         return people >= set(self.signers) if party is Party.STUDIO and self.signers else bool(people)
 
     def parties_left(self, given: Collection[Signature]) -> list[Party]:
-        """Return the parties whose turn it is now."""
+        """Return the parties that sign next."""
         left = [party for party in Party if not self.has_signed(party, given)]
         return [self.first] if self.first in left else left
 
@@ -70,7 +70,7 @@ class SigningOrder:
         return next((person_id for person_id in self.signers if person_id not in signed), None)
 
     def turn(self, given: Collection[Signature]) -> "Turn":
-        """Return whose turn it is."""
+        """Return the turn to sign."""
         return Turn(self.parties_left(given), self.next_signer(given))
 
     def ensure_turn(self, party: Party, person_id: UUID, given: Collection[Signature]) -> None:

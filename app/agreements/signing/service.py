@@ -286,7 +286,7 @@ def _agree(session: Session, actor: Actor, contract: Contract, version: Contract
 
 
 def people_to_sign(session: Session, contract: Contract) -> list[UUID]:
-    """Return whose turn it is to sign a contract that was sent: people by name, all producers where none is named."""
+    """Return the people who sign a sent contract next: people by name, all producers where none is named."""
     given = yeses(queries.acceptances_of(session, newest_of(session, contract).id))
     order = order_of(session, contract)
     people: list[UUID] = []

@@ -20,7 +20,7 @@ SHOWN = 200
 
 
 def game_states(session: Session, actor: Actor, project_id: UUID) -> GameStates:
-    """Return to the team how much of a list is in the build, and what was never heard in the game."""
+    """Return the share of a list that is in the build, and the sounds never heard in the game, to the team."""
     access = project_access(session, actor, project_id)
     access.ensure_team()
     return _states(session, access)

@@ -95,7 +95,7 @@ def task_of(heard_as: HeardAs) -> TaskKind | None:
 
 
 def role_of(kind: TaskKind) -> TaskRole:
-    """Return whose task it is: levels and what the game does not play are set in the project, the rest in the file."""
+    """Return a task's role: levels and what the game does not play are set in the project, the rest in the file."""
     return TaskRole.DESIGNER if kind in _OF_DESIGNER else TaskRole.IMPLEMENTER
 
 

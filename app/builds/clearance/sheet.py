@@ -109,7 +109,7 @@ def clearance_pdf(rows: Sequence[ClearanceRow], *, title: str) -> bytes:
 
 
 def sums_of(rows: Sequence[ClearanceRow]) -> str:
-    """Return in a sentence how many sounds are clear."""
+    """Return a sentence with the number of clear sounds."""
     still_open = sum(bool(row.open_points) for row in rows)
     unpaid = sum(row.paid == "no" for row in rows)
     return (

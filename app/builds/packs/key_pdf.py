@@ -53,7 +53,7 @@ def key_pdf(rows: Sequence[KeyRow], *, title: str) -> bytes:
 
 
 def sums_of(files: int, sounds: int) -> str:
-    """Return in a sentence how many accepted sounds have a file."""
+    """Return a sentence with the number of accepted sounds that have a file."""
     have = verb(files, "has", "have")
     return f"{files} of {counted(sounds, 'accepted sound')} {have} a file; SHA256SUMS has their sums."
 

@@ -105,7 +105,7 @@ def same_sounds_of_take(session: Session, actor: Actor, take_id: UUID) -> SameSo
 
 
 def _of_libraries(session: Session, takes: Sequence[Take]) -> dict[UUID, list[LibraryMatchRead]]:
-    """Return by take which files of registered libraries it equals, and whether its sources name the library."""
+    """Return the equal files of registered libraries by take, and whether its sources name the library."""
     stated = sources_of(session, takes)
     by_take: dict[UUID, list[LibraryMatchRead]] = {take.id: [] for take in takes}
     for library_match in library_queries.library_matches_of(session, by_take):
@@ -127,7 +127,7 @@ def _of_libraries(session: Session, takes: Sequence[Take]) -> dict[UUID, list[Li
 
 
 def library_files_in_words(session: Session, takes: Sequence[Take]) -> dict[UUID, str]:
-    """Return by take which files of libraries it equals, for a clearance sheet; the caller has checked access."""
+    """Return the equal files of libraries by take, for a clearance sheet; the caller has checked access."""
     return {
         take_id: "; ".join(
             f"{match.file} of {match.library}{f' ({match.licence})' if match.licence else ''}, {match.words}, "
@@ -161,7 +161,7 @@ def _read(same: SameSound, other: Take, project: Project) -> SameSoundRead:
 
 
 def same_sounds_in_words(session: Session, takes: Sequence[Take]) -> dict[UUID, str]:
-    """Return by take where else its sound is, for a clearance sheet; the caller has checked access."""
+    """Return the other uses of each take's sound, for a clearance sheet; the caller has checked access."""
     words_by_take: dict[UUID, list[str]] = {}
     for same, other, project in queries.same_sounds_of(session, [take.id for take in takes]):
         words_by_take.setdefault(same.take_id, []).append(f"{project.name}: {_named(other, project)}, {_words(same)}")

@@ -191,7 +191,7 @@ def checksum_header(sha256: bytes) -> dict[str, str]:
 
 
 def parts_of(size_bytes: int) -> int:
-    """Return in how many parts a file of this size comes."""
+    """Return the number of parts of a file of this size."""
     return max(1, -(-size_bytes // PART_BYTES))
 
 

@@ -32,7 +32,7 @@ Finding = dict[str, Any]
 
 
 def viewer_of(access: ProjectAccess) -> UUID:
-    """Return under whose id the sums are kept that the caller sees: a designer's own, else the studio's."""
+    """Return the owner of the sums that the caller sees: a designer's own, else the studio's."""
     return access.only_designer_id or access.project.studio_id
 
 

@@ -21,7 +21,7 @@ def projects_of(session: Session, studio_id: UUID) -> Sequence[UUID]:
 
 
 def payment_days(session: Session, studio_id: UUID) -> Sequence[Row[date, date | None]]:
-    """Return when the newest invoices to a studio were issued, and when money was last paid for each."""
+    """Return the times of the newest invoices to a studio, and of the last payment of each."""
     return session.execute(
         select(Invoice.issued_on, func.max(Payment.paid_on))
         .outerjoin(Payment, Payment.invoice_id == Invoice.id)

@@ -57,7 +57,7 @@ def _days_to_pay(invoices: Sequence[Row[date, date | None]], today: date) -> flo
 
 
 def _bonuses(session: Session, studio_id: UUID) -> tuple[int, int, int]:
-    """Return how many contracts have a bonus, of how many it was earned, and of how many it was paid."""
+    """Return the numbers of contracts with a bonus, with an earned one, and with a paid one."""
     promised = earned = paid = 0
     for contract in queries.agreed_contracts(session, studio_id):
         if not terms_of(session, contract).bonus_minor:

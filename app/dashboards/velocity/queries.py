@@ -30,7 +30,7 @@ def cues(
 
 
 def rounds(session: Session, project_id: UUID) -> Sequence[Row[UUID, int, datetime]]:
-    """Return for each cue how many changes were sent, and when the first."""
+    """Return the number of changes sent for each cue, and the time of the first."""
     return session.execute(
         select(Round.cue_id, func.count(), func.min(Round.created_at))
         .where(Round.project_id == project_id)
@@ -53,7 +53,7 @@ def approvals(session: Session, project_id: UUID, designer_id: UUID | None) -> S
 
 
 def review_times(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[Row[datetime, datetime]]:
-    """Return since when a version had waited for its verdict, and when a review gave it; the newest."""
+    """Return the start of the wait and the time of the verdict of the versions that were reviewed last."""
     query = (
         select(Verdict.since_before, Verdict.created_at)
         .join(Take, Take.id == Verdict.take_id)
@@ -71,7 +71,7 @@ def review_times(session: Session, project_id: UUID, designer_id: UUID | None) -
 
 
 def review_waits(session: Session, project_id: UUID, designer_id: UUID | None) -> Sequence[datetime]:
-    """Return since when versions wait for their verdict."""
+    """Return the starts of the waits for a verdict."""
     waiting = (
         select(Take.state_since)
         .join(Cue, Cue.id == Take.cue_id)

@@ -89,7 +89,7 @@ def median_hours(spans: Sequence[tuple[datetime, datetime | None]], now: datetim
 
 
 def longest_wait_hours(began: Collection[datetime], now: datetime) -> float | None:
-    """Return for how many hours the oldest has waited; None: none waits."""
+    """Return the longest wait in hours; None: none waits."""
     return _hours(min(began), now) if began else None
 
 

@@ -35,7 +35,7 @@ class ErrorRate:
 
 
 def error_percent(estimate: float, actual: float) -> float:
-    """Return by how many percent an actual exceeds its estimate; below zero it took less."""
+    """Return the percentage by which an actual exceeds its estimate; below zero it took less."""
     if estimate <= 0:
         raise ValueError(f"an estimate of {estimate} has no error rate")
     return 100 * (actual - estimate) / estimate
@@ -60,5 +60,5 @@ def forecast(began_on: date, due_on: date, rate: ErrorRate) -> date | None:
 
 
 def minor_per_hour(fee_minor: int, minutes: int) -> int | None:
-    """Return what an hour earns, rounded to the nearest minor unit; None without time."""
+    """Return the earnings of an hour, rounded to the nearest minor unit; None without time."""
     return (2 * 60 * fee_minor + minutes) // (2 * minutes) if minutes else None

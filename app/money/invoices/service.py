@@ -177,7 +177,7 @@ def _put_on(session: Session, invoice: Invoice, texts: dict[UUID, str]) -> None:
 
 
 def texts_of(session: Session, contract: Contract, lines: Iterable[Line]) -> dict[UUID, str]:
-    """Return in words what lines are for, by their ids."""
+    """Return the purpose of lines in words, by their ids."""
     cue_prefix = session.get_one(Project, contract.project_id).cue_prefix
     milestones = {milestone.id: milestone.name for milestone in plan_queries.milestones_of(session, contract.id)}
     cut_in = {cue.cue_id: cue.cut_in for cue in plan_queries.cues_of(session, contract.id)}

@@ -86,7 +86,7 @@ def priced(cues: Iterable[ContractCue]) -> list[PricedCue]:
 
 
 def rules_of(contract: Contract, terms: MoneyTerms) -> PayRules:
-    """Return by which clauses a contract's shares become due."""
+    """Return the clauses by which a contract's shares become due."""
     return PayRules(contract.release_clause, contract.holdback_bp, terms.kill_fees)
 
 

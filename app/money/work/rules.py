@@ -73,7 +73,7 @@ class HourTerms:
 
 
 def month_of(day: date, agreed_on: date) -> int:
-    """Return in which month of a contract a day is; the first begins on the day of agreement.
+    """Return the month of a contract in which a day is; the first begins on the day of agreement.
 
     Work of the days before counts in the first month.
     """

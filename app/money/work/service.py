@@ -183,7 +183,7 @@ def _entries_of_hours(session: Session, contract: Contract, day: WorkedDay) -> l
 
 
 def day_rate_read(terms: MoneyTerms, book: LedgerBook) -> DayRateRead | None:
-    """Return by which rate days are paid and how much of the cap is used; None where a contract pays otherwise."""
+    """Return the rate of days and the used part of the cap; None where a contract pays otherwise."""
     if terms.price_mode is not PriceMode.DAY_RATE:
         return None
     return DayRateRead(

@@ -36,7 +36,7 @@ class HourBook:
         self.entries: Sequence[WorkedDay] = [day for day in logged if day.minutes is not None]
 
     def month_of(self, day: date) -> int:
-        """Return in which month of the contract a day is."""
+        """Return the month of the contract in which a day is."""
         return month_of(day, self.agreed_on)
 
     @property

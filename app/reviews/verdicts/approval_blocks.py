@@ -36,7 +36,7 @@ class OfCue(Protocol):
 
 
 def blocked_takes(session: Session, takes: Mapping[Cue, Sequence[OfCue]]) -> dict[UUID, list[BlockedTake]]:
-    """Return by cue which of its takes cannot be approved yet, in as many statements for one cue as for many."""
+    """Return the takes of each cue that cannot be approved yet, in as many statements for one cue as for many."""
     set_to = queries.blockers_in(session, {cue.project_id for cue in takes})
     by_cue = {cue: set_to.get(cue.project_id, ApprovalBlockers.NONE) for cue in takes}
     with_notes = [cue for cue, blockers in by_cue.items() if blockers.are_notes]

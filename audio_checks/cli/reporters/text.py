@@ -146,7 +146,7 @@ def _summary(report: Report, ink: Ink) -> Iterator[str]:
 
 
 def _undecided(files: Iterable[FileReport], ink: Ink) -> Iterator[str]:
-    """Yield in how many files reverb could not be judged."""
+    """Yield the number of files whose reverb could not be judged."""
     verdicts = [entry.judgements["reverb"]["verdict"] for entry in files if "reverb" in entry.judgements]
     if undecided := verdicts.count(CANNOT_TELL):
         yield ink(f"reverb: cannot tell in {undecided} of {len(verdicts)}", DIM)
