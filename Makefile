@@ -39,7 +39,7 @@ quick: setup .make/postgresql .make/librosa  ## Pass the test files nearest to w
 	  test -z "$$files" || $(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m 'not slow' $$files || test $$? = 5
 	@cd frontend && npx vitest run --tags-filter='!slow' --changed $(SINCE) --passWithNoTests
 
-test: .make/s3  ## Set up and pass the fast tests, two parts at a time: about 15 minutes on two cores
+test: .make/kernel  ## Set up and pass the fast tests, two parts at a time: about 15 minutes on two cores
 	@$(call in_parallel,$(PARTS))
 
 test-slow: .make/s3  ## Pass every other test: PostgreSQL, kills, attacks, timing, long walks in the browser
@@ -53,7 +53,7 @@ $(MAKE) --no-print-directory --keep-going --jobs=$(PARALLEL_JOBS) $(1:%=parallel
 for part in $(1); do echo "$$part: $$(grep -E '[0-9]+ passed' .make/$$part.log | tail -n 1)"; done
 endef
 
-parallel-%: setup .make/postgresql .make/browser .make/librosa
+parallel-%: setup .make/postgresql .make/browser
 	@.ci/part $* $(MAKE) --no-print-directory $*
 
 check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI drift
@@ -66,7 +66,7 @@ check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI 
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent typecheck && npm run --silent lint
 
-unit: setup .make/postgresql .make/s3 .make/librosa  # Fast Python tests, on SQLite and a folder of sounds
+unit: setup .make/postgresql  # Fast Python tests, on SQLite and a folder of sounds
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m '$(FAST)' --record=.make/statements $(ARGS)
 
 slow-unit: setup .make/postgresql .make/s3 .make/librosa .make/caddy  # Slow Python tests, on SQLite and a folder of sounds
@@ -77,8 +77,8 @@ coverage: setup .make/postgresql .make/s3 .make/librosa  # Lines and branches th
 	@$(BIN)/coverage report --include='app/*' --format=total | sed 's/^/app, percent: /'
 	@$(BIN)/coverage report --include='app/*/rules.py,app/*/*_rules.py,app/*/service.py,app/*/queries.py,app/*/*_queries.py' --fail-under=95
 
-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  # Fast tests of what differs on PostgreSQL and S3
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m 'both_databases and $(FAST)' --database postgres --store s3 tests/app $(ARGS)
+unit-postgres: setup .make/postgresql  # Fast tests of what differs on PostgreSQL
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m 'both_databases and $(FAST)' --database postgres tests/app $(ARGS)
 
 slow-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  # On PostgreSQL and S3, the slow tests and every statement that make unit recorded
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)
@@ -89,13 +89,13 @@ frontend-test: setup  # Fast tests of the frontend's parts
 slow-frontend-test: setup  # Slow tests of the frontend's parts
 	@cd frontend && npm run --silent --if-present test:slow
 
-e2e: setup .make/browser .make/postgresql  # Walk the product in a real browser as its users
+e2e: setup .make/browser .make/postgresql .make/librosa  # Walk the product in a real browser as its users
 	@cd frontend && npm run --silent e2e
 
-slow-e2e: setup .make/browser .make/postgresql  # Long walks in a real browser, and those that take time
+slow-e2e: setup .make/browser .make/postgresql .make/s3 .make/librosa  # Long walks in a real browser, and those that take time
 	@cd frontend && npm run --silent e2e:slow
 
-firefox: setup .make/browser .make/postgresql  # Walk the first minute of each role in Firefox too
+firefox: setup .make/browser .make/postgresql .make/librosa  # Walk the first minute of each role in Firefox too
 	@command -v firefox-esr >/dev/null && command -v pulseaudio >/dev/null || sh .ci/install firefox-esr pulseaudio
 	@cd frontend && FIREFOX=$$(command -v firefox-esr) npm run --silent e2e:firefox
 

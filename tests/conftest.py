@@ -70,7 +70,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = kept
     for item in items:
-        if "s3" in getattr(item, "fixturenames", ()):  # the first of these may wait for the build of the server
+        if "s3" in getattr(item, "fixturenames", ()):  # its server is built from source, which takes minutes
+            item.add_marker(pytest.mark.slow)
             item.add_marker(pytest.mark.timeout(BUILT_WITHIN_S + float(item.config.getini("timeout"))))
         if isinstance(item, pytest.Function) and any(
             found[-1].scope == "module" for found in item._fixtureinfo.name2fixturedefs.values() if found

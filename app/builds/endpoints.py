@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from typing import Annotated
 from uuid import UUID
 
-from fastapi import APIRouter, Query, Response
+from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import StreamingResponse
 
 from app.accounts.rules import Actor, Audience, Scope
 from app.accounts.web.policies import allows
+from app.accounts.web.recorded_downloads import record_download
 from app.builds import service
 from app.builds.audits import service as audits
 from app.builds.engine_export import exported_cues as handed_cues
@@ -97,6 +98,7 @@ def get_pack(
 )
 def download_pack(
     project_id: UUID,
+    request: Request,
     session: DbSession,
     runtime: CurrentRuntime,
     target: Target = None,
@@ -125,7 +127,9 @@ def download_pack(
         placeholders=with_placeholders,
         handoff=handed_cues.handoff_entries(session, pack, handoff),
     )
-    return stream_zip(f"{pack.project.name} {pack.target}.zip", [file.entry for file in files])
+    name, entries = f"{pack.project.name} {pack.target}.zip", [file.entry for file in files]
+    record_download(request, session, actor, pack.project.studio_id, name)
+    return stream_zip(name, entries)
 
 
 def stream_zip(name: str, entries: Sequence[Entry]) -> StreamingResponse:
@@ -295,13 +299,16 @@ def get_sealed_pack(
 )
 def download_sealed_pack(
     pack_id: UUID,
+    request: Request,
     session: DbSession,
     runtime: CurrentRuntime,
     actor: Actor = allows(Audience.TEAM, build=Scope.MANIFEST_READ),
 ) -> StreamingResponse:
     """Stream a pack that was handed out, the same bytes each time."""
     pack = sealing.visible_sealed(session, actor, pack_id)
-    return stream_zip(f"{pack.target} {pack.number}.zip", sealing.sealed_entries(session, runtime.store, pack))
+    name, entries = f"{pack.target} {pack.number}.zip", sealing.sealed_entries(session, runtime.store, pack)
+    record_download(request, session, actor, pack.studio_id, name)
+    return stream_zip(name, entries)
 
 
 @router.post(

@@ -2,11 +2,12 @@
 
 from uuid import UUID
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
 from fastapi.responses import StreamingResponse
 
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
+from app.accounts.web.recorded_downloads import record_download
 from app.agreements.errors import ContractNotFound, SamePersonOnBothSides
 from app.builds.contract_archive.service import handover_pack, open_handovers
 from app.builds.endpoints import BINARY, stream_zip
@@ -27,10 +28,15 @@ router = APIRouter(prefix="/v1", tags=["builds"])
     },
 )
 def download_handover(
-    contract_id: UUID, session: DbSession, runtime: CurrentRuntime, actor: Actor = allows(Audience.PRODUCER)
+    contract_id: UUID,
+    request: Request,
+    session: DbSession,
+    runtime: CurrentRuntime,
+    actor: Actor = allows(Audience.PRODUCER),
 ) -> StreamingResponse:
     """Stream the handover of an ended contract to the next designer: approved masters, cues, brief, open rounds."""
-    name, entries = handover_pack(session, runtime.store, actor, contract_id)
+    studio_id, name, entries = handover_pack(session, runtime.store, actor, contract_id)
+    record_download(request, session, actor, studio_id, name)
     return stream_zip(name, entries)
 
 

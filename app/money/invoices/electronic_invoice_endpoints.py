@@ -3,10 +3,11 @@
 from datetime import date
 from uuid import UUID
 
-from fastapi import APIRouter, Response
+from fastapi import APIRouter, Request, Response
 
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
+from app.accounts.web.recorded_downloads import record_download
 from app.agreements.drafts import documents
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.downloads import downloads, file_response
@@ -15,6 +16,7 @@ from app.money.errors import InvoiceDetailsMissing, InvoiceNotFound, NoElectroni
 from app.money.invoices import electronic_invoices
 from app.money.ledger import journal
 from app.projects.errors import ProjectNotFound, TeamNeeded
+from app.projects.models import Project
 
 router = APIRouter(prefix="/v1", tags=["money"])
 
@@ -51,6 +53,7 @@ def read_electronic_invoice_xml(
 )
 def read_journal(
     project_id: UUID,
+    request: Request,
     session: DbSession,
     actor: Actor = allows(Audience.PROJECT),
     from_on: date | None = None,
@@ -58,4 +61,7 @@ def read_journal(
 ) -> Response:
     """Return invoices and payments as bookings for an accountant: a designer's sales, or a studio's purchases."""
     bookings = journal.journal(session, actor, project_id, from_on=from_on, until_on=until_on)
+    project = session.get_one(Project, project_id)
+    if actor.roles_in(project.studio_id):  # a designer takes the own sales along, not what the studio keeps
+        record_download(request, session, actor, project.studio_id, f"the journal of {project.name}")
     return file_response(bookings, journal.CSV, "journal.csv")

@@ -223,3 +223,15 @@ def test_who_may_not(world: World, who: str, status: int) -> None:
     key = tuple(f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
     for path in ("pack", "pack.zip", *key, "builds", "ci", "packs"):
         assert client.get(f"/v1/projects/{world.project_id}/{path}").status_code == status, path
+
+
+@pytest.mark.slow
+def test_packs_and_journals_that_left_are_in_the_security_log(world: World) -> None:
+    accepted_list(world)
+    name = world.producer.get(f"/v1/projects/{world.project_id}").json()["name"]
+    download(world)
+    assert world.producer.get(f"/v1/projects/{world.project_id}/journal.csv").status_code == 200
+    lines = world.producer.get(f"/v1/studios/{world.studio_id}/security-events", params={"kind": "export"}).json()["items"]
+    assert [line["summary"] for line in lines] == [f"downloaded the journal of {name}", f"downloaded {name} game.zip"]
+    assert {line["person"]["id"] for line in lines} == {str(world.producer_id)}
+    assert all(line["network"] for line in lines)
