@@ -14,6 +14,7 @@ from audio_checks import kernel
 from audio_checks.measure.cells import Cells
 from audio_checks.measure.click_rules import ALONE, BURST, CORE, IN_BURSTS, IN_GLIDES, Candidate, Rule, strongest
 from audio_checks.measure.decibels import decibels
+from audio_checks.measure.heard_clicks import AFTER_CELLS, heard_over_db
 from audio_checks.measure.maxima import ROW_FRAMES, maxima_of
 from audio_checks.measure.onsets import Heights, Surroundings, is_isolated, surroundings
 
@@ -34,6 +35,7 @@ GOES_ON = 30.0  # power, or that of sixth differences, may fall or rise by 15 dB
 BELOW_PEAK = 6.3e-3  # 44 dB under the file's peak: smaller clicks count for nothing
 AUDIBLE = 1e-3  # -60 dBFS: no one hears smaller ones
 SOUND_BELOW_PEAK = 1e-5  # in power, 50 dB: what counts as a sound
+HEARD_DB = 18.0  # over what masks it, of the 20 that are promised: what stands out less is part of the sound
 IMPULSE = 20.0  # the sharpness of a single sample at full scale
 GRAIN = 8.0  # steps of the bit depth: smaller clicks are rounding
 STEADY = 2.7  # peak over RMS of the sixth differences; below that tones hide small clicks in them
@@ -84,6 +86,8 @@ class Clicks:
         self._places, self._powers = np.empty(MAX_CANDIDATES, np.int64), np.empty(MAX_CANDIDATES)  # the same
         self._new: set[tuple[int, int, float, float]] = set()  # cell, channel, height, power of the sound around
         self._found: dict[tuple[int, int, float, float], Surroundings] = {}
+        self._heard: dict[tuple[int, int], float] = {}  # dB over what masks a click, by cell and channel
+        self._unheard: set[tuple[int, int]] = set()  # until enough is known of what follows them
         self._heights = Heights()
 
     def add(self, cells: Cells, new: int, samples: NDArray[np.float64], first: int, peak: float) -> None:
@@ -111,7 +115,9 @@ class Clicks:
             self._found.update(
                 zip(kept, surroundings(cells, [key[:2] for key in kept], before, self._cell), strict=True)
             )
+            self._unheard |= {key[:2] for key in kept} - self._heard.keys()
             self._new.clear()
+        self._listen(total - AFTER_CELLS, samples, first - begun * self._cell)
         self._seen = total
 
     def result(self, peak: float) -> dict[str, Any]:
@@ -121,7 +127,9 @@ class Clicks:
         last: dict[int, int] = {}
         for key in sorted(self._found):
             cell, channel, height, power = key
-            if height < least or power < sound or not is_isolated(self._found[key], self._heights, channel):
+            if height < least or power < sound or self._heard[cell, channel] < HEARD_DB:
+                continue
+            if not is_isolated(self._found[key], self._heights, channel):
                 continue
             if cell - last.get(channel, -9) > CORE:
                 clicks.append(Click(cell / self._per_s, channel + 1, decibels(height)))
@@ -167,6 +175,15 @@ class Clicks:
         )
         outstanding: list[list[float]] = self._out[:outstanding_count].tolist()
         return outstanding
+
+    def _listen(self, last: int, samples: NDArray[np.float64], origin: int) -> None:
+        """Measure how far the clicks up to a cell are heard; cell 0 starts at frame `origin`."""
+        for channel in {channel for cell, channel in self._unheard if cell <= last}:
+            places = [cell for cell, other in self._unheard if other == channel and cell <= last]
+            frames = origin + np.array(places, np.int64) * self._cell
+            over_db = heard_over_db(samples[channel], frames, self._cell, round(self._cell * self._per_s))
+            self._heard.update(zip(((cell, channel) for cell in places), over_db.tolist(), strict=True))
+        self._unheard -= self._heard.keys()
 
     def _keep(self, cell: int, channel: int, height: float, power: float) -> None:
         if len(self._found) + len(self._new) < MAX_KEPT:

@@ -41,6 +41,7 @@ def thresholds() -> dict[str, str]:
         f" before and after, and is predicted {rules.BURST_HARDER_THAN_BESIDE:g} and"
         f" {rules.BURST_HARDER_THAN_AROUND:g} times as badly, in a sound whose sixth differences have there the same"
         f" power before as after, within {power_decibels(clicks.BURST_GOES_ON):.1f} dB."
+        f" It stands {clicks.HEARD_DB:g} dB over what the 20 ms before and after mask, in a critical band above 1 kHz."
         f" What stands out less than {onsets.ISOLATED_DB:g} dB of the 3 ms on both sides is none where the highs are"
         f" {onsets.LOUDER_DB:g} dB louder after it, where the sound begins there, {onsets.SILENT_DB:g} dB over the"
         f" {(onsets.LEAD[1] - onsets.LEAD[0]) / 2:g} ms of silence before, or where {onsets.ALIKE} moments of the file"

@@ -34,16 +34,16 @@ def test_what_lies_44_db_under_the_peak_is_too_small(codes_of, height, codes):
     assert codes_of("click", clicked(tone(), height)) == codes
 
 
-# The sharpest moments of this noise are like single samples of 0.05, five times its RMS; 3.5 times that counts.
+# In 20 ms this noise has the energy of a sample of 0.031: one 18 dB over that is heard, and one 12 dB over it is not.
 @pytest.mark.parametrize(("height", "codes"), [(0.25, ["click:isolated"]), (0.12, [])])
-def test_it_must_stand_out_of_a_noisy_sound(codes_of, height, codes):
-    assert codes_of("click", clicked(noise(dbfs=-40), height)) == codes
+def test_it_must_be_heard_over_a_noisy_sound(codes_of, height, codes):
+    assert codes_of("click", clicked(noise(dbfs=-60), height)) == codes
 
 
 def test_small_clicks_in_bright_steady_tones(codes_of):
     bright = sum(sine(hz=hz, dbfs=-20, seconds=0.5, phase=hz) for hz in (1_700, 5_100, 11_900, 18_700))
     assert codes_of("click", bright) == []
-    assert codes_of("click", clicked(bright, 0.02, at=12_000)) == ["click:isolated"]
+    assert codes_of("click", clicked(bright, 0.04, at=12_000)) == ["click:isolated"]
 
 
 def test_a_step_under_a_bright_sound(codes_of):
@@ -61,10 +61,10 @@ def test_a_step_under_a_bright_sound(codes_of):
 def test_a_small_click_in_a_tone_that_sweeps(codes_of):
     # Nothing here is steady, and the click is too little sharper than the air: what cannot be predicted shows it.
     times = np.arange(24_000) / 48_000
-    air = noise(seconds=0.5, dbfs=-62)
+    air = noise(seconds=0.5, dbfs=-90)
     call = 0.5 * np.sin(2 * np.pi * (3_000 * times + 2_000 * times**2))[:, np.newaxis] + air
     assert codes_of("click", call) == []
-    assert codes_of("click", clicked(call, 0.018, at=12_000)) == ["click:isolated"]
+    assert codes_of("click", clicked(call, 0.025, at=12_000)) == ["click:isolated"]
 
 
 def test_a_dull_click_in_a_call(codes_of):
@@ -107,7 +107,7 @@ def with_contacts(samples, at):
 
 def test_contacts_of_a_plug(codes_of):
     # Each has another beside it that is as sharp, but within 20 ms there is nothing else, and the sound goes on.
-    hum = sine(hz=400, dbfs=-10, seconds=0.5) + noise(seconds=0.5, dbfs=-50)
+    hum = sine(hz=400, dbfs=-10, seconds=0.5) + noise(seconds=0.5, dbfs=-60)
     assert codes_of("click", hum) == []
     assert codes_of("click", with_contacts(hum, 12_000)) == ["click:isolated"]
     rattle = hum
@@ -201,5 +201,5 @@ def test_crackle_that_is_the_sound_is_no_click(codes_of):
 
 def test_clicks_that_no_one_hears_are_not_named(codes_of):
     quiet = 10 ** (-40 / 20) * tone()  # its peak is at -46 dBFS
-    assert codes_of("click", clicked(quiet, 10 ** (-62 / 20))) == []
-    assert codes_of("click", clicked(quiet, 10 ** (-58 / 20))) == ["click:isolated"]
+    assert codes_of("click", clicked(quiet, 10 ** (-56 / 20))) == []
+    assert codes_of("click", clicked(quiet, 10 ** (-48 / 20))) == ["click:isolated"]
