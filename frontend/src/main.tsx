@@ -1,6 +1,7 @@
 import './app/mantineStyles'
 import './app/tokens.css'
 import './app/base.css'
+import './app/utilities.css'
 import './app/mantine.css'
 
 import { StrictMode } from 'react'

@@ -20,7 +20,7 @@ export function Dialog({ title, opened, onClose, size = 520, children }: DialogP
     <Modal.Root opened={opened} onClose={onClose} size={size} transitionProps={{ duration: 0 }}>
       <Modal.Overlay backgroundOpacity={0.2} />
       <Modal.Content className={classes.content}>
-        <div className={classes.head}>
+        <div className={`flex items-center between ${classes.head}`}>
           <Modal.Title>{title}</Modal.Title>
           <Button variant="quiet" square icon="cross" aria-label="Close" onClick={onClose} />
         </div>

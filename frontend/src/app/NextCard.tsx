@@ -19,7 +19,7 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
   const { head, why, act, path } = wordsOf(first, projectId)
   return (
     <Card aria-labelledby="next-step">
-      <div className={classes.first}>
+      <div className={`flex wrap items-center ${classes.first}`}>
         <div className="grow">
           <p className="row small mid">
             <UnreadDot />
@@ -35,12 +35,16 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
         </ButtonLink>
       </div>
       {others.length > 0 && (
-        <Rows aria-label="Further steps" className={classes.others}>
+        <Rows aria-label="Further steps" className="border-t">
           {others.map((step) => {
             const words = wordsOf(step, projectId)
             return (
               <Row key={`${step.kind} ${step.contract_id} ${step.posting_id} ${step.subject} ${step.who}`}>
-                <Link to={words.path as LinkProps['to']} data-stop className={`grow ${classes.other}`}>
+                <Link
+                  to={words.path as LinkProps['to']}
+                  data-stop
+                  className={`grow flex wrap items-baseline ${classes.other}`}
+                >
                   <span className="strong">{words.head}</span> <span className="small mid">{words.why}</span>
                 </Link>
                 {step.since && <span className="dim num small nowrap">{age(step.since)}</span>}

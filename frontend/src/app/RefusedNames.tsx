@@ -31,7 +31,7 @@ export function RefusedNamesList({ refused, children }: { refused: RefusedNames;
   if (names.length === 0) return null
   const one = names.length === 1
   return (
-    <section className={classes.note} aria-label="File names that the spec refuses">
+    <section className={`grid gap-2 ${classes.note}`} aria-label="File names that the spec refuses">
       <p className="row wrap">
         <span className="tone-warn toned">
           <Icon name="triangle" />
@@ -40,7 +40,7 @@ export function RefusedNamesList({ refused, children }: { refused: RefusedNames;
           {`The delivery spec refuses ${plural(names.length, 'file name')} of the list: ${one ? 'it' : 'they'} would be delivered under ${one ? 'a name' : 'names'} that the spec does not allow.`}
         </span>
       </p>
-      <ul className={`${classes.names} small`}>
+      <ul className="grid gap-2px wrap-anywhere small">
         {names.slice(0, SHOWN).map(({ row, label, stem, proposed, message }) => (
           <li key={`${row ?? ''} ${label ?? ''} ${stem}`}>
             <span className="dim">{label ?? (row === null ? '' : `Row ${row}`)} </span>

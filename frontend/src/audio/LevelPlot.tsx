@@ -53,7 +53,7 @@ interface LevelPlotProps {
 /** Levels over frequency: a drawing with its lines of level named at the right, and its frequencies below. */
 export function LevelPlot({ draw, frequencies, tall = false, children, caption }: LevelPlotProps) {
   return (
-    <figure className={classes.plot}>
+    <figure className="grid gap-2px">
       <LevelWell linesDb={LINES_DB} floorDb={FLOOR_DB} tall={tall}>
         <Drawing draw={draw} />
         {children}

@@ -27,7 +27,7 @@ export function WaveThumb({ peaks, lit = false, faded = false, heightPx = 20 }: 
   )
   if (peaks === null) return <span className={classes.nothing} aria-hidden="true" />
   return (
-    <span className={classes.thumb} style={{ height: heightPx, opacity: faded ? 0.55 : undefined }}>
+    <span className="block min-w-0" style={{ height: heightPx, opacity: faded ? 0.55 : undefined }}>
       <Drawing draw={draw} />
     </span>
   )

@@ -233,7 +233,7 @@ function FindingsLane({
         <button
           type="button"
           key={item.id}
-          className={`${classes.label} tone-${SEVERITY_LOOK[item.severity].tone}`}
+          className={`inline-flex items-center ${classes.label} tone-${SEVERITY_LOOK[item.severity].tone}`}
           style={{ left: leftPx, top: lane * 26, maxWidth: width || undefined }}
           onClick={() => onMark?.(spotOf(item.startS ?? 0), item)}
         >
@@ -246,7 +246,7 @@ function FindingsLane({
       {layout.moreAt && (
         <button
           type="button"
-          className={`${classes.label} ${classes.rest}`}
+          className={`inline-flex items-center ${classes.label} ${classes.rest}`}
           style={{ left: layout.moreAt.leftPx, top: layout.moreAt.lane * 26 }}
           onClick={() => setAll(true)}
         >

@@ -62,7 +62,7 @@ export function FixPanel(props: FixPanelProps) {
         />
       )}
       {(mayUse || actions || isMade) && (
-        <div className={classes.actions}>
+        <div className={`row wrap ${classes.actions}`}>
           {mayUse && <Consent fixing={fixing} />}
           {isMade && sound !== null && (
             <Button icon="ab" keys="b" onClick={fixing.flip}>
@@ -104,14 +104,14 @@ function CueProgress({ fix, mayUse }: { fix: Fix; mayUse: boolean }) {
   switch (fix.state) {
     case 'making':
       return (
-        <p className={classes.says} role="status">
+        <p className={`flex items-start gap-2 ${classes.says}`} role="status">
           <Icon name="turning" /> Making the fixed copy. The version itself is not changed.
         </p>
       )
     case 'offered':
     case 'made':
       return (
-        <p className={classes.says}>
+        <p className={`flex items-start gap-2 ${classes.says}`}>
           <Icon name="spanner" />
           <span>
             {fix.state === 'offered' ? 'Auto-fix: ' : ''}
@@ -122,14 +122,14 @@ function CueProgress({ fix, mayUse }: { fix: Fix; mayUse: boolean }) {
       )
     case 'refused':
       return (
-        <p className={classes.says}>
+        <p className={`flex items-start gap-2 ${classes.says}`}>
           <Icon name="spanner" />
           <span>{fix.says}</span>
         </p>
       )
     case 'used':
       return (
-        <p className={classes.says}>
+        <p className={`flex items-start gap-2 ${classes.says}`}>
           <Icon name="tick" />
           <span>
             {fix.new_take_id === null ? (
@@ -155,7 +155,7 @@ function Moved({ fix }: { fix: Fix }) {
   const moved = movedFigures(fix)
   if (moved.length === 0) return null
   return (
-    <dl className={`${classes.moved} small`} aria-label="What changes">
+    <dl className={`flex wrap ${classes.moved} small`} aria-label="What changes">
       {moved.map(({ what, before, after }) => (
         <div key={what}>
           <dt className="dim">{what}</dt>

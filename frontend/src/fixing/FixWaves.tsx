@@ -40,8 +40,8 @@ export function FixWaves({ before, fix, sound, fixing, player, findings, limitDb
     { startS: before.durationS - tailS, endS: before.durationS },
   ].filter(({ startS, endS }) => endS > startS)
   return (
-    <div className={classes.waves}>
-      <div className={classes.line}>
+    <div className={`grid gap-6px ${classes.waves}`}>
+      <div className={`grid items-end gap-10px ${classes.line}`}>
         <p className={classes.side}>
           Original <span className="dim">{length(before.durationS)}</span>
         </p>
@@ -61,7 +61,7 @@ export function FixWaves({ before, fix, sound, fixing, player, findings, limitDb
           plain
         />
       </div>
-      <div className={classes.line}>
+      <div className={`grid items-end gap-10px ${classes.line}`}>
         <p className={classes.side}>
           Fixed <span className="dim">{length(fixedS)}</span>
         </p>
@@ -122,7 +122,7 @@ function Spots({ name, spots, headS, limitDbfs, fixing }: SpotsProps) {
           />
         )}
       </div>
-      <div className={classes.pair}>
+      <div className={`grid grid-cols-2 gap-10px ${classes.pair}`}>
         <div>
           <Waveform
             label={`${name}, original, ${spotName(spot).toLowerCase()}`}

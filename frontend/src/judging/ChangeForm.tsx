@@ -106,14 +106,14 @@ export function ChangeForm({
 
   return (
     <form
-      className={classes.form}
+      className="grid gap-2"
       aria-label={`What to change in ${what}`}
       onSubmit={(event) => {
         event.preventDefault()
         save()
       }}
     >
-      <div className={classes.reasons} role="group" aria-label="Reasons">
+      <div className={`flex wrap gap-6px ${classes.reasons}`} role="group" aria-label="Reasons">
         <span className="strong">Request a change of {what}</span>
         {offered.map((reason, index) => (
           <Button
@@ -152,7 +152,7 @@ export function ChangeForm({
       <Refusal error={problem} />
       {reversal}
       <DraftNote draft={draft} />
-      <div className={classes.line}>
+      <div className="row wrap">
         <p className="small mid grow">{counts} You can undo it for 10 seconds.</p>
         {places.length > 1 && <Segmented label="Where" options={places} value={where} onChange={setWhere} />}
         <Button variant="quiet" onClick={onClose} keys="Escape">

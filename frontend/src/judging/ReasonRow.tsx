@@ -33,9 +33,9 @@ export function ReasonRow({ reasons, title, onReason, none, onClose }: ReasonRow
     { keys: 'Escape', label: 'Close without deciding', group: 'Review', run: onClose },
   ])
   return (
-    <div ref={group} tabIndex={-1} role="group" aria-label={title} className={classes.form}>
+    <div ref={group} tabIndex={-1} role="group" aria-label={title} className="grid gap-2">
       <p className="small strong">{title}</p>
-      <div className={classes.reasons}>
+      <div className={`flex wrap gap-6px ${classes.reasons}`}>
         {reasons.map((reason, index) => (
           <Button key={reason} keys={String(index + 1)} onClick={() => onReason(reason)}>
             {reason}

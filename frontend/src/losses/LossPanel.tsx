@@ -20,7 +20,7 @@ export function LossPanel({ renderId, target }: { renderId: string; target: stri
   }
   if (loss === undefined) return null
   return (
-    <div className={classes.panel}>
+    <div className="grid gap-2">
       <LossPlot spectra={loss.spectra} />
       <LossTable label={`Quality loss of the ${target} file`} head="Figure" lines={linesOf(loss)} />
       <details className="small">

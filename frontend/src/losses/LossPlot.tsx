@@ -15,7 +15,7 @@ export function LossPlot({ spectra }: { spectra: Spectra }) {
       draw={draw}
       frequencies={marksOf(spectra.hz)}
       caption={
-        <span className={classes.legend}>
+        <span className={`flex wrap gap-2px-4 ${classes.legend}`}>
           <span>
             <i data-of="master" /> master
           </span>

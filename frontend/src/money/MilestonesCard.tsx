@@ -35,21 +35,21 @@ export function MilestonesCard({ contracts, projectId, side, end = 'by accepted 
       <CardHead id={id} title="Milestones" end={end} />
       <ul aria-labelledby={id}>
         {rows.map(({ milestone, currency, slip }) => (
-          <li key={milestone.id} className={classes.milestone}>
+          <li key={milestone.id} className={`grid items-center ${classes.milestone}`}>
             <Link className="link strong" to={`/projects/${projectId}/milestones/${milestone.id}` as LinkProps['to']}>
               {milestone.name}
             </Link>
             <span className={classes.progress} aria-hidden="true">
               <span style={{ width: `${(100 * milestone.accepted) / Math.max(1, milestone.wanted)}%` }} />
             </span>
-            <span className={classes.end}>
+            <span className="num">
               {milestone.accepted} of {milestone.wanted}
             </span>
-            <span className={`small ${classes.when}`}>
+            <span className={`small flex wrap gap-0-2 ${classes.when}`}>
               <span className="dim">{when(milestone)}</span>
               <span className="mid">{slip && slip.days > 0 ? slipInWords(slip, side) : progress(milestone, slip)}</span>
             </span>
-            <span className={`small ${classes.end}`}>{money(milestone.left_minor, currency)}</span>
+            <span className="small num">{money(milestone.left_minor, currency)}</span>
           </li>
         ))}
       </ul>

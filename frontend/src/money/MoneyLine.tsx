@@ -27,7 +27,7 @@ export function MoneyLine({ figures, currency, side, wouldOweMinor = 0, projectI
     { name: 'Saved by cuts', minor: saved_minor, look: classes.saved },
   ]
   return (
-    <Card className={classes.line} aria-label={`Money in ${currency}`}>
+    <Card className={`grid items-center ${classes.line}`} aria-label={`Money in ${currency}`}>
       <div>
         <p className="small mid">{side === 'team' ? 'Due to the designer now' : 'You are owed'}</p>
         <p className={classes.figure}>{money(due_minor, currency)}</p>
@@ -38,12 +38,12 @@ export function MoneyLine({ figures, currency, side, wouldOweMinor = 0, projectI
         )}
       </div>
       <div>
-        <div className={classes.bar} aria-hidden="true">
+        <div className={`flex gap-2px ${classes.bar}`} aria-hidden="true">
           {parts.map(
             ({ name, minor, look }) => minor > 0 && <span key={name} className={look} style={{ flexGrow: minor }} />,
           )}
         </div>
-        <ul className={`small ${classes.legend}`}>
+        <ul className={`small flex wrap ${classes.legend}`}>
           {parts.map(
             ({ name, minor, look }) =>
               (minor !== 0 || name !== 'Saved by cuts') && (

@@ -55,10 +55,10 @@ function Owed({ contract, projectId }: { contract: ContractMoney; projectId: str
   return (
     <Card aria-labelledby={id}>
       <CardHead id={id} title="You are owed" end={release === 'per_cue' ? 'paid per cue' : 'paid per milestone'} />
-      <div className={classes.owed}>
+      <div className="grid gap-1 p-3-inset">
         <p className={classes.figure}>{money(figures.due_minor, currency)}</p>
         {sumsOf(contract).map(({ text, minor }) => (
-          <p key={text} className={classes.sum}>
+          <p key={text} className={`grid wrap-anywhere ${classes.sum}`}>
             <span className="mid">{text}</span> <span>{amount(minor, currency)}</span>
           </p>
         ))}
@@ -68,7 +68,7 @@ function Owed({ contract, projectId }: { contract: ContractMoney; projectId: str
             {money(round.amount_minor, currency)}.
           </p>
         ))}
-        <div className={classes.foot}>
+        <div className="flex wrap items-center gap-2-3 mt-2">
           {billable !== 0 && (
             <ButtonLink component={Link} to={`/projects/${projectId}/money` as LinkProps['to']}>
               Draft invoice {contract.next_invoice}
@@ -98,7 +98,7 @@ function DueCards({ contract }: { contract: ContractMoney }) {
             title={milestone.due_on === null ? milestone.name : `Due ${dueDay(milestone.due_on)}`}
             end={`${milestone.name}, ${milestone.accepted} of ${milestone.wanted}`}
           />
-          <p className={`mid ${classes.cues}`}>{left.map(({ cue }) => cue.name).join(', ')}</p>
+          <p className="mid wrap-anywhere p-2-inset">{left.map(({ cue }) => cue.name).join(', ')}</p>
         </Card>
       )
     })

@@ -119,7 +119,7 @@ function Panel({ title, children }: { title: string; children: ReactNode }) {
 function States() {
   return (
     <Panel title="States: icon, word, colour; resting states keep a quiet word">
-      <div className={classes.chips}>
+      <div className={`grid items-center ${classes.chips}`}>
         {(Object.keys(STATES) as StateKind[]).map((kind) => (
           <State key={kind} kind={kind} reason={kind === 'waived' ? 'Clipping is intended in this gun.' : undefined} />
         ))}
@@ -138,7 +138,7 @@ function Buttons() {
   const [filter, setFilter] = useState<StateKind | 'all'>('all')
   return (
     <Panel title="Buttons, keys, filters: rest, first, pressed, off">
-      <div className={`row wrap ${classes.line}`}>
+      <div className="row wrap mt-2">
         <Button icon="play">Play</Button>
         <HotkeyButton
           variant="primary"
@@ -174,7 +174,7 @@ function Buttons() {
           ]}
         />
       </div>
-      <div className={`row wrap ${classes.line}`}>
+      <div className="row wrap mt-2">
         <FilterChip count={24} pressed={filter === 'all'} onPress={() => setFilter('all')}>
           All
         </FilterChip>
@@ -316,7 +316,7 @@ function Fields() {
         </FieldError>
       )}
       <Textarea mt="md" label="Description" placeholder="What happens, to what, where" autosize minRows={2} />
-      <div className={classes.line}>
+      <div className="mt-2">
         <ErrorBanner
           detail="The audio director decides on weapons."
           fix="You can comment or say which you would take."
@@ -381,7 +381,7 @@ function List() {
     { keys: 'k', label: 'Previous', group: 'Parts', repeats: true, run: () => move(-1) },
   ])
   return (
-    <section aria-label="Sound list" className={classes.list}>
+    <section aria-label="Sound list" className="mt-4">
       <ListTable
         label="Sound list"
         columns={CUE_COLUMNS}

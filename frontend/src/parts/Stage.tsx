@@ -55,8 +55,8 @@ export function Stage() {
   if (take === undefined) return null
 
   return (
-    <Card aria-label="Stage" className={classes.stage}>
-      <div className={classes.takes} role="group" aria-label="Alternates">
+    <Card aria-label="Stage" className={`grid grid-cols-1 gap-6px ${classes.stage}`}>
+      <div className={`grid gap-2 ${classes.takes}`} role="group" aria-label="Alternates">
         {TAKES.map(({ letter, peaks, durationS, matchGainDb, who }, index) => (
           <TakeCard
             key={letter}
@@ -107,7 +107,7 @@ export function Stage() {
       />
       <SpectrumStrip spectrogram={spectrogram ?? null} durationS={take.durationS} clock={player} />
       <LevelStrip peaks={take.peaks} durationS={take.durationS} clock={player} />
-      <div className={classes.transport}>
+      <div className={`row ${classes.transport}`}>
         <Button
           square
           icon={state.status === 'playing' ? 'pause' : 'play'}

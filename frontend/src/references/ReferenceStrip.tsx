@@ -22,8 +22,8 @@ export function ReferenceStrip({ projectId, cueId, mayAdd = false }: ReferenceSt
   const [shown, setShown] = useState<Reference | null>(null)
   if (references === undefined || (references.length === 0 && !mayAdd)) return null
   return (
-    <section className={classes.strip} aria-label="References">
-      <header className={classes.stripHead}>
+    <section className="grid grid-cols-1 gap-2 min-w-0" aria-label="References">
+      <header className="row wrap">
         <h2>References</h2>
         {references.length > 0 && <Count of={references.length} />}
         <Link
@@ -38,7 +38,7 @@ export function ReferenceStrip({ projectId, cueId, mayAdd = false }: ReferenceSt
       {references.length === 0 ? (
         <p className="small dim">None yet. A picture, a clip or a similar sound says more than a description.</p>
       ) : (
-        <div className={classes.row}>
+        <div className={`grid gap-3 ${classes.row}`}>
           {references.map((reference) => (
             <ReferenceTile key={reference.id} reference={reference} onShow={setShown}>
               {reference.category !== null && <p className="small dim">for all of {reference.category}</p>}

@@ -95,13 +95,13 @@ export function ReferenceTile({ reference, onShow, children }: ReferenceTileProp
     }
   }
   return (
-    <article className={classes.tile} aria-label={title} data-reference={reference.id}>
+    <article className={`grid gap-2 ${classes.tile}`} aria-label={title} data-reference={reference.id}>
       {shown()}
-      <div className={classes.said}>
+      <div className="grid content-start gap-2px min-w-0 wrap-anywhere">
         <p className="strong">{title}</p>
         <p className="small dim">{factsOf(reference)}</p>
         {terms && (
-          <p className={`small tone-warn ${classes.terms}`}>
+          <p className={`small tone-warn flex items-start gap-1 ${classes.terms}`}>
             <Icon name="triangle" />
             <span>
               <span className="visually-hidden">Terms: </span>

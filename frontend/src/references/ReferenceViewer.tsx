@@ -31,16 +31,16 @@ export function ReferenceViewer({ reference, opened, onClose }: ReferenceViewerP
 function Shown({ reference }: { reference: Reference }) {
   const { version, terms } = reference
   return (
-    <div className={classes.viewer}>
+    <div className={`grid gap-3 ${classes.viewer}`}>
       {version.kind === 'text' ? (
         <Text reference={reference} />
       ) : (
         <img src={partOf(version.id, 'view')} alt={titleOf(reference)} />
       )}
-      <div className={classes.foot}>
+      <div className="flex wrap items-center gap-2-3">
         <span className="small dim">{factsOf(reference)}</span>
         {terms && (
-          <span className={`small tone-warn ${classes.terms}`}>
+          <span className={`small tone-warn flex items-start gap-1 ${classes.terms}`}>
             <Icon name="triangle" />
             <span>{terms}</span>
           </span>

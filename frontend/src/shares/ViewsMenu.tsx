@@ -50,7 +50,7 @@ export function ViewsMenu({ button, projectId, page = 'sound_list', search, onOp
       ))}
       <Menu.Divider />
       <form
-        className={classes.form}
+        className={`grid gap-2 ${classes.form}`}
         onSubmit={(event) => {
           event.preventDefault()
           keep()

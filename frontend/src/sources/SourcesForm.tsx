@@ -45,7 +45,7 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
         })
       }}
     >
-      <div className={classes.checks}>
+      <div className="flex wrap gap-2-4">
         <Checkbox
           label="Made from scratch"
           checked={sources.from_scratch}
@@ -105,7 +105,7 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
         onChange={({ currentTarget }) => change({ note: currentTarget.value })}
       />
       <Refusal error={error} />
-      <div className={classes.acts}>
+      <div className="flex wrap gap-2-4">
         <Button variant="primary" type="submit" disabled={isPending}>
           Save sources
         </Button>

@@ -6,7 +6,6 @@ import { useLazy } from '@/ui/useLazy'
 
 import { takeSourcesQuery, useStateTakeSources } from './api'
 import { SameSounds } from './SameSounds'
-import classes from './Sources.module.css'
 import { SourcesText } from './SourcesText'
 
 const loadForm = () => import('./SourcesForm').then(({ SourcesForm }) => SourcesForm)
@@ -30,7 +29,7 @@ export function TakeSourcesPart({ takeId, mayState }: { takeId: string; mayState
     )
   }
   return (
-    <div className={classes.part}>
+    <div className="grid gap-2">
       <SourcesText words={read.stated?.words ?? null} openPoints={read.open_points} />
       <p className="small dim">
         {read.is_fixed

@@ -24,7 +24,7 @@ export function CardHead({ title, id, count, note, end }: CardHeadProps) {
       <h2 id={id}>{title}</h2>
       {count !== undefined && <Count of={count} />}
       {note && <span className={classes.note}>{note}</span>}
-      {end && <span className={classes.end}>{end}</span>}
+      {end && <span className={`row ${classes.end}`}>{end}</span>}
     </header>
   )
 }

@@ -33,7 +33,7 @@ export function CopyButton({ text, what, className, ...button }: CopyButtonProps
     else setState({ kind: 'refused', text: value })
   }
   return (
-    <span className={`${classes.copy} ${className ?? ''}`}>
+    <span className={`inline-flex wrap items-center ${classes.copy} ${className ?? ''}`}>
       <Button
         {...button}
         icon={state.kind === 'copied' ? 'tick' : 'copy'}

@@ -29,7 +29,7 @@ const linked = (fix: string) =>
 /** A refusal, said where it happened and until it is put right. */
 export function ErrorBanner({ detail, fix, action, className }: ErrorBannerProps) {
   return (
-    <div role="alert" className={`${classes.note} tone-bad ${className ?? ''}`}>
+    <div role="alert" className={`flex items-start gap-2 ${classes.note} tone-bad ${className ?? ''}`}>
       <Icon name="back" />
       <p>
         <span className="toned">{detail}</span> {fix !== undefined && linked(fix)}

@@ -21,7 +21,7 @@ export function Finding({ severity, head, where, children, actions }: FindingPro
   const { tone, icon, label } = SEVERITY_LOOK[severity]
   return (
     <article className={`${classes.finding} tone-${tone}`} aria-label={head}>
-      <header className={classes.head}>
+      <header className="flex items-baseline gap-6px">
         <span className={classes.icon}>
           <Icon name={icon} />
         </span>
@@ -31,8 +31,8 @@ export function Finding({ severity, head, where, children, actions }: FindingPro
         </span>
         {where && <span className="mono small dim end nowrap">{where}</span>}
       </header>
-      <p className={classes.text}>{children}</p>
-      {actions && <div className={classes.actions}>{actions}</div>}
+      <p className="wrap-anywhere">{children}</p>
+      {actions && <div className="row wrap mt-6px">{actions}</div>}
     </article>
   )
 }

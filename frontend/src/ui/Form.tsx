@@ -147,7 +147,7 @@ interface SubmitProps extends Pick<ButtonProps, 'keys' | 'disabled'> {
 export function Submit({ children, beside, ...rest }: SubmitProps) {
   const { isPending } = useFormState()
   return (
-    <div className={classes.foot}>
+    <div className="flex wrap items-center between gap-2-4">
       <Button type="submit" variant="primary" className={classes.go} aria-busy={isPending} {...rest}>
         {children}
       </Button>

@@ -7,7 +7,7 @@ export type Need = 'must' | 'should' | 'wish'
 /** How much the game needs a cue: a full, a half or an empty square, and the word beside it. */
 export function NeedMark({ need, children = need }: { need: Need; children?: ReactNode }) {
   return (
-    <span className={classes.need}>
+    <span className="inline-flex items-center gap-6px">
       <i className={classes.mark} data-need={need} aria-hidden="true" />
       {children}
     </span>

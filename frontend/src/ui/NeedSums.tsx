@@ -13,7 +13,7 @@ export interface NeedSum {
 export function NeedSums({ sums }: { sums: readonly NeedSum[] }) {
   if (sums.length < 2) return null
   return (
-    <ul className={`small mid ${classes.sums}`} aria-label="Accepted by need">
+    <ul className={`small mid flex wrap items-center ${classes.sums}`} aria-label="Accepted by need">
       {sums.map(({ need, accepted, cues }) => {
         const words = `${figure(accepted)} of ${figure(cues)}`
         return (

@@ -2,7 +2,6 @@ import type { ReactNode } from 'react'
 
 import { Button } from './Button'
 import { CopyButton } from './CopyButton'
-import classes from './SecretOnce.module.css'
 
 interface SecretOnceProps {
   secret: string
@@ -18,12 +17,12 @@ interface SecretOnceProps {
 /** A secret that is shown this once, until the person says that they have saved it. */
 export function SecretOnce({ secret, what, name, children, onDone }: SecretOnceProps) {
   return (
-    <div className={classes.once} role="status">
+    <div className="grid gap-2" role="status">
       <p>
         <span className="strong">{`Copy the secret${name === undefined ? '' : ` of “${name}”`} now. It is not shown again.`}</span>{' '}
         <span className="mid">{children}</span>
       </p>
-      <code className={`mono ${classes.secret}`}>{secret}</code>
+      <code className="mono wrap-anywhere">{secret}</code>
       <div className="row wrap">
         <CopyButton text={secret} what={what}>
           Copy secret

@@ -11,7 +11,7 @@ export function Select({ label, ...rest }: SelectProps) {
   const choice = <select {...rest} className={classes.select} />
   if (label === undefined) return choice
   return (
-    <label className={classes.labelled}>
+    <label className={`grid gap-1 ${classes.labelled}`}>
       <span className="small mid">{label}</span>
       {choice}
     </label>

@@ -20,8 +20,8 @@ const LEFT: Tone = 'idle'
 export function SetBlocks({ blocks, words }: SetBlocksProps) {
   const here = blocks.filter(({ tone }) => tone !== LEFT).length
   return (
-    <span className={classes.set}>
-      <span className={classes.blocks} aria-hidden="true">
+    <span className="inline-flex items-center gap-6px nowrap">
+      <span className={`inline-flex items-center gap-3px ${classes.blocks}`} aria-hidden="true">
         {blocks.map(({ tone, odd }, index) => (
           <i key={index} className={`tone-${tone} ${tone === LEFT ? '' : classes.full}`} data-odd={odd || undefined} />
         ))}

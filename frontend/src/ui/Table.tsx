@@ -41,7 +41,7 @@ export function Table<T>({ label, columns, rows, keyOf, rowClass }: TableProps<T
   return (
     // A region that scrolls is reached by the keyboard.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-    <div className={classes.scroll} role="region" aria-label={label} tabIndex={0}>
+    <div className="overflow-x-auto" role="region" aria-label={label} tabIndex={0}>
       <table className={`small ${classes.figures}`} aria-label={label}>
         <Heads columns={columns} />
         <tbody>

@@ -19,8 +19,8 @@ export function VerdictBar({ who, follows, children, above }: VerdictBarProps) {
     <section aria-label="Verdict" className={classes.bar}>
       {above && <div className={classes.above}>{above}</div>}
       {children && (
-        <div className={classes.line}>
-          <div className={classes.says}>
+        <div className={`flex wrap items-center ${classes.line}`}>
+          <div className={`flex wrap items-baseline ${classes.says}`}>
             <p className="strong">{who}</p>
             {follows && <p className="small mid">{follows}</p>}
           </div>

@@ -8,8 +8,8 @@ import { languageName, percentOf } from './words'
 /** What is spoken in a cue, with the lines around it; a changed text says what the take still says. */
 export function VoiceLineStrip({ projectId, line }: { projectId: string; line: VoiceLine }) {
   return (
-    <section className={classes.strip} aria-label="Voice line">
-      <header className={classes.head}>
+    <section className="grid gap-2" aria-label="Voice line">
+      <header className="flex wrap items-center gap-1-3">
         <h3>{line.character.name}</h3>
         <span className="small dim">
           {languageName(line.language)}

@@ -2,7 +2,6 @@ import { Button } from '@/ui/Button'
 
 import { Dialog } from '../Dialog'
 import type { OpenedProps } from '../LazyDialog'
-import classes from './LeaveDialog.module.css'
 
 interface LeaveDialogProps extends OpenedProps {
   onLeave: () => void
@@ -14,7 +13,7 @@ export function LeaveDialog({ opened, onClose, onLeave, onDiscard }: LeaveDialog
   return (
     <Dialog title="Leave this page?" opened={opened} onClose={onClose}>
       <p>What you typed here is not saved. If you leave, it stays in this browser until you come back.</p>
-      <div className={classes.buttons}>
+      <div className="flex wrap justify-end gap-2 mt-4">
         <Button onClick={onDiscard}>Discard it</Button>
         <Button onClick={onLeave}>Leave</Button>
         <Button variant="primary" data-autofocus onClick={onClose}>

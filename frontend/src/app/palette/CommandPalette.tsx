@@ -122,7 +122,7 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
 
   return (
     <>
-      <div className={classes.field}>
+      <div className={`row ${classes.field}`}>
         <Icon name="search" />
         <input
           ref={input}
@@ -205,7 +205,7 @@ function PaletteLine({ id, line, selected, onPoint, onAct }: PaletteLineProps) {
       role="option"
       tabIndex={-1}
       aria-selected={selected}
-      className={classes.line}
+      className={`flex items-center gap-10px ${classes.line}`}
       onMouseMove={onPoint}
       onClick={onAct}
     >

@@ -18,8 +18,8 @@ export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) 
   useHotkeys([{ keys: '?', label: 'Keyboard shortcuts', group: 'Everywhere', run: () => setShowingKeys(true) }])
   return (
     <>
-      <header className={`${classes.head} ${classes.bar}`}>
-        <ShellLink path="/" className={classes.mark} aria-label="Soundlist home">
+      <header className={`${classes.head} items-center gap-4 ${classes.bar}`}>
+        <ShellLink path="/" className={`flex items-center gap-10px ${classes.mark}`} aria-label="Soundlist home">
           <Mark />
           <span className="strong">Soundlist</span>
         </ShellLink>

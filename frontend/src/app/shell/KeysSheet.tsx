@@ -24,12 +24,12 @@ export function KeysSheet({ opened, onClose }: { opened: boolean; onClose: () =>
         {[...groups].map(([group, keys]) => (
           <section key={group} aria-label={group}>
             <h3>{group}</h3>
-            <dl className={classes.keys}>
+            <dl className="mt-2">
               {keys.map(({ keys: key, label }) => (
-                <div key={`${key} ${label}`} className={classes.line}>
+                <div key={`${key} ${label}`} className={`grid items-center gap-2 ${classes.line}`}>
                   <dt>
                     <span className="visually-hidden">{key}</span>
-                    <span className={classes.caps}>
+                    <span className={`flex gap-1 ${classes.caps}`}>
                       <Key keys={key} />
                     </span>
                   </dt>

@@ -11,7 +11,7 @@ import classes from './RefusedWrites.module.css'
 export function RefusedWrites() {
   const { refused } = useSyncExternalStore(later.subscribe, later.getState)
   return (
-    <section aria-label="Not saved" className={classes.refused}>
+    <section aria-label="Not saved" className={`grid gap-2 ${classes.refused}`}>
       {refused.map(({ place, what, why }) => (
         <ErrorBanner
           key={place}

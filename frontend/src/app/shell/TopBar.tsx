@@ -30,17 +30,17 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
   const area = areas.find(({ id }) => id === home?.area)
   return (
     <header className={classes.head}>
-      <div className={classes.bar}>
+      <div className={`items-center gap-4 ${classes.bar}`}>
         <ShellLink
           path={inBar[0]?.path ?? '/'}
-          className={classes.mark}
+          className={`flex items-center gap-10px ${classes.mark}`}
           aria-label={`Soundlist, ${inBar[0]?.label ?? 'home'}`}
         >
           <Mark />
         </ShellLink>
         {data.person && <ProjectSwitcher data={data} />}
         {inBar.length > 0 && (
-          <nav className={classes.tabs} aria-label="Areas">
+          <nav className={`flex gap-2px ${classes.tabs}`} aria-label="Areas">
             {inBar.map(({ id, label, onPhone, path, icon, count }) => (
               <ShellLink
                 key={id}
@@ -86,7 +86,7 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
         {data.person && (
           <ShellLink
             path="/notices"
-            className={classes.bell}
+            className={`flex items-center ${classes.bell}`}
             aria-label={data.unread ? `Notices, ${data.unread} unread` : 'Notices'}
           >
             <Icon name="bell" size={18} />
@@ -95,9 +95,9 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
         )}
         <AccountMenuTrigger data={data} onKeys={onKeys} />
       </div>
-      <div className={classes.sub}>
+      <div className={`flex items-center gap-3 ${classes.sub}`}>
         {area && (
-          <nav className={classes.pages} aria-label={`Pages of ${area.label}`}>
+          <nav className={`flex gap-2px ${classes.pages}`} aria-label={`Pages of ${area.label}`}>
             {area.pages.map(({ label, path, count }) => (
               <ShellLink key={path} path={path} current={label === home?.label}>
                 {label}

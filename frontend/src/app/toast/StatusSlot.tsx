@@ -22,7 +22,7 @@ export function StatusSlot() {
   return (
     <div role="status" className={classes.slot} data-filled={isLate || toast !== null || undefined}>
       {isLate && (
-        <span className={classes.sending}>
+        <span className={`row ${classes.sending}`}>
           <span className="ring" aria-hidden="true" />
           {isSendingLate ? 'Sending…' : 'Loading…'}
         </span>
@@ -58,7 +58,7 @@ function ToastLine({ toast }: { toast: Toast }) {
     // Pointing at it or progress in it stops its clock; there is nothing to press on the line itself.
     // eslint-disable-next-line jsx-a11y/no-static-element-interactions
     <div
-      className={`${classes.toast} on-ink`}
+      className={`row ${classes.toast} on-ink`}
       data-held={held || undefined}
       onMouseEnter={() => setHeld(true)}
       onMouseLeave={() => setHeld(false)}

@@ -48,7 +48,7 @@ export function AccountPage() {
           then the studio’s pages open.
         </p>
       )}
-      <div className={classes.cards}>
+      <div className={`grid items-start gap-4 ${classes.cards}`}>
         <NameCard me={me} />
         <PictureCard me={me} />
         {session?.demo !== true && <AddressCard me={me} />}

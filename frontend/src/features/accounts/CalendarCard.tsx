@@ -19,7 +19,7 @@ export function CalendarCard({ studioId }: { studioId: string }) {
       <CardHead id="calendar" title="Calendar" note="for clauses on silence" />
       <CardProblem error={error ?? save.error} />
       {calendar && <Fields calendar={calendar} isPending={save.isPending} onSave={(to) => save.mutate(to)} />}
-      <p className={`small mid ${classes.foot}`}>
+      <p className="small mid p-3-inset">
         Saturdays and Sundays never count. A holiday entered now does not delay a cue that is in review already.
         Designers see this calendar.
       </p>
@@ -40,7 +40,7 @@ function Fields({ calendar: { time_zone: zone, holidays }, isPending, onSave }: 
   const [name, setName] = useState('')
   return (
     <>
-      <div className={classes.zone}>
+      <div className="p-3-inset">
         <Select
           label="Time zone"
           searchable

@@ -109,7 +109,7 @@ export function DepartureDialog(props: DepartureDialogProps) {
             {ends.map((item) => (
               <Row key={`${item.kind} ${item.id}`}>
                 <span className="grow">
-                  <span className={classes.mail}>{item.kind === 'liaison' ? item.project_name : item.name}</span>
+                  <span className="wrap-anywhere">{item.kind === 'liaison' ? item.project_name : item.name}</span>
                   <br />
                   <span className="small mid">
                     {KINDS[item.kind]}
@@ -124,7 +124,7 @@ export function DepartureDialog(props: DepartureDialogProps) {
       )}
       {leaves && (
         <Checkbox.Group value={keep} onChange={setKeep} aria-label="What goes on in your name">
-          <div className={classes.roles}>
+          <div className={`grid gap-2 ${classes.roles}`}>
             {KEPT.filter(({ kind }) => ends.some((item) => item.kind === kind)).map(({ access, label, why }) => (
               <Checkbox key={access} value={access} size="sm" label={label} description={why} />
             ))}

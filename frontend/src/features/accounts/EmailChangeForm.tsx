@@ -4,7 +4,6 @@ import { Field, Form, Submit } from '@/ui/Form'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 
-import classes from './Account.module.css'
 import { CardProblem } from './CardProblem'
 import { emailChangeQuery, useAskEmailChange, useCancelEmailChange } from './emailChangeApi'
 
@@ -31,7 +30,7 @@ export function EmailChangeForm({ email }: { email: string }) {
   }
   const waiting = [...(pending.old_confirmed ? [] : [email]), ...(pending.new_confirmed ? [] : [pending.new_email])]
   return (
-    <div className={classes.unverified}>
+    <div className="grid gap-3 wrap-anywhere pt-3">
       <p role="status">
         <span className="strong">Change to {pending.new_email}</span>{' '}
         <span className="mid">Follow the link that was sent to {waiting.join(' and to ')}, within a day.</span>

@@ -57,7 +57,7 @@ function DetailsForm({ studioId, saved }: { studioId?: string; saved: InvoiceDet
   const country = countryOf(details.country_code)
   return (
     <form
-      className={classes.form}
+      className={`grid items-end gap-3 ${classes.form}`}
       aria-label="Invoice details"
       noValidate
       onSubmit={(event) => {
@@ -86,7 +86,7 @@ function DetailsForm({ studioId, saved }: { studioId?: string; saved: InvoiceDet
           />
         )
       })}
-      <div className={classes.wide}>
+      <div className="grid gap-2 col-span-full">
         <DraftNote draft={typed} />
         {!refusal?.errors.length && <Refusal error={save.error} />}
         <p className="small mid">
@@ -95,7 +95,7 @@ function DetailsForm({ studioId, saved }: { studioId?: string; saved: InvoiceDet
             : 'Optional. They are on the electronic invoices of your designers.'}
         </p>
       </div>
-      <div className={classes.foot}>
+      <div className="flex justify-end col-span-full">
         <Button type="submit" variant="primary" aria-busy={save.isPending}>
           Save invoice details
         </Button>

@@ -43,7 +43,7 @@ function Fields({ wishes, onSave }: FieldsProps) {
         {KINDS.map((news) => (
           <Row key={news} className={classes.news}>
             <span className="grow">
-              {NEWS_WORDS[news].label} <span className={`small mid ${classes.hint}`}>{NEWS_WORDS[news].hint}</span>
+              {NEWS_WORDS[news].label} <span className="small mid block">{NEWS_WORDS[news].hint}</span>
             </span>
             <Select
               aria-label={NEWS_WORDS[news].label}
@@ -61,7 +61,7 @@ function Fields({ wishes, onSave }: FieldsProps) {
           </Row>
         ))}
       </Rows>
-      <div className={classes.hours}>
+      <div className="flex wrap items-end gap-3 p-3-inset">
         <SearchableSelect
           label="Time zone"
           searchable
@@ -103,7 +103,7 @@ function QuietHours({ wishes, onSave }: FieldsProps) {
   const isChanged = from !== (wishes.quiet_from?.slice(0, 5) ?? '') || until !== (wishes.quiet_until?.slice(0, 5) ?? '')
   return (
     <form
-      className={classes.quiet}
+      className="flex wrap items-end gap-3"
       onSubmit={(event) => {
         event.preventDefault()
         if (isWhole) onSave({ quiet_from: from, quiet_until: until })

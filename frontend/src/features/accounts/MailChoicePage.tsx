@@ -24,7 +24,7 @@ export function MailChoicePage() {
       <Sheet>
         <h1>This link is incomplete</h1>
         <p className="mid">Open it from the email again. Or sign in, and choose your emails on your account’s page.</p>
-        <p className={classes.next}>
+        <p className="mt-4">
           <Link className="link" to="/account">
             Go to your account
           </Link>
@@ -41,7 +41,7 @@ export function MailChoicePage() {
         {choice.cadence ? (choice.cadence === 'never' ? ': not sent.' : `: sent ${STANDS[choice.cadence]}.`) : '.'}
       </p>
       <CardProblem error={choose.error} />
-      <div className={classes.choices} role="group" aria-label="How often they are sent">
+      <div className={`flex wrap gap-2 ${classes.choices}`} role="group" aria-label="How often they are sent">
         {cadencesOf(choice.can_stop).map((cadence) => (
           <Button
             key={cadence}
@@ -64,7 +64,7 @@ export function MailChoicePage() {
       {!choice.can_stop && (
         <p className="small mid">Emails about contracts and payments can’t be turned off: they name days to keep.</p>
       )}
-      <p className={`small ${classes.next}`}>
+      <p className="small mt-4">
         <Link className="link" to="/account">
           All your emails, and quiet hours
         </Link>

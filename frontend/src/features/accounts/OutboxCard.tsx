@@ -32,7 +32,7 @@ export function OutboxCard({ studioId }: { studioId: string }) {
       />
       <CardProblem error={error ?? send.error} />
       {outbox?.mails.length === 0 && (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState head="No emails yet." level={3}>
             Invitations, decisions and answers sent by email are listed here.
           </EmptyState>
@@ -59,7 +59,7 @@ function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSe
       <details className="grow">
         <summary>
           <span className="strong">{subject}</span>{' '}
-          <span className={`small mid ${classes.mail}`}>
+          <span className="small mid wrap-anywhere">
             to {recipient}, {sent_at ? `sent, ${age(sent_at)}` : `written, ${age(created_at)}`}
           </span>
         </summary>

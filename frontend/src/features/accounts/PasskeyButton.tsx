@@ -2,7 +2,6 @@ import { Button } from '@/ui/Button'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Refusal } from '@/ui/Refusal'
 
-import classes from './Account.module.css'
 import { hasPasskeys, isCancelled, usePasskeySignIn } from './passkeyApi'
 
 interface PasskeyButtonProps {
@@ -16,7 +15,7 @@ export function PasskeyButton({ action, onSignedIn }: PasskeyButtonProps) {
   const signIn = usePasskeySignIn()
   if (!hasPasskeys()) return null
   return (
-    <div className={`stack ${classes.passkey}`}>
+    <div className="stack justify-items-start mt-4">
       {isCancelled(signIn.error) ? <ErrorBanner detail="No passkey was used." /> : <Refusal error={signIn.error} />}
       <Button
         aria-busy={signIn.isPending}

@@ -100,7 +100,7 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
               <span className="strong">{member.person.name}</span>
               {member.person.id === meId && <span className="small dim"> you</span>}
               <br />
-              <span className={`small mid ${classes.mail}`}>{member.email}</span>
+              <span className="small mid wrap-anywhere">{member.email}</span>
             </span>
             {isProducer ? (
               <RolesMenu
@@ -204,7 +204,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
         >
           <Field name="email" label="Email" type="email" autoComplete="off" />
           <Checkbox.Group label="Roles" value={roles} onChange={(chosen) => chosen.length > 0 && setRoles(chosen)}>
-            <div className={classes.roles}>
+            <div className={`grid gap-2 ${classes.roles}`}>
               {ROLES.map((role) => (
                 <Checkbox
                   key={role}
@@ -225,7 +225,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
           {invitations.map(({ id, email, roles: asked, created_at, expires_at }) => (
             <Row key={id}>
               <span className="grow">
-                <span className={classes.mail}>{email}</span>
+                <span className="wrap-anywhere">{email}</span>
                 <br />
                 <span className="small mid">
                   {rolesInWords(asked)}, waits {age(created_at)}, until {day(expires_at)}

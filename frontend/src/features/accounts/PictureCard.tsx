@@ -58,9 +58,9 @@ export function PictureCard({ me }: { me: Me }) {
       onDrop={drop}
     >
       <CardHead id="picture-card" title="Picture" note="shown beside your name" />
-      <div className={`${classes.inside} ${classes.picture}`}>
+      <div className={`${classes.inside} items-start flex gap-4 ${classes.picture}`}>
         <Face name={name} picture={picture} large />
-        <div className={classes.pictureWords}>
+        <div className="grid gap-3 min-w-0">
           <p className="small mid">
             {picture ? 'Those who see your name see this picture.' : 'Without a picture, your initials are shown.'}{' '}
             Choose or drop a PNG, JPEG or WebP of up to {bytes(MAX_BYTES)}; its middle is kept.

@@ -3,7 +3,6 @@ import { useQuery } from '@tanstack/react-query'
 import { Button } from '@/ui/Button'
 import { useDebounced } from '@/ui/useDebounced'
 
-import classes from './Account.module.css'
 import { CardProblem } from './CardProblem'
 import { domainOf, providerOfDomainQuery, useBeginProviderSignIn } from './providerApi'
 
@@ -22,7 +21,7 @@ export function ProviderButton({ verb, email, nextPath }: ProviderButtonProps) {
   const studioId = provider?.studio_id
   if (!studioId) return null
   return (
-    <div className={`stack ${classes.passkey}`}>
+    <div className="stack justify-items-start mt-4">
       <CardProblem error={begin.error} />
       <Button
         aria-busy={begin.isPending}

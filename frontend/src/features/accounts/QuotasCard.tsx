@@ -6,7 +6,6 @@ import { State, type Tone } from '@/ui/State'
 
 import { type Quota, useQuotas } from './api'
 import { CardProblem } from './CardProblem'
-import classes from './Studio.module.css'
 
 const NEAR = 0.9
 
@@ -39,7 +38,7 @@ export function QuotasCard({ studioId }: { studioId: string }) {
           <QuotaRow key={quota.kind} quota={quota} />
         ))}
       </Rows>
-      <p className={`small mid ${classes.foot}`}>
+      <p className="small mid p-3-inset">
         Nothing is deleted when a limit is reached. The server’s administrator can raise it with{' '}
         <code>soundlist quota</code>.
       </p>
@@ -56,7 +55,7 @@ function QuotaRow({ quota: { kind, used, limit } }: { quota: Quota }) {
   return (
     <Row>
       <div className="grow">
-        <p className={classes.quota}>
+        <p className="flex between gap-2">
           <span className="strong">{name}</span>
           <span className="num small">{inWords}</span>
         </p>

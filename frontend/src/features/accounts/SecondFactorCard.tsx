@@ -127,7 +127,7 @@ function Setup({ setup: { secret, qr_svg }, onCancel, onConfirmed }: SetupProps)
       />
       <p>
         <span className="small mid">Key</span>{' '}
-        <code className={`mono ${classes.secret}`}>{secret.match(/.{1,4}/g)?.join(' ')}</code>{' '}
+        <code className="mono wrap-anywhere">{secret.match(/.{1,4}/g)?.join(' ')}</code>{' '}
         <CopyButton text={secret} what="Key">
           Copy key
         </CopyButton>
@@ -167,7 +167,7 @@ export function RecoveryCodes({ codes, onDone }: { codes: readonly string[]; onD
         <span className="strong">Save these recovery codes now. They are not shown again.</span>{' '}
         <span className="mid">Each signs in once in place of the app. Earlier codes no longer work.</span>
       </p>
-      <ul className={`mono ${classes.recoveryCodes}`} aria-label="Recovery codes">
+      <ul className={`mono grid gap-1-4 ${classes.recoveryCodes}`} aria-label="Recovery codes">
         {codes.map((code) => (
           <li key={code}>{code}</li>
         ))}

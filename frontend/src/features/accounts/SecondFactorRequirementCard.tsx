@@ -24,7 +24,7 @@ export function SecondFactorRequirementCard({ studioId }: { studioId: string }) 
       <CardHead id="second-factor-requirement" title="Second factor" note="required for" />
       <CardProblem error={error ?? save.error} />
       {requirement && (
-        <fieldset className={classes.uses} disabled={save.isPending}>
+        <fieldset className={`grid gap-3 ${classes.uses}`} disabled={save.isPending}>
           <legend className="visually-hidden">Second factor required for</legend>
           {USES.map(({ use, label, hint }) => (
             <Checkbox
@@ -42,7 +42,7 @@ export function SecondFactorRequirementCard({ studioId }: { studioId: string }) 
           ))}
         </fieldset>
       )}
-      <p className={`small mid ${classes.foot}`}>
+      <p className="small mid p-3-inset">
         Who has none is told so where it is asked for. Everyone sets up their own on the Account page.
       </p>
     </Card>

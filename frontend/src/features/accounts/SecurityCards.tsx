@@ -27,7 +27,7 @@ export function AddressCard({ me }: { me: Me }) {
           <State kind={isVerified ? 'passed' : 'warning'}>{isVerified ? 'Verified' : 'Not verified'}</State>
         </p>
         {!isVerified && way !== undefined && (
-          <div className={classes.unverified}>
+          <div className="grid gap-3 wrap-anywhere pt-3">
             <p className="mid">
               {way.by_mail
                 ? 'Verify it before you sign a contract, so the other party knows who signed.'

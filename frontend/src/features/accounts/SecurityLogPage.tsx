@@ -51,7 +51,7 @@ export function SecurityLogPage() {
       </div>
       <Card aria-labelledby="security-log">
         <CardHead id="security-log" title="Events" note="newest first" />
-        <div className={classes.foot}>
+        <div className="p-3-inset">
           <Select label="Show" value={kind} onChange={(event) => setKind(event.target.value as SecurityEventKind | '')}>
             <option value="">All kinds</option>
             {Object.entries(KIND_NAMES).map(([value, name]) => (
@@ -62,14 +62,14 @@ export function SecurityLogPage() {
           </Select>
         </div>
         <CardProblem error={error} />
-        {data?.length === 0 && <p className={`mid ${classes.empty}`}>No events yet.</p>}
+        {data?.length === 0 && <p className="mid p-inset">No events yet.</p>}
         <Rows aria-labelledby="security-log">
           {data?.map((event) => (
             <EventRow key={event.id} event={event} />
           ))}
         </Rows>
         {hasNextPage && (
-          <div className={classes.foot}>
+          <div className="p-3-inset">
             <Button disabled={isFetchingNextPage} onClick={() => void fetchNextPage()}>
               Show earlier events
             </Button>
@@ -88,7 +88,7 @@ function EventRow({ event: { at, person, about, summary, network } }: { event: S
           <span className="strong">{person?.name ?? 'The server’s administrator'}</span>
           {about && <span className="mid"> · {about.name}</span>}
         </p>
-        <p className={classes.mail}>{summary}</p>
+        <p className="wrap-anywhere">{summary}</p>
         <p className="small dim">
           <time dateTime={at}>{`${day(at)}, ${clock(at)}`}</time>
           {network && ` · ${network}`}

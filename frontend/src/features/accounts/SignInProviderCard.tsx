@@ -7,7 +7,6 @@ import { Card, CardHead } from '@/ui/Card'
 
 import { CardProblem } from './CardProblem'
 import { signInProviderQuery, useRemoveSignInProvider, useSetSignInProvider } from './providerApi'
-import classes from './Studio.module.css'
 
 /** The OpenID Connect provider by which the studio's people sign in. */
 export function SignInProviderCard({ studioId }: { studioId: string }) {
@@ -19,12 +18,12 @@ export function SignInProviderCard({ studioId }: { studioId: string }) {
       <CardHead id="sign-in-provider" title="Sign-in provider" note="OpenID Connect" />
       <CardProblem error={error ?? remove.error} />
       {provider && (
-        <div className={classes.foot}>
+        <div className="p-3-inset">
           <p className="small mid">
             {provider.domains.length > 0
               ? `Signs in addresses of ${provider.domains.join(', ')}.`
               : 'No domain is bound to the studio yet. The server’s administrator binds one.'}{' '}
-            Enter this redirect address at the provider: <code className={classes.mail}>{provider.redirect_uri}</code>
+            Enter this redirect address at the provider: <code className="wrap-anywhere">{provider.redirect_uri}</code>
           </p>
           {provider.issuer === null ? (
             <Form
@@ -39,7 +38,7 @@ export function SignInProviderCard({ studioId }: { studioId: string }) {
             </Form>
           ) : (
             <>
-              <p className={classes.mail}>
+              <p className="wrap-anywhere">
                 <span className="strong">{provider.issuer}</span>{' '}
                 <span className="small mid">client {provider.client_id}</span>
               </p>

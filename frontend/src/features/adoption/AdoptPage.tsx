@@ -10,7 +10,6 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 
 import { adoptionsQuery, type Adoption } from './api'
-import classes from './Adopt.module.css'
 import { at } from './at'
 import { ChooseFolder } from './ChooseFolder'
 import { OneAdoption } from './OneAdoption'
@@ -24,8 +23,8 @@ export function AdoptPage(): ReactNode {
   useTitle('Adopt a folder')
   const former = useQuery({ ...adoptionsQuery(projectId), enabled: project?.part === 'team' })
   return (
-    <div className={`page ${classes.page}`}>
-      <header className={classes.top}>
+    <div className="page stack content-start">
+      <header className="flex wrap items-start between gap-2-4">
         <div>
           <h1>Import existing game audio</h1>
           <p className="mid">
@@ -68,7 +67,7 @@ function Former({
   return (
     <Card aria-labelledby="former">
       <CardHead id="former" title="Folders of this project" count={others.length} />
-      <ul className={classes.former}>
+      <ul className="grid gap-1 wrap-anywhere p-3-inset">
         {others.map((one) => (
           <li key={one.id}>
             <Link

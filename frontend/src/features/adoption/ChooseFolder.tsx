@@ -199,7 +199,7 @@ function Sending({ queue, of }: { queue: UploadQueue; of: number }) {
 
 function Going({ says, note, done, of }: { says: string; note?: string; done: number; of: number }) {
   return (
-    <div className={classes.going} role="status">
+    <div className="grid gap-2" role="status">
       <p>{says}</p>
       <Meter label={says} whole={Math.max(1, of)} parts={[{ value: done }]} />
       {note && <p className="small dim">{note}</p>}

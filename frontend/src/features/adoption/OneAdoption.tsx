@@ -11,7 +11,6 @@ import { plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 
 import { adoptFolder, type Progress, progressQuery, refreshAdopted, sentPlanQuery, useUndoAdoption } from './api'
-import classes from './Adopt.module.css'
 import { at } from './at'
 import { PlanCard } from './PlanCard'
 
@@ -68,7 +67,7 @@ function Adopted({ projectId, progress }: { projectId: string; progress: Progres
         title={progress.folder}
         note={`adopted by ${progress.adopted_by?.name ?? ''}, ${at(progress.adopted_at ?? '')}`}
       />
-      <div className={classes.plan}>
+      <div className="grid gap-3 p-3-inset-4">
         <Refusal error={undo.error} />
         {isUndone ? (
           <p>
@@ -86,7 +85,7 @@ function Adopted({ projectId, progress }: { projectId: string; progress: Progres
               </p>
             )}
             {odd.length > 0 && (
-              <ul className={classes.odd} aria-label="Sounds with findings">
+              <ul className="grid gap-1 wrap-anywhere" aria-label="Sounds with findings">
                 {odd.map((one) => (
                   <li key={one.take_id}>
                     <Link className="link" to="/takes/$takeId" params={{ takeId: one.take_id }}>
@@ -99,7 +98,7 @@ function Adopted({ projectId, progress }: { projectId: string; progress: Progres
                 ))}
               </ul>
             )}
-            <div className={classes.act}>
+            <div className="flex wrap items-center gap-2-3">
               <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`} variant="primary">
                 Open the sound list
               </ButtonLink>

@@ -30,14 +30,14 @@ export function PlanCard({
   return (
     <Card aria-labelledby="plan">
       <CardHead id="plan" title="What happens to each file" />
-      <div className={classes.plan}>
+      <div className="grid gap-3 p-3-inset-4">
         <p>
           {plural(plan.files, 'file becomes', 'files become')} {plural(plan.cues.length, 'cue')} in{' '}
           {plural(categories.length, 'category', 'categories')}, {plan.sets} of them{' '}
           {plan.sets === 1 ? 'a set' : 'sets'} of variations.
         </p>
         {categories.length > 0 && (
-          <ul className={classes.categories} aria-label="Categories">
+          <ul className="flex wrap gap-1-4" aria-label="Categories">
             {categories.map(([name, count]) => (
               <li key={name}>
                 {name === '' ? 'no category' : name} <span className="dim">{count}</span>
@@ -76,7 +76,7 @@ export function PlanCard({
           isOpen
         />
         <Files head="Not adopted" rows={plan.skipped.map(({ path, message }) => [path, message])} isOpen />
-        <div className={classes.act}>
+        <div className="flex wrap items-center gap-2-3">
           <Button variant="primary" disabled={why !== undefined} onClick={onAdopt}>
             {action}
           </Button>

@@ -154,7 +154,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
   return (
     <div className={classes.room}>
       <nav className={classes.rail} aria-label="Topics">
-        <div className={classes.railHead}>
+        <div className={`flex items-center between ${classes.railHead}`}>
           <span className="strong">Brief</span>
           <Link className="link small" to="/projects/$projectId/brief/versions" params={{ projectId }} search={{}}>
             {versionWords(brief)}
@@ -184,8 +184,8 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
           />
         </div>
       </nav>
-      <div className={classes.middle}>
-        <div className={classes.scroll} ref={scroll}>
+      <div className={`flex flex-col ${classes.middle}`}>
+        <div className={`grid gap-3 ${classes.scroll}`} ref={scroll}>
           <div className={classes.narrowHead}>
             <p className="small mid">{`Brief, ${brief.answered} of ${brief.total}. Topic ${at + 1} of ${brief.topics.length}`}</p>
             <Bar brief={brief} />
@@ -213,7 +213,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
             />
           ))}
           {!isWide && (
-            <aside className={classes.narrowSide} aria-label="Versions and open questions">
+            <aside className={`grid gap-3 ${classes.narrowSide}`} aria-label="Versions and open questions">
               <SideCards projectId={projectId} brief={brief} saving={answers.saving} />
             </aside>
           )}
@@ -226,7 +226,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
               see it.
             </p>
           </div>
-          <div className={classes.footActs}>
+          <div className={`flex gap-2 ${classes.footActs}`}>
             <Button keys="p" disabled={at === 0} onClick={() => go(at - 1)}>
               Back
             </Button>
@@ -283,7 +283,7 @@ function Bar({ brief }: { brief: Brief }) {
 
 function Completeness({ brief }: { brief: Brief }) {
   return (
-    <div className={classes.completeness}>
+    <div className={`grid gap-2 ${classes.completeness}`}>
       <p className="row between">
         <span className="strong">{`${brief.answered} of ${brief.total}`}</span>
         <span className="small mid">{openWords(brief)}</span>
@@ -310,7 +310,7 @@ function TopicLink({
       to="/projects/$projectId/brief"
       params={{ projectId }}
       search={{ topic: topic.key }}
-      className={classes.topic}
+      className={`flex items-center gap-10px ${classes.topic}`}
       aria-current={isCurrent ? 'page' : undefined}
       onClick={(event) => {
         if (event.ctrlKey || event.metaKey || event.shiftKey) return

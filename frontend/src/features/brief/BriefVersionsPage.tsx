@@ -48,7 +48,7 @@ export function BriefVersionsPage() {
         <>
           <Card aria-labelledby="differences">
             <CardHead id="differences" title="What differs" count={compared.data?.differences.length} />
-            <div className={`row wrap ${classes.pick}`}>
+            <div className="row wrap p-3-inset">
               <Select
                 label="From"
                 value={String(first)}
@@ -70,11 +70,11 @@ export function BriefVersionsPage() {
               </Select>
             </div>
             <Refusal error={compared.error} />
-            {compared.data?.differences.length === 0 && <p className={classes.pick}>No answer differs.</p>}
+            {compared.data?.differences.length === 0 && <p className="p-3-inset">No answer differs.</p>}
             {compared.data?.differences.map(({ question, number, text, before, after }) => (
-              <div key={question} className={classes.difference}>
+              <div key={question} className="border-t p-3-inset">
                 <h3>{`${number}. ${text}`}</h3>
-                <div className={classes.sides}>
+                <div className={`grid gap-4 wrap-anywhere ${classes.sides}`}>
                   <p>
                     <span className="small dim">Before</span>
                     <br />

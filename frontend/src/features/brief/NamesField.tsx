@@ -60,9 +60,14 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
   }
   return (
     <div className="stack">
-      <div className={classes.tokens}>
+      <div className="row wrap">
         {tokens.map((token, at) => (
-          <span key={token.name} className={classes.token} role="group" aria-label={`Part ${at + 1}: ${token.name}`}>
+          <span
+            key={token.name}
+            className={`inline-flex items-center gap-1 ${classes.token}`}
+            role="group"
+            aria-label={`Part ${at + 1}: ${token.name}`}
+          >
             {at > 0 && (
               <button
                 type="button"
@@ -120,7 +125,7 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
           </div>
           {names.length > 0 && (
             <>
-              <ul className={classes.examples} aria-label="Names on the list">
+              <ul className={`grid gap-1-4 ${classes.examples}`} aria-label="Names on the list">
                 {shown.map((name) => (
                   <NameExample key={name} naming={naming} name={name} />
                 ))}

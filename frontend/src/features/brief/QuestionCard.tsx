@@ -59,8 +59,8 @@ export function QuestionCard({
       data-question={question.key}
     >
       <span className={`dim ${classes.number}`}>{question.number}</span>
-      <div className={classes.body}>
-        <div className={classes.questionHead}>
+      <div className="grid gap-3 min-w-0">
+        <div className="flex wrap between gap-1-3">
           <h2 id={`${id}-text`}>{question.text}</h2>
           {isAnswered ? (
             <State kind="conforming">Answered</State>
@@ -171,7 +171,7 @@ function FollowUpLine({
       },
     )
   return (
-    <div className={classes.followUp}>
+    <div className={`grid gap-2 wrap-anywhere ${classes.followUp}`}>
       <p>
         <span className="strong">{followUp.asked_by?.name ?? 'Another designer'}</span>{' '}
         <span className="small dim">{day(followUp.asked_at)}</span>

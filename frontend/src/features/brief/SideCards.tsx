@@ -59,12 +59,12 @@ function SpecCard({ projectId, mayApply, saving }: { projectId: string; mayApply
         }
       />
       {changes.length === 0 ? (
-        <p className={classes.sideBody}>The spec has what the answers ask for.</p>
+        <p className={`grid gap-3 ${classes.sideBody}`}>The spec has what the answers ask for.</p>
       ) : (
         <>
           <ul aria-label="Changes that the answers ask for">
             {changes.map(({ place, before, after, number, lines }) => (
-              <li key={place} className={classes.change}>
+              <li key={place} className="grid gap-2px border-b wrap-anywhere p-2-14px">
                 <span className="row between small mid">
                   <span className="mono">{place}</span>
                   <span>{`question ${number}`}</span>
@@ -76,7 +76,7 @@ function SpecCard({ projectId, mayApply, saving }: { projectId: string; mayApply
               </li>
             ))}
           </ul>
-          <div className={classes.sideBody}>
+          <div className={`grid gap-3 ${classes.sideBody}`}>
             {errors.map((error) => (
               <ErrorBanner key={error} detail={refused(error)} fix="Change the answer, or the spec itself." />
             ))}
@@ -118,7 +118,7 @@ function PublishCard({ projectId, brief, saving }: SideCardsProps) {
   return (
     <section aria-label="Publish">
       <CardHead title={brief.newest_version === 0 ? 'No version yet' : `Version ${brief.newest_version}`} />
-      <div className={classes.sideBody}>
+      <div className={`grid gap-3 ${classes.sideBody}`}>
         {brief.differs ? (
           <>
             <TextInput
@@ -164,14 +164,14 @@ function CoverageCard({ projectId }: { projectId: string }) {
       <CardHead title="Missing from the sound list" count={lines.length} />
       <ul>
         {lines.map(({ name, said }) => (
-          <li key={`${name} ${said}`} className={classes.change}>
+          <li key={`${name} ${said}`} className="grid gap-2px border-b wrap-anywhere p-2-14px">
             <span>
               <span className="strong">{name}</span> <span className="mid">{said}</span>
             </span>
           </li>
         ))}
       </ul>
-      <p className={classes.sideBody}>
+      <p className={`grid gap-3 ${classes.sideBody}`}>
         <Link className="link" to={`/projects/${projectId}/sound-list` as LinkProps['to']}>
           To the sound list
         </Link>
@@ -188,7 +188,7 @@ function OpenCard({ projectId, brief }: { projectId: string; brief: Brief }) {
     <section aria-label="Undecided">
       <CardHead title="Undecided" count={open.length} />
       {open.length === 0 ? (
-        <p className={classes.sideBody}>Every question is answered.</p>
+        <p className={`grid gap-3 ${classes.sideBody}`}>Every question is answered.</p>
       ) : (
         <ul className={classes.open}>
           {open.map(({ key, number, text, required }) => (
@@ -211,7 +211,7 @@ export function ReadBy({ projectId, newest }: { projectId: string; newest: numbe
   const { data: reads } = useQuery(readsQuery(projectId))
   if (!reads || reads.length === 0) return null
   return (
-    <section className={classes.readBy} aria-label="Read by">
+    <section className={`grid gap-2 ${classes.readBy}`} aria-label="Read by">
       <h2>Read by</h2>
       <ul>
         {reads.map(({ designer, version, behind }) => (

@@ -95,7 +95,7 @@ export function NumberField({ question, value, onChange }: FieldProps) {
   })
   const isNumber = typed.value.trim() === '' || /^\d+([.,]\d+)?$/.test(typed.value.trim())
   return (
-    <div className={classes.amount}>
+    <div className={`row ${classes.amount}`}>
       <TextInput
         aria-label={`${question.text} In ${question.unit}.`}
         inputMode="decimal"
@@ -114,7 +114,7 @@ export function EffectsField({ question, value, onChange, categories }: FieldPro
   const others = [...new Set([...categories, ...EFFECTS_ROWS])].filter((category) => !rows.includes(category))
   const of = (row: string) => table[row] ?? []
   return (
-    <div className={classes.effects}>
+    <div className={`grid gap-2 ${classes.effects}`}>
       <table>
         <caption className="visually-hidden">{question.text}</caption>
         <thead>
@@ -213,9 +213,14 @@ export function ScenesField({ value, onChange }: FieldProps) {
   }
   const shown = [...rows, { scene: '', ambience: '', music: false }]
   return (
-    <div className={classes.scenes}>
+    <div className="grid gap-2">
       {shown.map(({ scene, ambience, music }, at) => (
-        <div key={at} className={classes.scene} role="group" aria-label={scene || `Scene ${at + 1}`}>
+        <div
+          key={at}
+          className={`grid items-center gap-2 ${classes.scene}`}
+          role="group"
+          aria-label={scene || `Scene ${at + 1}`}
+        >
           <input
             className={classes.input}
             placeholder={at === 0 ? 'Harbour' : 'Another scene'}
@@ -234,7 +239,7 @@ export function ScenesField({ value, onChange }: FieldProps) {
             {...holds}
             onChange={({ currentTarget }) => put(at, { ambience: currentTarget.value })}
           />
-          <label className={classes.music}>
+          <label className="flex items-center gap-1">
             <input
               type="checkbox"
               className={classes.tick}

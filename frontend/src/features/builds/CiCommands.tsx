@@ -24,7 +24,7 @@ export function CiCommands({ projectId }: { projectId: string }) {
       <pre className={classes.script} tabIndex={0} role="region" aria-label="Command to copy">
         {text}
       </pre>
-      <p className={`small mid ${classes.foot}`}>
+      <p className="small mid p-2-inset-3">
         For levels, give <code className="mono">--project</code> with the project of Wwise, FMOD, Unity, Unreal or Godot
         to <code className="mono">audio-checks audit</code>. Its steps are on the page of{' '}
         <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>

@@ -73,7 +73,7 @@ function Head({ audit, projectId }: { audit: AuditSummary; projectId: string }) 
     data && data.depends > 0 ? `${plural(data.depends, 'level depends', 'levels depend')} on the game’s state` : '',
   ].filter(Boolean)
   return (
-    <header className={classes.head}>
+    <header className="flex wrap items-end between gap-2-4">
       <div>
         <h1>Build {audit.label}</h1>
         <p className="mid">{`Audited ${ago(audit.created_at)}. ${words.join('; ')}.`}</p>
@@ -129,7 +129,7 @@ function HistoryCard({ audits, current, projectId }: OfAudits) {
         title="History"
         note={`last ${audits.length}: ${counts.passed} as approved, ${counts.warned} with known drift, ${counts.refused} with new drift`}
       />
-      <ul className={classes.bars}>
+      <ul className={`flex items-end gap-3px ${classes.bars}`}>
         {audits.toReversed().map((audit) => (
           <li key={audit.id}>
             <Link
@@ -170,7 +170,7 @@ function BuildsCard({ audits, current, projectId }: OfAudits) {
               to="/projects/$projectId/drift"
               params={{ projectId }}
               search={{ audit: audit.id }}
-              className={classes.build}
+              className={`grid items-center gap-3 ${classes.build}`}
               aria-current={audit.id === current.id || undefined}
             >
               <span className="strong cut-text">{audit.label}</span>
@@ -224,7 +224,7 @@ function DriftCard({ audit, projectId }: { audit: AuditSummary; projectId: strin
         }
       />
       {groups?.length === 0 && (
-        <div className={classes.inside}>
+        <div className="grid gap-2 p-3-inset">
           <EmptyState head={shown === 'accepted' ? 'No drift is accepted' : nothingDrifted(audit)} level={3}>
             {shown === 'accepted'
               ? 'What is accepted stands here with its reason, and is asked again once it changes.'

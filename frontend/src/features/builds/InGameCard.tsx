@@ -21,7 +21,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
         title="In the game"
         note={`${figure(data.in_build)} of ${plural(data.cues, 'cue')} in the build`}
       />
-      <div className={classes.inside}>
+      <div className="grid gap-2 p-3-inset">
         <p>
           <span className="figure">{figure(data.heard)}</span>{' '}
           <span className="mid">{`of ${figure(data.cues)} heard in the game`}</span>
@@ -31,7 +31,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
       </div>
       <ul>
         {data.categories.map(({ category, cues, heard }) => (
-          <li key={category} className={classes.category}>
+          <li key={category} className={`grid items-center gap-3 ${classes.category}`}>
             <span className="cut-text">{category || 'Without a category'}</span>
             <Bar part={heard} whole={cues} label={category || 'Without a category'} />
             <span className="num">{countOf(heard, cues)}</span>
@@ -39,7 +39,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
         ))}
       </ul>
       {data.unheard.length > 0 && (
-        <details className={classes.unheard}>
+        <details className="border-t p-2-inset">
           <summary className={classes.summary}>
             {data.unheard.length < data.never_heard
               ? `The first ${data.unheard.length} of them`
@@ -54,7 +54,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
         </details>
       )}
       <Refusal error={mark.error} />
-      <div className={classes.inside}>
+      <div className="grid gap-2 p-3-inset">
         <ButtonLink component={Link} to={`/projects/${projectId}/listening`} icon="headphones">
           Listening pass
         </ButtonLink>
@@ -80,7 +80,7 @@ interface UnheardProps {
 function Unheard({ one: { cue, in_build: inBuild }, mayMark, onMark }: UnheardProps) {
   const where = inBuild === null ? 'not in the build' : inBuild === 'hand' ? 'in the build, by hand' : 'in the build'
   return (
-    <li className={classes.unheardRow}>
+    <li className="row wrap between">
       <span>
         {cue.name} <span className="dim">{where}</span>
       </span>

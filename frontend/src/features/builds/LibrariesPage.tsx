@@ -109,7 +109,7 @@ function AddLibrary({ projectId }: { projectId: string }) {
       <CardHead id="register" title="Register a library" />
       <form className={classes.form} aria-labelledby="register" onSubmit={(event) => void submit(event)}>
         <p>Run this on the folder of the library. The sheet holds fingerprints and file names, and no sound:</p>
-        <code className={classes.command}>audio-checks manifest FOLDER --out library.json</code>
+        <code className="wrap-anywhere">audio-checks manifest FOLDER --out library.json</code>
         <TextInput
           label="Name"
           description="As sources declare it. A second sheet of that name adds to the library."

@@ -84,7 +84,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
     <div className={classes.room}>
       <aside className={classes.list} aria-label="Sounds of the build">
         <Head listening={listening} heard={heard.size} notes={notes.notes.length} />
-        <div className={classes.order}>
+        <div className="border-b p-2-14px">
           <Segmented
             label="Group by"
             value={order}
@@ -98,7 +98,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
               <Heading group={groupOf(one, order)} before={index > 0 ? groupOf(cues[index - 1] ?? one, order) : ''} />
               <button
                 type="button"
-                className={classes.item}
+                className={`grid gap-2 ${classes.item}`}
                 aria-current={index === at || undefined}
                 onClick={() => setAt(index)}
               >
@@ -119,7 +119,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           />
         </div>
       </aside>
-      <div className={classes.judge}>
+      <div className={`flex flex-col gap-3 ${classes.judge}`}>
         <header className={`${classes.phoneHead} small`}>
           <h1 className="small strong">{`Listening pass, ${at + 1} of ${cues.length}, build ${audit.label}`}</h1>
           <span>{`${countOf(heard.size, cues.length)} heard`}</span>
@@ -151,7 +151,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
         />
       </div>
       <aside className={classes.notes} aria-label="Notes of this pass">
-        <header className={classes.head}>
+        <header className={`row between ${classes.head}`}>
           <h2>Notes of this pass</h2>
           <span className="dim">{figure(notes.notes.length)}</span>
         </header>
@@ -181,11 +181,11 @@ function Head({ listening, heard, notes }: { listening: ListeningPass; heard: nu
   const { cues, audit } = listening
   return (
     <>
-      <header className={classes.head}>
+      <header className={`row between ${classes.head}`}>
         <h1 className="strong">Listening pass</h1>
         <span className="small dim">{`build ${audit.label}`}</span>
       </header>
-      <div className={classes.sum}>
+      <div className={`grid gap-6px ${classes.sum}`}>
         <p className="row between">
           <span className="strong">{`${countOf(heard, cues.length)} heard`}</span>
           <span className="small dim">{plural(notes, 'note')}</span>
@@ -216,7 +216,7 @@ function NoteRow({ note }: { note: ShownNote }) {
   const face = SAYINGS.find(({ said }) => said === note.said)
   const task = taskOf(note.said)
   return (
-    <li className={classes.note}>
+    <li className={`grid gap-10px wrap-anywhere ${classes.note}`}>
       <span className="tone-change toned">
         <Icon name={note.isDone ? 'tick' : (face?.icon ?? 'ring')} />
       </span>

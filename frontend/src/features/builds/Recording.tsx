@@ -108,8 +108,8 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
   const notes = listening.notes.filter(({ recording }) => recording?.reference_version_id === version.id)
   const missing = now.moments.length - named.length
   return (
-    <div className={classes.stage}>
-      <section aria-label="The recording" className={classes.picture}>
+    <div className={`grid items-start gap-4 ${classes.stage}`}>
+      <section aria-label="The recording" className={`grid gap-3 ${classes.picture}`}>
         <Refusal error={error} />
         {isUnplayable ? (
           <ErrorBanner
@@ -130,7 +130,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
             onError={() => setUnplayable(true)}
           />
         )}
-        <div className={classes.pads} role="group" aria-label="What is it like here?">
+        <div className={`flex wrap gap-2 ${classes.pads}`} role="group" aria-label="What is it like here?">
           {SAYINGS.map(({ said, word, keys, icon }) => (
             <Button key={said} tall icon={icon} keys={keys} onClick={() => mark(said)}>
               {word}
@@ -151,7 +151,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
         <CardHead id="moments" title="Marks" count={now.moments.length} />
         <DraftNote draft={draft} />
         {now.moments.length === 0 && (
-          <p className={`mid ${classes.inside}`}>
+          <p className="mid grid justify-items-start gap-2 p-2-14px">
             Play the recording, and press a key of what is wrong when you hear it. Name the sound later.
           </p>
         )}
@@ -175,7 +175,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
           ))}
         </ol>
         {now.moments.length > 0 && (
-          <div className={classes.inside}>
+          <div className="grid justify-items-start gap-2 p-2-14px">
             {missing > 0 && (
               <p className="small mid">{`${plural(missing, 'mark')} without a sound ${missing === 1 ? 'stays' : 'stay'} here.`}</p>
             )}
@@ -199,7 +199,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
         <CardHead id="recorded-notes" title="Notes of this recording" count={notes.length + waiting} />
         <ul>
           {notes.map(({ id, cue, said, text, recording, written_by: by }) => (
-            <li key={id} className={classes.note}>
+            <li key={id} className={`row ${classes.note}`}>
               <Button
                 variant="quiet"
                 aria-label={`Play from ${timeOf(recording?.at_s ?? 0)}`}
@@ -215,7 +215,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
           ))}
         </ul>
         {waiting > 0 && (
-          <p className={`small mid ${classes.inside}`}>
+          <p className="small mid grid justify-items-start gap-2 p-2-14px">
             {`${plural(waiting, 'note')} kept in this browser, sent once the server answers.`}
           </p>
         )}

@@ -11,7 +11,6 @@ import { Select } from '@/ui/Select'
 
 import { listeningQuery } from './api'
 import { Recording } from './Recording'
-import classes from './Recording.module.css'
 
 /** A recording of the game, in which moments are marked and become notes of the listening pass. */
 export function RecordingPage(): ReactNode {
@@ -31,7 +30,7 @@ export function RecordingPage(): ReactNode {
   )
   return (
     <div className="page stack" aria-busy={now === undefined || isPending}>
-      <header className={classes.head}>
+      <header className="flex wrap items-end gap-2-4">
         <h1>Recording of the game</h1>
         {recordings.length > 0 && (
           <Select

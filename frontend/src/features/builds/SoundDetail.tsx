@@ -31,7 +31,7 @@ export function SoundDetail({ group, audit, projectId }: SoundDetailProps) {
   const project = useMyProject(projectId)
   const maySpeak = (project?.is_producer || project?.is_liaison || project?.is_approver) ?? false
   return (
-    <div className={classes.detail}>
+    <div className={`grid gap-3 ${classes.detail}`}>
       {first.sound?.preview_url && <Pair sound={first} audit={audit} projectId={projectId} />}
       <p>{sentenceOf(first.message)}</p>
       <Parts sound={first} />
@@ -95,7 +95,7 @@ function Pair({ sound, audit, projectId }: { sound: AuditedSound; audit: AuditSu
       {rows
         .filter(({ shown }) => shown)
         .map((row) => (
-          <div key={row.id} className={classes.heard}>
+          <div key={row.id} className={`grid items-center gap-3 ${classes.heard}`}>
             <Button
               square
               icon={isPlaying(row.id) ? 'pause' : 'play'}
@@ -210,7 +210,7 @@ function Decision({ group, audit, projectId }: SoundDetailProps) {
   const error = accept.error ?? sendBack.error
   return (
     <>
-      <div className={classes.decision}>
+      <div className={`grid items-center gap-2 ${classes.decision}`}>
         <label htmlFor="drift-reason" className="small">
           Reason, or what to do
         </label>
@@ -267,7 +267,7 @@ function Accepted({ first, ids, projectId, maySpeak }: AcceptedProps) {
   if (!first.accepted) return null
   const { reason, accepted_by: by, accepted_at: at } = first.accepted
   return (
-    <div className={classes.accepted}>
+    <div className="flex wrap items-center between gap-2-3">
       <p>
         <State kind="waived">Accepted</State> {reason}
         <span className="small dim">{` ${by.name}, ${shortDay(at)}`}</span>

@@ -76,7 +76,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
   return (
     <>
       <header>
-        <div className="row between wrap">
+        <div className="row wrap between">
           <h2 ref={head} tabIndex={-1} className="title">
             {cue.cue.name}
           </h2>
@@ -93,12 +93,12 @@ export function SoundToJudge(props: SoundToJudgeProps) {
         {cue.depends.length > 0 && <p className="small mid">{`Its level depends on ${cue.depends.join(', ')}.`}</p>}
       </header>
       {cue.sound?.preview_url && <Player cue={cue} projectId={projectId} buildLabel={buildLabel} />}
-      <div className={classes.keys} role="group" aria-label="What is it like in the game?">
+      <div className={`grid gap-2 ${classes.keys}`} role="group" aria-label="What is it like in the game?">
         {SAYINGS.map(({ said: what, word, keys, icon }) => (
           <button
             key={what}
             type="button"
-            className={classes.bigKey}
+            className={`flex items-center gap-3 ${classes.bigKey}`}
             data-wide={what === 'good' || undefined}
             aria-pressed={choice.said === what}
             aria-keyshortcuts={keys}
@@ -113,7 +113,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
       {(choice.said === 'too-loud' || choice.said === 'too-soft') && (
         <Amount cue={cue} choice={choice} onChange={(amountDb) => setChoice((now) => ({ ...now, amountDb }))} />
       )}
-      <label className={classes.textLabel}>
+      <label className="block">
         <span className="visually-hidden">In words</span>
         <input
           className={classes.text}
@@ -126,7 +126,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
           }}
         />
       </label>
-      <footer className={classes.verdict}>
+      <footer className={`row ${classes.verdict}`}>
         <div className={classes.chosen}>
           <p className="strong">
             {choice.said === null
@@ -173,7 +173,7 @@ function Amount({ cue, choice, onChange }: AmountProps) {
   }
   const list = cue.move?.changelist
   return (
-    <div className={classes.amount}>
+    <div className={`row wrap between ${classes.amount}`}>
       <p>
         <span className="strong">By how much?</span>{' '}
         {cue.move && (
@@ -182,7 +182,7 @@ function Amount({ cue, choice, onChange }: AmountProps) {
           </span>
         )}
       </p>
-      <div className={classes.stepper}>
+      <div className={`grid items-center ${classes.stepper}`}>
         <button type="button" aria-label="1 dB less" onClick={() => change(-STEP_DB)}>
           −
         </button>
@@ -218,7 +218,7 @@ function Player({ cue, projectId, buildLabel }: { cue: CueToHear; projectId: str
     { keys: 'b', label: 'Play the approved level', group: GROUP, run: () => void hear('approved') },
   ])
   return (
-    <section aria-label="The sound" className={classes.player}>
+    <section aria-label="The sound" className="grid gap-2">
       <Waveform
         plain
         label={cue.cue.name}

@@ -51,7 +51,7 @@ export function TasksCard({ projectId, most }: TasksCardProps) {
       />
       <Refusal error={refused} />
       {tasks?.length === 0 && (
-        <div className={classes.inside}>
+        <div className="grid gap-2 p-3-inset">
           <EmptyState head={shown === 'open' ? 'Nothing to do' : 'Nothing is done yet'} level={3}>
             Notes of a listening pass and drift that is sent back become tasks: levels and missing sounds for the
             implementers, lengths and wrong sounds for the designer.
@@ -69,7 +69,7 @@ export function TasksCard({ projectId, most }: TasksCardProps) {
         ))}
       </ul>
       {most !== undefined && tasks && tasks.length > most && (
-        <p className={`small mid ${classes.foot}`}>{`and ${plural(tasks.length - most, 'task')} more`}</p>
+        <p className="small mid p-2-inset-3">{`and ${plural(tasks.length - most, 'task')} more`}</p>
       )}
     </Card>
   )

@@ -29,7 +29,7 @@ export function AddClause({ library, draft, onAdd }: AddClauseProps) {
   return (
     <div className={classes.form}>
       {missing.length > 0 && (
-        <div className={classes.library}>
+        <div className="grid gap-1">
           <Select
             label="Clause from the library"
             value={key}

@@ -88,7 +88,7 @@ export function BeginContract({ project, contracts }: { project: Project; contra
     <Card aria-labelledby="begin">
       <CardHead id="begin" title="New contract" />
       {designers.length === 0 ? (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState head="No designer to contract yet" level={3}>
             Invite a designer on the People page first. In-house designers need no contract.
           </EmptyState>

@@ -40,7 +40,7 @@ export function ChangeOrdersPage() {
   }
   return (
     <div className="page stack">
-      <div className={classes.head}>
+      <div className="flex wrap items-start between gap-2-4">
         <div>
           <h1>Change orders</h1>
           <p className="mid">{`to ${all.title}. What is signed stays; a change order says only what is different.`}</p>

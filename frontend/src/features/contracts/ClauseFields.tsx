@@ -38,15 +38,15 @@ export function ClauseFields({
   const [open, setOpen] = useState(clause.text === '')
   const used = termsOf(clause, known, terms)
   return (
-    <div className={classes.clause}>
-      <div className={classes.clauseHead}>
+    <div className="grid gap-2 border-t p-3-inset">
+      <div className="flex items-start between gap-3">
         <Checkbox
           label={clause.title}
           description={known?.why}
           checked={clause.stands}
           onChange={({ currentTarget: { checked } }) => onChange({ stands: checked })}
         />
-        <div className={classes.clauseDeeds}>
+        <div className="flex wrap justify-end gap-2px">
           <Button
             variant="quiet"
             icon="pencil"
@@ -73,7 +73,7 @@ export function ClauseFields({
         </div>
       </div>
       {clause.stands && used.length > 0 && (
-        <div className={classes.terms}>
+        <div className={`grid items-end gap-2-3 ${classes.terms}`}>
           {used.map((name) => (
             <TermField
               key={name}

@@ -37,7 +37,7 @@ export function ComparePage() {
     })
   return (
     <div className="page stack">
-      <div className={classes.head}>
+      <div className="flex wrap items-start between gap-2-4">
         <div>
           <h1>Compare versions</h1>
           <p className="mid" role="status">
@@ -68,7 +68,7 @@ export function ComparePage() {
         </EmptyState>
       )}
       {numbers.length > 1 && (
-        <Card aria-label="Versions to compare" className={classes.choose}>
+        <Card aria-label="Versions to compare" className="grid grid-cols-2 gap-3 p-3-inset">
           <VersionSelect label="From" value={from} numbers={numbers} onChange={(value) => show({ from: value, to })} />
           <VersionSelect label="To" value={to} numbers={numbers} onChange={(value) => show({ from, to: value })} />
         </Card>

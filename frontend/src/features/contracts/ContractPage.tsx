@@ -46,7 +46,7 @@ export function ContractPage() {
   const { kind, text } = progress(contract)
   return (
     <div className="page stack">
-      <div className={classes.head}>
+      <div className="flex wrap items-start between gap-2-4">
         <div>
           <h1>{contract.title}</h1>
           <p className="mid">

@@ -66,7 +66,7 @@ function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; p
     <Card aria-labelledby="contracts">
       <CardHead id="contracts" title="Contracts" count={contracts.length} />
       {contracts.length === 0 && (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState head="No contracts yet." level={3}>
             {project.mine.is_producer
               ? 'Start one from the clause library. Have both parties’ lawyers review it.'
@@ -150,7 +150,7 @@ function Templates({ project }: { project: Project }) {
       </Rows>
       <div className={classes.form}>
         <Refusal error={error ?? bring.error ?? drop.error} />
-        <label className={classes.file}>
+        <label className={`grid gap-1 ${classes.file}`}>
           <span className="small">Import template (TOML)</span>
           <input
             type="file"

@@ -21,7 +21,7 @@ export function DifferenceView({ difference, currency }: { difference: Differenc
           <li key={change}>{change}</li>
         ))}
       </ul>
-      <dl className={classes.ba}>
+      <dl className={`grid gap-2px-4 ${classes.ba}`}>
         <dt>Scope</dt>
         <dd>
           {cues === cuesAfter ? (

@@ -65,7 +65,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
   const clauseOf = ({ key, number, title, first_block: first, block_count: count }: (typeof usual)[number]) => (
     <section
       key={key}
-      className={classes.clause}
+      className={`grid gap-0-2 ${classes.clause}`}
       data-current={(current !== null && ANSWERED_BY[current].includes(key)) || undefined}
       aria-label={title}
     >
@@ -86,7 +86,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
           {preview.clauses.filter(({ key }) => isOpen(key)).map(clauseOf)}
           <button
             type="button"
-            className={classes.usual}
+            className={`row ${classes.usual}`}
             aria-expanded={isUsualOpen}
             onClick={() => setUsualOpen(!isUsualOpen)}
           >
@@ -97,7 +97,12 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
           {isUsualOpen && usual.map(clauseOf)}
         </Figures>
       )}
-      <button type="button" className={classes.usual} aria-expanded={isAdding} onClick={() => setAdding(!isAdding)}>
+      <button
+        type="button"
+        className={`row ${classes.usual}`}
+        aria-expanded={isAdding}
+        onClick={() => setAdding(!isAdding)}
+      >
         <Icon name="plus" />
         <span>Add a clause</span>
         <span className={`small mid ${classes.cut}`}>

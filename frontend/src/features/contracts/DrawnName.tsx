@@ -35,7 +35,7 @@ export function DrawName({ strokes, onChange }: { strokes: Strokes; onChange: Di
   }
   const isEmpty = strokes.length === 0
   return (
-    <div className={classes.field}>
+    <div className={`grid gap-1 ${classes.field}`}>
       <p id={labelId} className="small">
         Draw your name <span className="dim">(optional, by mouse, pen or finger)</span>
       </p>

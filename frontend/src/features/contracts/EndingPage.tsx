@@ -35,7 +35,7 @@ export function EndingPage() {
   }
   return (
     <div className="page stack">
-      <div className={classes.head}>
+      <div className="flex wrap items-start between gap-2-4">
         <div>
           <h1>{ending.state === 'settled' ? 'Settlement' : 'Terminate contract'}</h1>
           <p className="mid">{standing(ending)}</p>

@@ -119,7 +119,7 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
   }
   if (draft.terms.price_mode === 'day_rate') {
     return (
-      <div className={classes.body}>
+      <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
         <p>The price comes from the days worked, up to a number of them.</p>
         {['day_rate_minor', 'days_cap'].map((name) => (
           <TermField
@@ -136,8 +136,13 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
     )
   }
   return (
-    <form className={classes.body} onSubmit={submit} noValidate aria-label="Price and schedule">
-      <div className={classes.pair}>
+    <form
+      className={`grid grid-cols-1 gap-3 ${classes.body}`}
+      onSubmit={submit}
+      noValidate
+      aria-label="Price and schedule"
+    >
+      <div className={`grid gap-2 ${classes.pair}`}>
         <TextInput
           label="Price, deposit included"
           id="draft-price"
@@ -169,7 +174,7 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
       )}
       {parts.length > 0 && (
         <>
-          <div className={classes.planHead}>
+          <div className={`flex between gap-2 ${classes.planHead}`}>
             <h3>{typed.parts ? 'Your plan' : isSaved ? 'Plan' : 'Suggested plan'}</h3>
             {advice.length === 0 && faults.length === 0 && missingMinor === 0 && (
               <State kind="passed">No warnings</State>

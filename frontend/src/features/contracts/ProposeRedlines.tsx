@@ -76,7 +76,7 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
         return (
           <section
             key={change.id}
-            className={styles.clause}
+            className={`grid grid-cols-1 gap-2 ${styles.clause}`}
             aria-label={change.title === '' ? place : `New clause: ${change.title}`}
           >
             <h3>{place}</h3>
@@ -112,13 +112,13 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
         <Refusal error={shown.error} />
         <WordUpload contract={contract} draft={draft} onDraft={setDraft} />
       </div>
-      <div className={styles.clauses} aria-busy={shown.isFetching}>
+      <div className="grid grid-cols-1 border-t" aria-busy={shown.isFetching}>
         {added(null, '')}
         {contract.version.clauses.map((clause) => {
           const change = draft.changes.find(({ id }) => id === clause.key)
           return (
             <div key={clause.key}>
-              <section className={styles.clause} aria-label={clause.title}>
+              <section className={`grid grid-cols-1 gap-2 ${styles.clause}`} aria-label={clause.title}>
                 <Lines marked={shown.data?.clauses.find(({ key }) => key === clause.key)} title={clause.title} />
                 <div className={classes.buttons}>
                   {change ? (
@@ -180,7 +180,7 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
           )
         })}
       </div>
-      <div className={`${classes.form} ${styles.foot}`}>
+      <div className={`${classes.form} border-t`}>
         <Textarea
           label="Note to the studio (optional)"
           rows={2}

@@ -162,7 +162,7 @@ function Answers({ drafting, back, plan, begun }: AnswersProps) {
                   </span>
                   <span>
                     <span className={isOpen ? 'strong' : 'small mid'}>{QUESTION_NAMES[question]}</span>
-                    {!isOpen && <span className={classes.said}>{reason === '' ? says[question] : reason}</span>}
+                    {!isOpen && <span className="block">{reason === '' ? says[question] : reason}</span>}
                   </span>
                 </button>
                 {isOpen && <div id={`answer-${question}`}>{bodies[question]}</div>}
@@ -172,7 +172,7 @@ function Answers({ drafting, back, plan, begun }: AnswersProps) {
         </ol>
         <DraftText drafting={drafting} begun={begun} current={current} figures={figures} onPlan={() => show('price')} />
       </div>
-      <section className={classes.bar} aria-label="Send">
+      <section className={`row wrap ${classes.bar}`} aria-label="Send">
         <div className="grow">
           {refused && open[0] && (
             <p className="tone-bad" role="alert">
@@ -239,7 +239,7 @@ function saysSum({ totalMinor, price, isSaved }: Price, plan: Plan, currency: st
 
 function Who({ drafting: { contract, draft, setDraft } }: { drafting: Drafting }) {
   return (
-    <div className={classes.body}>
+    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
       <p>{`${contract.studio_name} engages ${contract.designer.name}.`}</p>
       <TextInput
         label="Title of the contract"
@@ -255,7 +255,7 @@ function Who({ drafting: { contract, draft, setDraft } }: { drafting: Drafting }
 function What({ contract, back }: { contract: Drafting['contract']; back: string }) {
   const project = `/projects/${contract.project_id}`
   return (
-    <div className={classes.body}>
+    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
       <p>
         The contract names each sound of its plan, with its files and lengths, from the newest revision of the sound
         list and the newest version of the delivery spec. Sounds that are cut, or under another contract, are left out.
@@ -298,7 +298,7 @@ const standsIn = ({ draft }: Drafting, key: string) =>
 
 function Rounds({ drafting }: { drafting: Drafting }) {
   return (
-    <div className={classes.body}>
+    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
       <Terms drafting={drafting} names={['rounds_included', 'extra_round_bp']} />
       <Checkbox
         label="A sound counts as accepted when nobody answers in time"
@@ -317,9 +317,9 @@ function Rights({ drafting }: { drafting: Drafting }) {
     for (const each of ['ownership', 'ownership_on_creation']) withClause(drafting, each, each === key)
   }
   return (
-    <div className={classes.body}>
+    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
       <Radio.Group label="Rights in a sound pass to the studio" value={value} onChange={choose}>
-        <div className={classes.choices}>
+        <div className={`grid gap-2 ${classes.choices}`}>
           <Radio value="ownership" label="when it is paid" />
           <Radio value="ownership_on_creation" label="when it is made" />
         </div>

@@ -20,7 +20,7 @@ export function RecordPage() {
   useTitle('Audit trail')
   return (
     <div className="page stack" aria-busy={!record && error === null}>
-      <div className={classes.head}>
+      <div className="flex wrap items-start between gap-2-4">
         <div>
           <h1>Audit trail</h1>
           <p className="mid">
@@ -56,7 +56,7 @@ export function RecordPage() {
             note={record.faults.length === 0 && record.length > 0 ? 'verified just now' : undefined}
           />
           {record.length === 0 && (
-            <div className={classes.empty}>
+            <div className="p-inset">
               <EmptyState head="No entries yet." level={3}>
                 The audit trail starts when the contract is first sent.
               </EmptyState>
@@ -83,7 +83,7 @@ function Line({ entry }: { entry: Entry }) {
           {`, ${day(entry.at)}, ${clock(entry.at)}`}
         </span>
       </p>
-      <dl className={classes.facts}>
+      <dl className={`flex wrap gap-2px-4 ${classes.facts}`}>
         {factsOf(entry).map(({ name, value }) => (
           <div key={name}>
             <dt>{name}</dt>

@@ -53,7 +53,7 @@ export function RedlineNote(props: RedlineNoteProps) {
   const { contract, by, redline, mayAnswer, opened, onOpen, isPending, error, onAnswer } = props
   const { number, answer } = redline
   return (
-    <div className={styles.note}>
+    <div className={`grid grid-cols-1 gap-2 ${styles.note}`}>
       <p>
         <strong>{`Change ${number}`}</strong> <span className="mid">{`${by} ${DOES[redline.kind]}.`}</span>
       </p>
@@ -119,7 +119,7 @@ function ChangedFigures({ contract, redline }: { contract: Contract; redline: Re
   const shown = (name: string, value: number | string) =>
     figureInWords(name, value, contract.currency, terms.find((term) => term.name === name)?.choices)
   return (
-    <dl className={classes.ba}>
+    <dl className={`grid gap-2px-4 ${classes.ba}`}>
       {figures.map(([name, value]) => (
         <Fragment key={name}>
           <dt>{terms.find((term) => term.name === name)?.label ?? inWords(name)}</dt>

@@ -102,7 +102,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
           end={<RoundState round={round} />}
         />
         {round.note !== '' && <blockquote className={classes.asked}>{round.note}</blockquote>}
-        <div className={`${classes.form} ${styles.tools}`}>
+        <div className={`${classes.form} items-center flex wrap gap-2-4`}>
           <Segmented
             label="Show"
             options={[
@@ -114,7 +114,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
           />
           <KeysLine keys={mayAnswer ? KEYS : KEYS.slice(0, 1)} />
         </div>
-        <div className={styles.clauses}>
+        <div className="grid grid-cols-1 border-t">
           {clauses.map(({ key, number, lines, counter_lines: counter, redline }) => {
             const text = (
               <div className={classes.text}>
@@ -134,7 +134,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
             )
             if (redline === null) {
               return (
-                <div key={key} className={styles.clause}>
+                <div key={key} className={`grid grid-cols-1 gap-2 ${styles.clause}`}>
                   {text}
                 </div>
               )
@@ -146,7 +146,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
                   if (element) articles.current.set(redline.number, element)
                   else articles.current.delete(redline.number)
                 }}
-                className={`${styles.clause} ${styles.redline}`}
+                className={`grid grid-cols-1 gap-2 ${styles.clause} ${styles.redline}`}
                 aria-label={`Change ${redline.number}`}
                 tabIndex={-1}
               >

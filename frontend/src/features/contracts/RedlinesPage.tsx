@@ -9,7 +9,6 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
-import classes from './Contracts.module.css'
 import { ProposeRedlines } from './ProposeRedlines'
 import { RedlineRound } from './RedlineRound'
 import { redlinesQuery } from './redlines'
@@ -25,7 +24,7 @@ export function RedlinesPage() {
   const back = `/projects/${projectId}/contracts/${contractId}`
   return (
     <div className="page stack" aria-busy={(!contract || !redlines) && !refused}>
-      <div className={classes.head}>
+      <div className="flex wrap items-start between gap-2-4">
         <div>
           <h1>Redlines</h1>
           {contract && (

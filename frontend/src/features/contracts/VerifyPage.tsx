@@ -90,7 +90,7 @@ function Result({ verified, name }: { verified: Verified; name: string }) {
         </div>
         <p>{meaning}</p>
         {binds && (
-          <dl className={`${classes.facts} ${classes.listed}`}>
+          <dl className={`flex wrap gap-2px-4 ${classes.facts} flex-col`}>
             <Fact name="Contract" value={`${binds.title} (${KIND_WORDS[binds.kind]}, version ${binds.version})`} />
             <Fact name="Between" value={`${binds.studio_name} and ${binds.designer_name}`} />
             {binds.signatures.map(({ party, name: signer, signed_at: at }) => (

@@ -47,7 +47,7 @@ export function DeliveriesPage() {
             ))}
           </Rows>
           {list.hasNextPage && (
-            <div className={classes.more}>
+            <div className="p-10px-inset">
               <ShowMore list={list}>Earlier deliveries</ShowMore>
             </div>
           )}
@@ -63,7 +63,7 @@ function Line({ delivery, showsDesigner }: { delivery: Delivery; showsDesigner: 
       <Link className="link strong nowrap" to="/deliveries/$deliveryId" params={{ deliveryId: delivery.id }}>
         Delivery {delivery.number}
       </Link>
-      <span className={classes.note}>{delivery.note}</span>
+      <span className="wrap-anywhere">{delivery.note}</span>
       {showsDesigner && <Person name={delivery.designer.name} picture={delivery.designer.picture} />}
       <span className="small mid num nowrap">{filesOf(delivery.takes_count)}</span>
       <span className="small dim">{daysOf(delivery)}</span>

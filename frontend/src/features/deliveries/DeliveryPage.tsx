@@ -47,9 +47,9 @@ function Head({ delivery }: { delivery: DeliveryDetail }) {
   const params = { projectId: delivery.project_id }
   const counts = countsOf(delivery)
   return (
-    <header className={classes.head}>
+    <header className="grid gap-2">
       <h1>Delivery {delivery.number}</h1>
-      <p className={classes.facts}>
+      <p className="flex wrap items-center gap-2-4">
         <Person name={delivery.designer.name} picture={delivery.designer.picture} role={roleOf(delivery.designer.id)} />
         <span className="mid">{daysOf(delivery)}</span>
       </p>
@@ -63,7 +63,7 @@ function Head({ delivery }: { delivery: DeliveryDetail }) {
           ))}
         </ul>
       )}
-      <p className={classes.ways}>
+      <p className="flex wrap items-center gap-2-4">
         <Link className="link" to="/projects/$projectId/deliveries" params={params}>
           All deliveries
         </Link>
@@ -89,11 +89,11 @@ function Files({ takes }: { takes: readonly Take[] }) {
   return (
     <Card aria-labelledby="files">
       <CardHead id="files" title="Files" note={filesOf(takes.length)} />
-      {takes.length === 0 && <p className={`mid ${classes.quiet}`}>No file has arrived.</p>}
+      {takes.length === 0 && <p className="mid p-3-inset">No file has arrived.</p>}
       <ul className={classes.files} aria-label="Files">
         {takes.map((take) => (
           <li key={take.id}>
-            <Link className={`link mono ${classes.name}`} to="/takes/$takeId" params={{ takeId: take.id }}>
+            <Link className="link mono wrap-anywhere" to="/takes/$takeId" params={{ takeId: take.id }}>
               {take.file_name}
             </Link>
             <span className="cut-text">
@@ -111,9 +111,9 @@ function Files({ takes }: { takes: readonly Take[] }) {
               <span className="small dim">Discarded; the file is kept</span>
             )}
             {take.verdict_reasons.length > 0 && (
-              <span className={`small mid ${classes.said}`}>{reasonsText(take.verdict_reasons)}</span>
+              <span className="small mid col-span-full">{reasonsText(take.verdict_reasons)}</span>
             )}
-            {take.note && <span className={`small mid ${classes.said}`}>“{take.note}”</span>}
+            {take.note && <span className="small mid col-span-full">“{take.note}”</span>}
           </li>
         ))}
       </ul>
@@ -128,7 +128,7 @@ function DryStems({ stems }: { stems: DeliveryDetail['dry_stems'] }) {
       <ul className={classes.files} aria-label="Dry stems">
         {stems.map((stem) => (
           <li key={stem.id}>
-            <span className={`mono ${classes.name}`}>{stem.file_name}</span>
+            <span className="mono wrap-anywhere">{stem.file_name}</span>
             <span className="small mid">
               {stem.take_ids.length > 0 ? `for ${plural(stem.take_ids.length, 'file')}` : 'its version is missing'}
             </span>
@@ -151,12 +151,12 @@ function ArchiveCard({ archive }: { archive: Archive }) {
         note={archive.state === 'received' ? 'unpacking' : `${filesOf(taken)} unpacked`}
         end={archive.state === 'refused' ? <State kind="refused" /> : undefined}
       />
-      {archive.message && <p className={`mid ${classes.quiet}`}>{archive.message}</p>}
+      {archive.message && <p className="mid p-3-inset">{archive.message}</p>}
       {left.length > 0 && (
         <ul className={classes.files} aria-label={`Entries of ${archive.file_name} that were left out`}>
           {left.map((entry) => (
             <li key={entry.path}>
-              <span className={`mono ${classes.name}`}>{entry.path}</span>
+              <span className="mono wrap-anywhere">{entry.path}</span>
               <span className="small mid">{entry.reason ?? 'Skipped.'}</span>
             </li>
           ))}

@@ -7,8 +7,6 @@ import { variationName } from '@/judging/hearing'
 import { reasonsText } from '@/judging/words'
 import { Refusal } from '@/ui/Refusal'
 
-import classes from './Side.module.css'
-
 const PAGE = 10
 
 /** The designer's approved versions, and why each was chosen; the newest first. */
@@ -28,10 +26,10 @@ export function ApprovedVersions({ projectId }: { projectId: string }) {
   return (
     <>
       <Refusal error={error} />
-      {data && takes.length === 0 && <p className={`mid ${classes.plain}`}>No version of yours is approved yet.</p>}
+      {data && takes.length === 0 && <p className="mid p-10px-inset">No version of yours is approved yet.</p>}
       <ul aria-label="Approved versions" aria-busy={isFetching}>
         {takes.map(({ id, cue, file_name, variation, number, label, verdict_reasons: reasons }) => (
-          <li key={id} className={classes.approved}>
+          <li key={id} className="p-2-inset border-t wrap-anywhere">
             <p>
               <Link className="link strong" to="/takes/$takeId" params={{ takeId: id }}>
                 {cue?.name ?? file_name}
@@ -47,7 +45,7 @@ export function ApprovedVersions({ projectId }: { projectId: string }) {
         ))}
       </ul>
       {hasNextPage && (
-        <p className={classes.plain}>
+        <p className="p-10px-inset">
           <button type="button" className="link small mid" aria-busy={isFetching} onClick={() => void fetchNextPage()}>
             More approved versions
           </button>

@@ -10,7 +10,6 @@ import { useFocusOnMount } from '@/ui/useFocusOnMount'
 import { useLazy } from '@/ui/useLazy'
 
 import { useAsk } from './api'
-import classes from './Side.module.css'
 
 const loadCueSelect = () => import('./CueSelect').then(({ CueSelect }) => CueSelect)
 
@@ -50,7 +49,7 @@ export function AskForm({ projectId, cueId, onDone }: AskFormProps) {
   const refusal = ask.error instanceof ApiProblem ? ask.error : null
   return (
     <form
-      className={classes.ask}
+      className="grid gap-3 border-b p-3-inset"
       onSubmit={(event) => {
         event.preventDefault()
         send()
@@ -80,7 +79,7 @@ export function AskForm({ projectId, cueId, onDone }: AskFormProps) {
         }}
       />
       <DraftNote draft={draft} />
-      <div className={classes.askFoot}>
+      <div className="flex justify-end gap-2">
         <Button variant="quiet" onClick={onDone}>
           Cancel
         </Button>

@@ -32,7 +32,7 @@ export function CueField({ projectId, label, one, onPick, onBack }: CueFieldProp
     )
   }
   return (
-    <div className={classes.search}>
+    <div className="row">
       {Search && (
         <Search
           projectId={projectId}
@@ -61,7 +61,7 @@ interface VariationFieldProps {
 /** Which of a set a file is: no default is chosen. */
 export function VariationField({ name, variations, onPick, onBack }: VariationFieldProps) {
   return (
-    <div className={classes.acts} role="group" aria-label={`Variation of ${name}`}>
+    <div className={`row wrap ${classes.acts}`} role="group" aria-label={`Variation of ${name}`}>
       <span className="small mid">Which variation of {name}?</span>
       {Array.from({ length: variations }, (_, place) => (
         <Button key={place} onClick={() => onPick(place + 1)} aria-label={`Variation ${place + 1}`}>

@@ -95,7 +95,7 @@ export function DeliveryCard({
         }
       />
       {refused !== null && (
-        <div className={classes.problem}>
+        <div className="p-3-inset">
           <Refusal error={refused} />
         </div>
       )}
@@ -110,7 +110,7 @@ export function DeliveryCard({
               that name. Uploads resume if you lose your connection.
             </span>
           </p>
-          <span className={classes.choose}>
+          <span className={`flex wrap gap-2 ${classes.choose}`}>
             <HotkeyButton
               variant="primary"
               icon="upload"
@@ -194,7 +194,7 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
         void keep().catch(() => undefined)
       }}
     >
-      <div className={`grow ${classes.note}`}>
+      <div className={`grow grid gap-1 ${classes.note}`}>
         <label htmlFor={noteId}>Note on delivery {delivery.number}</label>
         <input
           id={noteId}

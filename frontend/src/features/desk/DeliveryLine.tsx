@@ -19,14 +19,14 @@ export function DeliveryLine({ row, onStop, onDismiss, onRecheck }: { row: Deliv
     <>
       <span className={`mono ${classes.name}`}>{name}</span>
       <span className={`mono dim ${classes.label}`}>{label}</span>
-      <span className={classes.detail} data-bar={share !== null || undefined}>
+      <span className={`grid gap-2px wrap-anywhere ${classes.detail}`} data-bar={share !== null || undefined}>
         {share !== null && (
           <Meter thin label={`${name}: ${Math.floor(share * 100)} % here`} whole={1} parts={[{ value: share }]} />
         )}
         <span className="small mid">{detail}</span>
       </span>
       <State kind={state} />
-      <span className={classes.does}>
+      <span className={`flex justify-end ${classes.does}`}>
         {does === 'stop' && uploadId && (
           <Button square variant="quiet" icon="cross" aria-label={`Stop ${name}`} onClick={() => onStop(uploadId)} />
         )}

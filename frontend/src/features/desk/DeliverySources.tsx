@@ -7,8 +7,6 @@ import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { useLazy } from '@/ui/useLazy'
 
-import classes from './Delivery.module.css'
-
 const loadForm = () => import('@/sources/SourcesForm').then(({ SourcesForm }) => SourcesForm)
 
 /** What the files of a delivery were made from, asked once for all of them. */
@@ -21,7 +19,7 @@ export function DeliverySources({ deliveryId, number }: { deliveryId: string; nu
   const { stated, remembered } = read
   const own = read.takes.filter(({ is_own: isOwn }) => isOwn).length
   return (
-    <section className={classes.sources} aria-label={`Sources of delivery ${number}`}>
+    <section className="grid gap-2 border-t p-10px-inset" aria-label={`Sources of delivery ${number}`}>
       <p className="strong">Sources</p>
       {changing && SourcesForm ? (
         <SourcesForm

@@ -155,7 +155,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
         </div>
       </div>
       {chooser.fields}
-      <div className={`columns ${classes.columns}`}>
+      <div className="columns side-356">
         <div className="stack">
           {next && <NextCard steps={stepsToName(next)} projectId={projectId} />}
           <ReturnedTakesCard

@@ -18,7 +18,7 @@ export function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () 
         <span className="visually-hidden">{label}</span>
         {head}
       </span>
-      <span className={`mid ${classes.rest}`}>
+      <span className="mid wrap-anywhere">
         {rest}{' '}
         {where !== '' &&
           (onHear ? (

@@ -15,7 +15,7 @@ export function OtherSounds({ projectId, player }: { projectId: string; player: 
   if (error) return <Refusal error={error} />
   if (data && sounds.length === 0) {
     return (
-      <p className={`mid ${classes.plain}`}>
+      <p className="mid p-10px-inset">
         No sounds to hear. The studio decides which sounds of other designers you can play.
       </p>
     )
@@ -28,7 +28,7 @@ export function OtherSounds({ projectId, player }: { projectId: string; player: 
         ))}
       </ul>
       {hasNextPage && (
-        <p className={classes.plain}>
+        <p className="p-10px-inset">
           <button type="button" className="link small" aria-busy={isFetching} onClick={() => void fetchNextPage()}>
             Show more
           </button>
@@ -49,7 +49,7 @@ function Sound({ sound, player: [player, { status, sourceId }] }: { sound: Other
     void player.play(0)
   }
   return (
-    <li className={classes.other}>
+    <li className={`grid items-center ${classes.other}`}>
       <Button
         square
         variant="quiet"

@@ -84,7 +84,7 @@ export function ReturnedTakesCard({ projectId, back, count, player, playing, onS
         <p className={`${classes.roundNote} small dim wide-only`}>Automatic returns don’t count as revision rounds.</p>
       )}
       {open === undefined && (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState head="Nothing to fix." level={3}>
             Versions returned by the automatic check, and changes the approver asks for, appear here.
           </EmptyState>
@@ -105,7 +105,7 @@ export function ReturnedTakesCard({ projectId, back, count, player, playing, onS
         ),
       )}
       {hasMore && (
-        <div className={classes.further}>
+        <div className="p-inset">
           <Button aria-busy={isFetching} onClick={showMore}>
             More to fix
           </Button>
@@ -145,7 +145,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
     }))
   return (
     <article className={classes.open} aria-labelledby={`back-${id}`}>
-      <div className={classes.head}>
+      <div className={`flex wrap items-center ${classes.head}`}>
         <h3 id={`back-${id}`} className="title">
           <Name item={item} />
         </h3>
@@ -234,7 +234,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
       )}
       {item.round !== null && <p className="small mid">Round {item.round}.</p>}
       {status === 'unjudged' && (
-        <p className={classes.fault}>
+        <p className="mt-6px">
           The check failed three times. That is our fault, not your file’s, and no round is counted.
         </p>
       )}
@@ -339,14 +339,14 @@ function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
   const changes = changesOf(item)
   const [first] = findingsOf(item)
   return (
-    <article className={classes.mini} aria-label={item.cue?.name ?? item.file_name}>
+    <article className={`grid items-center gap-4 ${classes.mini}`} aria-label={item.cue?.name ?? item.file_name}>
       <div>
         <p className="strong">
           <Name item={item} />
         </p>
         <State kind={item.status} />
       </div>
-      <div className={classes.said}>
+      <div className={`flex items-center gap-14px ${classes.said}`}>
         <span className={classes.thumb}>
           <WaveThumb peaks={thumbOf(item)} heightPx={32} />
           {item.duration_s !== null &&

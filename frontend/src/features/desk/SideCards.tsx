@@ -42,7 +42,7 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
         count={count > 0 ? count : undefined}
         end={count > 0 && <span className="wide-only">drop a file on a cue</span>}
       />
-      {count === 0 && <p className={`mid ${classes.plain}`}>All cues have their files.</p>}
+      {count === 0 && <p className="mid p-10px-inset">All cues have their files.</p>}
       <ul aria-labelledby="to-make">
         {shown.map((one) => (
           <ToMakeRow
@@ -55,20 +55,20 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
         ))}
       </ul>
       {items.length > shown.length && (
-        <p className={classes.plain}>
+        <p className="p-10px-inset">
           <button type="button" className="link small mid" onClick={() => setAll(true)}>
             {hasMore ? 'Show more' : `Show all ${items.length}`}
           </button>
         </p>
       )}
       {items.length === shown.length && hasMore && (
-        <p className={classes.plain}>
+        <p className="p-10px-inset">
           <button type="button" className="link small mid" aria-busy={isFetching} onClick={showMore}>
             Show more
           </button>
         </p>
       )}
-      <details className={`small ${classes.plain}`}>
+      <details className="small p-10px-inset">
         <summary>Files for your session</summary>
         {count > 0 && (
           <>
@@ -126,7 +126,7 @@ function ToMakeRow({ projectId, one, onChoose, onDrop }: RowProps) {
     // The button in the row does the same without a drag.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <li
-      className={classes.make}
+      className={`grid items-center ${classes.make}`}
       data-over={over || undefined}
       onDragEnter={() => setOver(true)}
       onDragOver={(event) => event.preventDefault()}
@@ -177,7 +177,7 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
           </>
         }
       />
-      <div className={classes.due}>
+      <div className={`grid wrap-anywhere ${classes.due}`}>
         {cues.length === 0 ? (
           <span className="mid">Nothing is in review.</span>
         ) : (
@@ -197,7 +197,7 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
               {plural(count, 'cue')}, {plural(files, 'file')}
             </State>
             {waitsOf(cues).map((says) => (
-              <p key={says} className={`small mid ${classes.whole}`}>
+              <p key={says} className="small mid col-span-full">
                 {says}
               </p>
             ))}
@@ -285,7 +285,7 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
       />
       {asking && AskForm && <AskForm projectId={projectId} cueId={cueId} onDone={() => setAsking(false)} />}
       {!asking && newest.length === 0 && (
-        <p className={`mid ${classes.plain}`}>
+        <p className="mid p-10px-inset">
           No questions yet. Ask about source, material or size. Answers are added to the cue.
         </p>
       )}

@@ -33,7 +33,7 @@ export function UndecidedFiles({ projectId }: { projectId: string }) {
         <span className="small mid">They came in one delivery, and only one can be the sound. Say what they are.</span>
       </div>
       {(work.error ?? undo.error) !== null && (
-        <div className={classes.problem}>
+        <div className="p-3-inset">
           <Refusal error={work.error ?? undo.error} />
         </div>
       )}
@@ -56,15 +56,15 @@ function Place({ projectId, place: { cue, variation, takes }, isBusy, onAct }: P
   const name = `${cue.label} ${cue.name}, variation ${variation}`
   const others = takes.slice(1)
   return (
-    <div className={classes.problem} role="group" aria-label={name}>
+    <div className="p-3-inset" role="group" aria-label={name}>
       <p>
         <span className="mono dim">{cue.label}</span> <span className="strong">{cue.name}</span>{' '}
         <span className="mid">variation {variation}: which file is it?</span>
       </p>
       <ul>
         {takes.map(({ id, file_name: fileName, number }) => (
-          <li key={id} className={classes.acts}>
-            <span className={`mono ${classes.name}`}>{fileName}</span>
+          <li key={id} className={`row wrap ${classes.acts}`}>
+            <span className="mono wrap-anywhere">{fileName}</span>
             <span className="small mid">version {number}</span>
             <Button
               disabled={isBusy}

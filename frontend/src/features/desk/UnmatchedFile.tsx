@@ -58,7 +58,7 @@ export function UnmatchedFile(props: FileProps) {
       data-chosen={chosen || undefined}
     >
       <div>
-        <label className={classes.tick}>
+        <label className={`flex items-start gap-2 ${classes.tick}`}>
           <input
             type="checkbox"
             checked={chosen}
@@ -69,9 +69,9 @@ export function UnmatchedFile(props: FileProps) {
             }}
             readOnly
           />
-          <span className={`mono ${classes.name}`}>{name}</span>
+          <span className="mono wrap-anywhere">{name}</span>
         </label>
-        <div className={classes.wave}>
+        <div className="row">
           <span className="grow">
             <WaveThumb peaks={sounds?.master.thumb ?? null} heightPx={26} />
           </span>
@@ -135,10 +135,10 @@ function Choices({ projectId, take, current, busy, facts, onMove, onDiscard, onL
         {facts}
         {take.sure ? `Sure: will be named ${take.sure.becomes ?? slotName(take.sure)}.` : 'Which cue is it?'}
       </p>
-      <div className={classes.guesses}>
+      <div className={`grid gap-2 ${classes.guesses}`}>
         {guesses.map((guess, index) => (
           <button type="button" key={guess.cue_id} disabled={busy} onClick={() => pick(guess)}>
-            <span className={classes.guessHead}>
+            <span className="row between">
               <span className={take.sure ? 'strong' : undefined}>{slotName(guess)}</span>
               {current && <Key keys={String(index + 1)} />}
             </span>
@@ -150,7 +150,7 @@ function Choices({ projectId, take, current, busy, facts, onMove, onDiscard, onL
           </button>
         ))}
       </div>
-      <div className={classes.acts}>
+      <div className={`row wrap ${classes.acts}`}>
         <Button variant="quiet" disabled={busy} keys={current ? '/' : undefined} onClick={() => setSearching(true)}>
           Other cue…
         </Button>

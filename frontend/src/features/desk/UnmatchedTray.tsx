@@ -168,17 +168,17 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         )}
       </div>
       {work.error !== null && (
-        <div className={classes.problem}>
+        <div className="p-3-inset">
           <Refusal error={work.error} />
         </div>
       )}
       {undo.error !== null && (
-        <div className={classes.problem}>
+        <div className="p-3-inset">
           <Refusal error={undo.error} about="Undo" />
         </div>
       )}
       {moving && selected.length > 0 && (
-        <div className={classes.problem}>
+        <div className="p-3-inset">
           <CueField
             projectId={projectId}
             label={`Cue for ${files(selected.length)}`}
@@ -205,7 +205,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
           <div key={folder} role="group" aria-label={folder === '' ? 'Files' : `Folder ${folder}`}>
             {folder !== '' && (
               <div className={classes.folder}>
-                <label className={classes.tick}>
+                <label className={`flex items-start gap-2 ${classes.tick}`}>
                   <input type="checkbox" checked={whole} onChange={() => choose(ids, !whole)} />
                   <span className="mono">{folder}/</span>
                 </label>
@@ -230,7 +230,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
               </div>
             )}
             {folder !== '' && openFolder === folder && (
-              <div className={classes.problem}>
+              <div className="p-3-inset">
                 <CueField
                   projectId={projectId}
                   label={`Cue for the folder ${folder}`}
@@ -270,7 +270,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         )
       })}
       {now.length > shown && (
-        <div className={classes.kept}>
+        <div className={`flex items-center gap-3 ${classes.kept}`}>
           <span className="small mid">{now.length - shown} more below</span>
           <button type="button" className="link small mid" onClick={() => setShown(shown + SHOWN)}>
             Show more
@@ -278,7 +278,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         </div>
       )}
       {kept > 0 && (
-        <div className={classes.kept}>
+        <div className={`flex items-center gap-3 ${classes.kept}`}>
           <State kind="unmatched">{kept} skipped for now</State>
           <button type="button" className="link small mid" onClick={() => setLater(new Set())}>
             Show {kept === 1 ? 'it' : 'them'}

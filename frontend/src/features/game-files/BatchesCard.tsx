@@ -35,7 +35,7 @@ export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpe
       />
       <Refusal inset error={error ?? begin.error} />
       {batches?.length === 0 && (
-        <div className={classes.inside}>
+        <div className="p-3-inset">
           <EmptyState head="No re-renders yet" level={3}>
             When you change the spec or add a target, all accepted and conforming versions are rendered again. Uploads
             are checked first.
@@ -48,7 +48,7 @@ export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpe
         ))}
       </ul>
       {list.hasNextPage && (
-        <div className={classes.inside}>
+        <div className="p-3-inset">
           <ShowMore list={list}>Earlier batches</ShowMore>
         </div>
       )}
@@ -70,7 +70,7 @@ function BatchLine({ batch, projectId, maySpeak, opened }: BatchLineProps) {
   const title = `Batch ${batch.number}`
   const why = batch.by_spec ? 'spec changed' : 'started manually'
   return (
-    <li className={classes.batch} aria-label={title}>
+    <li className="grid grid-cols-1 gap-6px border-b p-3-inset" aria-label={title}>
       <p className="row wrap">
         <span className="strong">{title}</span>
         <span className="small mid">
@@ -128,7 +128,7 @@ function SizeBars({ batch, sizes }: { batch: Batch; sizes: readonly BatchSizes[]
     <>
       <div role="img" aria-label={`Sizes of batch ${batch.number}: ${said.join('; ')}`}>
         {totals.map(({ target, before, after }) => (
-          <div key={target} className={`${classes.bar} small`}>
+          <div key={target} className={`grid items-center gap-3 ${classes.bar} small`}>
             <span className="cut-text">{target}</span>
             <span className={classes.track}>
               <i data-half="upper" style={{ width: share(before) }} />
@@ -138,7 +138,7 @@ function SizeBars({ batch, sizes }: { batch: Batch; sizes: readonly BatchSizes[]
           </div>
         ))}
       </div>
-      <p className={`small mid ${classes.legend}`}>
+      <p className={`small mid flex wrap gap-2px-4 ${classes.legend}`}>
         <span>
           <i /> before
         </span>

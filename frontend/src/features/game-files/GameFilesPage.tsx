@@ -60,14 +60,18 @@ function TargetsCard({ targets }: { targets: readonly Target[] }) {
     <Card aria-labelledby="targets">
       <CardHead id="targets" title="Targets and memory" count={targets.length} />
       {targets.length === 0 && (
-        <div className={classes.inside}>
+        <div className="p-3-inset">
           <EmptyState head="The spec has no targets" level={3}>
             Game files are rendered for targets. Add one to the spec; start from an engine preset.
           </EmptyState>
         </div>
       )}
       {targets.map((target) => (
-        <section key={target.name} className={classes.target} aria-label={`Target ${target.name}`}>
+        <section
+          key={target.name}
+          className="grid grid-cols-1 gap-6px border-b p-3-inset"
+          aria-label={`Target ${target.name}`}
+        >
           <p className="row wrap">
             <span className="strong">{target.name}</span>
             <span className="mid">{formatOf(target)}</span>
@@ -96,7 +100,7 @@ function PresetsCard({ presets }: { presets: readonly Preset[] }) {
       <CardHead id="presets" title="Engine presets" note="copy into the spec" />
       <ul>
         {presets.map(({ name, engine, accepts, why, toml }) => (
-          <li key={name} className={classes.target}>
+          <li key={name} className="grid grid-cols-1 gap-6px border-b p-3-inset">
             <p className="strong">{engine}</p>
             <p className="small mid">
               Accepts {accepts}. {why}

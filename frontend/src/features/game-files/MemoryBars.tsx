@@ -29,7 +29,7 @@ export function MemoryBars({ target }: { target: Target }) {
         aria-label={`Memory of ${target.name}: ${rows.map(({ name, of }) => `${name} ${roomOf(of)}`).join('; ')}`}
       >
         {rows.map(({ name, of, used: now }) => (
-          <div key={name} className={`${classes.bar} small`}>
+          <div key={name} className={`grid items-center gap-3 ${classes.bar} small`}>
             <span className="cut-text">{name}</span>
             <span className={classes.track}>
               <i style={{ width: share(of.memory_bytes) }} />
@@ -42,7 +42,7 @@ export function MemoryBars({ target }: { target: Target }) {
           </div>
         ))}
       </div>
-      <p className={`small mid ${classes.legend}`}>
+      <p className={`small mid flex wrap gap-2px-4 ${classes.legend}`}>
         <span>
           <i data-used="" /> accepted
         </span>

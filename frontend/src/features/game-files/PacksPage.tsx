@@ -60,7 +60,7 @@ export function PacksPage() {
           <CardHead id="packs" title="Sealed packs" note="newest first" />
           <Refusal inset error={error} />
           {packs?.length === 0 && (
-            <div className={classes.inside}>
+            <div className="p-3-inset">
               <EmptyState head="No packs yet" level={3}>
                 Choose a target and seal the accepted sounds. The pack gets a number, checksums and a documentation key.
               </EmptyState>
@@ -72,7 +72,7 @@ export function PacksPage() {
             ))}
           </ul>
           {pages.hasNextPage && (
-            <div className={classes.inside}>
+            <div className="p-3-inset">
               <ShowMore list={pages}>Earlier packs</ShowMore>
             </div>
           )}
@@ -91,7 +91,7 @@ function PackLine({ pack, isProducer }: { pack: SealedPack; isProducer: boolean 
   const { data } = useSealedPack(pack.id, isOpen && pack.state === 'sealed')
   const title = `${pack.target} ${pack.number}`
   return (
-    <li className={classes.pack} aria-label={`Pack ${title}`}>
+    <li className="grid grid-cols-1 gap-6px border-b p-3-inset" aria-label={`Pack ${title}`}>
       <p className="row wrap">
         <span className="strong">{title}</span>
         {(pack.state === 'sealed' ? pack.placeholder_files > 0 : pack.placeholders) && (
@@ -178,7 +178,7 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
   return (
     <Card aria-labelledby="seal">
       <CardHead id="seal" title="Next pack" />
-      <form className={classes.form} onSubmit={send}>
+      <form className="grid gap-3 p-inset" onSubmit={send}>
         <Select
           label="Target"
           data={[...targets]}

@@ -56,7 +56,7 @@ export function PlaceholdersPage() {
               )
             }
           />
-          <div className={`${classes.inside} stack`}>
+          <div className="stack p-3-inset">
             {register.targets.length > 1 && (
               <Segmented
                 label="Target"
@@ -72,7 +72,7 @@ export function PlaceholdersPage() {
             />
           </div>
           {register.left === 0 && (
-            <div className={classes.inside}>
+            <div className="p-3-inset">
               <EmptyState head={register.files === 0 ? 'The sound list is empty' : 'No placeholders'} level={3}>
                 {register.files === 0 ? 'Add cues to the sound list.' : 'Every file on the list has an accepted sound.'}
               </EmptyState>
@@ -80,7 +80,7 @@ export function PlaceholdersPage() {
           )}
           <ul aria-label="Placeholders">
             {register.items.map((one) => (
-              <li key={one.path} className={classes.stand}>
+              <li key={one.path} className={`grid wrap-anywhere ${classes.stand}`}>
                 <span className="mono small dim">{one.cue}</span>
                 <span>
                   {one.name} <span className="mono small mid">{one.path}</span>

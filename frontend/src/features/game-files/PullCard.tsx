@@ -20,7 +20,7 @@ export function PullCard({ projectId, targets }: { projectId: string; targets: r
         title="Pull into your game"
         end={<CopyButton text={commands} what="Commands" variant="quiet" square aria-label="Copy the pull commands" />}
       />
-      <div className={classes.form}>
+      <div className="grid gap-3 p-inset">
         <p className="small mid">
           Run at the top of the game’s source tree. Only files whose sound changed are written, and{' '}
           <code className="mono">soundlist.lock</code> records them for version control.
@@ -44,9 +44,9 @@ export function PullCard({ projectId, targets }: { projectId: string; targets: r
           <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
             Builds
           </Link>
-          . Add <code className={`mono ${classes.option}`}>--no-placeholders</code> as the release gate, and{' '}
-          <code className={`mono ${classes.option}`}>--p4</code> or{' '}
-          <code className={`mono ${classes.option}`}>--lfs-lock</code> for version control.
+          . Add <code className="mono nowrap">--no-placeholders</code> as the release gate, and{' '}
+          <code className="mono nowrap">--p4</code> or <code className="mono nowrap">--lfs-lock</code> for version
+          control.
         </p>
         <div>
           <ButtonLink href={`/v1/projects/${projectId}/soundlist.pyz`} download>

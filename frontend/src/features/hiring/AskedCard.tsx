@@ -39,7 +39,7 @@ export function AskedCard({ lines, postingId }: AskedCardProps) {
         ))}
       </Rows>
       {concepts > 0 && (
-        <p className={`small tone-warn ${classes.concepts}`}>
+        <p className="small tone-warn p-2-14px">
           {`${concepts} of ${plural(cues, 'cue')} ${concepts === 1 ? 'is a concept' : 'are concepts'} still: what is asked for may change.`}
         </p>
       )}
@@ -50,7 +50,7 @@ export function AskedCard({ lines, postingId }: AskedCardProps) {
 function LineCues({ line, cues }: { line: AskedLine; cues: readonly AskedCue[] }) {
   return (
     <details className="grow">
-      <summary className={classes.asked}>
+      <summary className={`flex gap-3 ${classes.asked}`}>
         <span className="grow">{line.label}</span>
         <span className="mid">{countOfLine(line)}</span>
       </summary>
@@ -59,7 +59,7 @@ function LineCues({ line, cues }: { line: AskedLine; cues: readonly AskedCue[] }
           {`The sound list has changed since: it has ${plural(cues.length, 'cue')} for this line now.`}
         </p>
       )}
-      <ul className={`small ${classes.cues}`} aria-label={`Cues of ${line.label}`}>
+      <ul className={`small grid gap-1 ${classes.cues}`} aria-label={`Cues of ${line.label}`}>
         {cues.map((cue) => (
           <li key={cue.id}>
             <span>{cue.name}</span> <span className="mid">{factsOf(cue)}</span>

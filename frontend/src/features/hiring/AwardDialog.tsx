@@ -9,7 +9,6 @@ import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 
 import { type ComparedBid, type Comparison, useAward } from './api'
-import classes from './Hiring.module.css'
 
 interface AwardDialogProps {
   comparison: Comparison
@@ -37,7 +36,7 @@ export function AwardDialog({ comparison, bid, projectId, onClose }: AwardDialog
   }
   return (
     <Dialog title={`Award ${comparison.title} to ${bid.designer.name}?`} opened onClose={onClose}>
-      <div className={classes.dialog}>
+      <div className="grid gap-3">
         <p>{`${bid.designer.name} gets ${sendsMail ? 'an email' : 'a notice here'} that the bid was chosen, and joins the project${isLeftOut ? '' : ' and your roster'}.`}</p>
         {isLeftOut && (
           <p className="tone-warn">

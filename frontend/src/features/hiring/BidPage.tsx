@@ -113,7 +113,7 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
   return (
     <Card aria-labelledby="bid">
       <CardHead id="bid" title="Your bid" note={standOf(posting)} />
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         <DraftNote draft={draft} />
         {own?.is_awarded ? (
           <p>
@@ -136,7 +136,7 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
           onRemove={() => put({ lines: now.lines.filter((_, place) => place !== at) })}
         />
       ))}
-      <div className={classes.form}>
+      <div className={`grid gap-4 ${classes.form}`}>
         <Select
           label="Add an extra"
           value=""
@@ -225,7 +225,7 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
           <span className="mid">{`without ${missing.map(({ key }) => labels.get(key) ?? key).join(', ')}`}</span>
         )}
       </p>
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         {wrong && <p role="alert">{wrong}</p>}
         <Refusal error={save.error ?? send.error ?? withdraw.error} />
         <div className="row wrap">
@@ -264,7 +264,7 @@ interface LineFieldsProps {
 function LineFields({ line, name, currency, onChange, onRemove }: LineFieldsProps) {
   const isOff = !line.isOffered
   return (
-    <fieldset className={classes.line}>
+    <fieldset className={`grid items-end gap-3 ${classes.line}`}>
       <legend className="visually-hidden">{name}</legend>
       {line.kind === 'asked' ? (
         <Checkbox
@@ -326,7 +326,7 @@ function Questions({ posting }: { posting: Posting }) {
     <Card aria-labelledby="questions">
       <CardHead id="questions" title="Questions" count={posting.questions.length} />
       {posting.questions.map(({ id, text: asked, answer, asked_by: by }) => (
-        <div key={id} className={classes.body}>
+        <div key={id} className={`grid gap-3 ${classes.body}`}>
           <p>
             {by === null && <span className="mid">Another designer asked: </span>}
             {asked}
@@ -334,7 +334,7 @@ function Questions({ posting }: { posting: Posting }) {
           <p className="mid">{answer ?? 'Waiting for an answer'}</p>
         </div>
       ))}
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         <Textarea
           label="Ask the studio"
           maxLength={2000}

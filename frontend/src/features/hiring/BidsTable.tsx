@@ -44,7 +44,7 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
       .filter(({ line }) => wanted(line))
     if (found.length === 0) return <span className="mid">not offered</span>
     return found.map(({ line, minor }, at) => (
-      <span key={at} className={classes.cell}>
+      <span key={at} className="flex between gap-3">
         <span className="num">{money(minor, currency)}</span>
         <span className="mid">
           {line.unit === 'flat' ? line.key || 'flat' : `${money(line.price_minor, currency)} ${UNIT_WORDS[line.unit]}`}
@@ -55,14 +55,14 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
   return (
     // Wide tables scroll by themselves; the focus lets the arrow keys do it.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-    <section className={classes.scroll} aria-label="Bids side by side" tabIndex={0}>
+    <section className="overflow-x-auto" aria-label="Bids side by side" tabIndex={0}>
       <table className={classes.table}>
         <thead>
           <tr>
             <th scope="col">Shortlist first, then as they came</th>
             {bids.map((bid, at) => (
               <th scope="col" key={bid.id} className={of(bid)}>
-                <span className={classes.cell}>
+                <span className="flex between gap-3">
                   <span className="lead">{`${at + 1} ${bid.designer.name}`}</span>
                   <Button
                     variant="quiet"
@@ -111,7 +111,7 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
             if (typeof hours !== 'number' || bid.hourly_rate_minor === null)
               return <span className="mid">not named</span>
             return (
-              <span className={classes.cell}>
+              <span className="flex between gap-3">
                 <span className="num">{figure(hours / 100, hours % 100 === 0 ? 0 : 2)}</span>
                 <span className={bid.is_below_floor ? 'tone-warn' : 'mid'}>
                   <span className="toned">
@@ -158,7 +158,7 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
           ))}
           {headings.map((heading) => row(heading, (bid) => <Marks bid={bid} heading={heading} />))}
           {row('Award opens a draft contract with these figures', (bid) => (
-            <span className={classes.cell}>
+            <span className="flex between gap-3">
               <span className="mid">{`${bid.scored_by} scored`}</span>
               {comparison.awarded_bid_id === bid.id && <span className="strong">Awarded</span>}
               {comparison.may_award && (
@@ -178,7 +178,7 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
 function BusyCell({ bid }: { bid: ComparedBid }) {
   if (bid.roster_entry_id === null) return <span className="mid">not on file</span>
   return (
-    <span className={classes.cell}>
+    <span className="flex between gap-3">
       {bid.busy.length === 0 ? (
         <span className="mid">nothing noted</span>
       ) : (
@@ -210,7 +210,7 @@ function Marks({ bid, heading }: { bid: ComparedBid; heading: string }) {
   )
   const mean = given.reduce((sum, { score }) => sum + score, 0) / Math.max(1, given.length)
   return (
-    <span className={classes.cell}>
+    <span className="flex between gap-3">
       <span className="num">{figure(mean, 1)}</span>
       <span className="mid">{given.map(({ person, score }) => `${person.name} ${score}`).join(', ')}</span>
     </span>

@@ -69,7 +69,7 @@ function AccountCard({ secret, email, hasAccount, onSignedIn }: AccountCardProps
   return (
     <Card aria-labelledby="account">
       <CardHead id="account" title={hasAccount ? 'Sign in to bid' : 'Create an account to bid'} />
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         <p className="mid">
           {hasAccount ? `${email} already has an account.` : `For ${email}. The studio sees your name with your bid.`}
         </p>
@@ -105,7 +105,7 @@ function AskCard({ secret, sendsMail }: { secret: string; sendsMail: boolean }) 
         id="ask"
         title={ask.isSuccess ? (sendsMail ? 'Check your inbox' : 'The studio has your address') : 'Bid on this'}
       />
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         {ask.isSuccess ? (
           <p role="status">
             {sendsMail

@@ -260,7 +260,7 @@ function Fields({ posting, fields, set, draft, unsavedCurrency, isSaving, onSubm
   return (
     <Card aria-labelledby="says">
       <CardHead id="says" title="What it says" />
-      <form onSubmit={onSubmit} noValidate className={classes.form} aria-label="What it says">
+      <form onSubmit={onSubmit} noValidate className={`grid gap-4 ${classes.form}`} aria-label="What it says">
         <div className={classes.wide}>
           <DraftNote draft={draft} />
         </div>
@@ -422,7 +422,7 @@ function PeopleCard({ posting }: { posting: Posting }) {
         ))}
       </Rows>
       {!isOver && (
-        <div className={classes.body}>
+        <div className={`grid gap-3 ${classes.body}`}>
           <form onSubmit={send} noValidate className="row wrap" aria-label="Ask a designer">
             <TextInput
               className="grow"

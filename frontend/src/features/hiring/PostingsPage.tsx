@@ -104,7 +104,7 @@ function NewPosting({ projectId }: { projectId: string }) {
   return (
     <Card aria-labelledby="new-posting">
       <CardHead id="new-posting" title="New posting" />
-      <form onSubmit={send} noValidate className={classes.body} aria-label="New posting">
+      <form onSubmit={send} noValidate className={`grid gap-3 ${classes.body}`} aria-label="New posting">
         <DraftNote draft={draft} />
         <TextInput
           label="Title"

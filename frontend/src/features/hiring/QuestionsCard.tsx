@@ -20,7 +20,7 @@ export function QuestionsCard({ posting }: { posting: Posting }) {
         </EmptyState>
       )}
       {posting.questions.map(({ id, text, asked_by: by, answer, is_for_all: forAll }) => (
-        <div key={id} className={classes.body}>
+        <div key={id} className={`grid gap-3 ${classes.body}`}>
           <p>
             <span className="strong">{by?.name}</span> {text}
           </p>

@@ -36,7 +36,7 @@ export function SamplesCard({ posting }: { posting: Posting }) {
         const ofLine = samples.filter((sample) => sample.line_key === key)
         if (ofLine.length === 0) return null
         return (
-          <section key={key} className={classes.body} aria-label={`Samples for ${label}`}>
+          <section key={key} className={`grid gap-3 ${classes.body}`} aria-label={`Samples for ${label}`}>
             <h3>{label}</h3>
             {ofLine.map((sample) => (
               <div key={sample.id}>
@@ -61,7 +61,7 @@ export function SamplesCard({ posting }: { posting: Posting }) {
           </section>
         )
       })}
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         {own === null ? (
           <p className="mid">Save a draft of your bid to add sounds to it.</p>
         ) : (

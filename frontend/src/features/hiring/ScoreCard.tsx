@@ -26,7 +26,7 @@ export function ScoreCard({ comparison, bid }: { comparison: Comparison; bid: Co
         title={`Your scores for ${bid.designer.name}`}
         note={left.length > 0 ? `${left.length} to give` : undefined}
       />
-      <div className={classes.form}>
+      <div className={`grid gap-4 ${classes.form}`}>
         <div className={classes.wide}>
           <DraftNote draft={draft} />
         </div>

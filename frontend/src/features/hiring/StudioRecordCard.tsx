@@ -25,7 +25,7 @@ export function StudioRecordCard({ postingId }: { postingId: string }) {
   return (
     <Card aria-labelledby="studio-record">
       <CardHead id="studio-record" title={`${record.studio_name}’s record`} end="medians over its projects here" />
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         {facts.length === 0 ? (
           <p className="mid">Too little has happened here yet to say how fast the studio reviews, answers and pays.</p>
         ) : (

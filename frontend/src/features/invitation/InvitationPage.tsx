@@ -94,7 +94,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
       )}
       <div className={`columns ${classes.columns}`}>
         <section aria-labelledby="list">
-          <div className={classes.listHead}>
+          <div className={`flex items-baseline gap-3 ${classes.listHead}`}>
             <h2 id="list">Sound list</h2>
             {!invitation.nda_needed && (
               <span className="small dim">
@@ -104,14 +104,14 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
             )}
           </div>
           {invitation.nda_needed ? (
-            <div className={classes.empty}>
+            <div className="p-inset">
               <EmptyState head="Sign the NDA to see the sound list" level={3}>
                 “Start delivering” creates your account. The NDA is then under Contract. You see the sound list and spec
                 once both sides have signed.
               </EmptyState>
             </div>
           ) : cues.length === 0 ? (
-            <div className={classes.empty}>
+            <div className="p-inset">
               <EmptyState head="The sound list is empty" level={3}>
                 You get an email when there is something to do.
               </EmptyState>
@@ -137,7 +137,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
                   </div>
                 ))}
               </dl>
-              <p className={`small mid ${classes.foot}`}>
+              <p className="small mid border-t p-10px-inset">
                 Files that don’t meet them are returned at once, with what was found and how to fix it. That does not
                 count as a revision round.
               </p>
@@ -171,7 +171,9 @@ const COLUMNS: Column<PreviewCue>[] = [
     head: 'Use and description',
     narrow: 'stands',
     cell: ({ use, description }) => (
-      <span className={`mid ${classes.offer}`}>{[use, description].filter(Boolean).join('. ')}</span>
+      <span className={`mid block wrap-anywhere ${classes.offer}`}>
+        {[use, description].filter(Boolean).join('. ')}
+      </span>
     ),
   },
   {

@@ -99,7 +99,7 @@ export function StartForm({ secret, invitation, visitor, onBack }: StartFormProp
         {refusal && refusal.errors.length === 0 && (
           <ErrorBanner detail={capitalised(refusal.detail)} fix={refusal.fix && capitalised(refusal.fix)} />
         )}
-        <div className={classes.actions}>
+        <div className={`flex wrap gap-2 ${classes.actions}`}>
           <Button type="submit" variant="primary" aria-busy={accept.isPending}>
             {isThem
               ? 'Go to your desk'

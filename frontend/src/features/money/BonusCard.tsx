@@ -46,7 +46,7 @@ export function BonusCard({ contract, isProducer }: BonusCardProps) {
         note={money(bonus.amount_minor, currency)}
         end={state && <State kind={state.kind}>{state.word}</State>}
       />
-      <div className={classes.pad}>
+      <div className="p-3-inset">
         <p className="small mid">{WHEN[bonus.when]}</p>
         <p>{sentence(bonus.because)}</p>
       </div>
@@ -70,7 +70,12 @@ function SayShipped({ contractId, title, amount }: { contractId: string; title: 
     say.mutate(on, { onSuccess: () => showToast(`The bonus of ${amount} is due.`) })
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={`Record release date, ${title}`}>
+    <form
+      className={`grid gap-3 ${classes.form}`}
+      onSubmit={send}
+      noValidate
+      aria-label={`Record release date, ${title}`}
+    >
       <TextInput
         label="Shipped on"
         description={`Makes ${amount} due. This cannot be undone.`}
@@ -81,7 +86,7 @@ function SayShipped({ contractId, title, amount }: { contractId: string; title: 
         error={lacksDay ? 'Enter a date.' : undefined}
       />
       <Refusal error={say.error} className={classes.wide} />
-      <div className={classes.foot}>
+      <div className="row wrap justify-end col-span-full">
         <Button type="submit" aria-busy={say.isPending}>
           Record release date
         </Button>

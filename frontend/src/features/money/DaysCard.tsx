@@ -40,7 +40,7 @@ export function DaysCard({ contract, side, isProducer }: DaysCardProps) {
         end={`${amount(agreed, currency)} of ${money(most, currency)}; ${money(rate, currency)} a day, ${cap} at most`}
       />
       {days.length === 0 && (
-        <div className={classes.pad}>
+        <div className="p-3-inset">
           <EmptyState head="No days logged yet" level={3}>
             {side === 'designer'
               ? 'Log a day after you worked it. It is due once the studio agrees to it.'
@@ -78,7 +78,12 @@ function LogForm({ contract }: { contract: ContractMoney }) {
     log.mutate({ worked_on: on, quarters: Number(quarters), note: note.trim() }, { onSuccess: draft.discard })
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={`Log a day, ${contract.title}`}>
+    <form
+      className={`grid gap-3 ${classes.form}`}
+      onSubmit={send}
+      noValidate
+      aria-label={`Log a day, ${contract.title}`}
+    >
       <TextInput
         label="Worked on"
         description="Logging a day again replaces it."
@@ -103,7 +108,7 @@ function LogForm({ contract }: { contract: ContractMoney }) {
         onChange={({ currentTarget }) => setNote(currentTarget.value)}
       />
       <Refusal error={log.error} className={classes.wide} />
-      <div className={classes.foot}>
+      <div className="row wrap justify-end col-span-full">
         <Button type="submit" variant="primary" aria-busy={log.isPending}>
           Log day
         </Button>

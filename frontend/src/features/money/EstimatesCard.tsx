@@ -20,7 +20,7 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
   return (
     <Card aria-label={`Estimates, ${title}`}>
       <CardHead id={id} title="Estimates" end="visible to the two of you only" />
-      <div className={classes.pad}>
+      <div className="p-3-inset">
         {habits.map(({ name, habit: { pairs, mean_percent: mean, spread_points: spread } }) => (
           <p key={name} className={classes.line}>
             <span className="mid">{name}</span>

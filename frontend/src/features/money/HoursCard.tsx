@@ -10,7 +10,6 @@ import { Rows } from '@/ui/Rows'
 import { Table } from '@/ui/Table'
 
 import { HoursForm } from './HoursForm'
-import classes from './Page.module.css'
 import { WorkRow } from './WorkRow'
 
 interface HoursCardProps {
@@ -38,7 +37,7 @@ export function HoursCard({ contract, projectId, side, isProducer }: HoursCardPr
       />
       {terms.months.length > 0 && <Months terms={terms} title={title} />}
       {entries.length === 0 && (
-        <div className={classes.pad}>
+        <div className="p-3-inset">
           <EmptyState head="No hours logged yet" level={3}>
             {side === 'designer'
               ? 'Log hours after you worked them. They count once the studio agrees to them.'

@@ -59,7 +59,7 @@ export function HoursForm({ contract, projectId, corrected, onDone }: HoursFormP
   }
   const name = corrected ? `Correct hours on ${day(corrected.worked_on)}` : `Log hours, ${contract.title}`
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={name}>
+    <form className={`grid gap-3 ${classes.form}`} onSubmit={send} noValidate aria-label={name}>
       {corrected && (
         <p className={`strong ${classes.wide}`} role="status">
           {name}
@@ -97,7 +97,7 @@ export function HoursForm({ contract, projectId, corrected, onDone }: HoursFormP
         error={wasSent && faults.note}
       />
       <Refusal error={log.error} className={classes.wide} />
-      <div className={classes.foot}>
+      <div className="row wrap justify-end col-span-full">
         {corrected && (
           <Button variant="quiet" onClick={onDone}>
             Cancel

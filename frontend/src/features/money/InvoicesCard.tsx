@@ -46,7 +46,7 @@ export function InvoicesCard({ contract, side, isProducer }: InvoicesCardProps) 
         count={invoices.length > 0 ? invoices.length : undefined}
         end={billable !== 0 && `${money(billable, contract.currency)} not invoiced yet`}
       />
-      {invoices.length === 0 && billable === 0 && <p className={`mid ${classes.pad}`}>Nothing to invoice yet.</p>}
+      {invoices.length === 0 && billable === 0 && <p className="mid p-3-inset">Nothing to invoice yet.</p>}
       <Rows>
         {invoices.toReversed().map((invoice) => (
           <InvoiceRow key={invoice.id} invoice={invoice} title={contract.title} side={side} isProducer={isProducer} />
@@ -223,7 +223,12 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
     )
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={`New invoice, ${contract.title}`}>
+    <form
+      className={`grid gap-3 ${classes.form}`}
+      onSubmit={send}
+      noValidate
+      aria-label={`New invoice, ${contract.title}`}
+    >
       <div className={`${classes.wide} ${classes.lines}`}>
         {draft.lines.map((line, place) => (
           <p key={`${place} ${line.text}`} className={classes.line}>
@@ -272,7 +277,7 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
       />
       <DraftNote draft={typed} />
       <Refusal error={issue.error} className={classes.wide} />
-      <div className={classes.foot}>
+      <div className="row wrap justify-end col-span-full">
         <Button type="submit" variant="primary" disabled={draft.is_number_taken}>
           Issue invoice {number?.trim() || draft.full_number}
         </Button>

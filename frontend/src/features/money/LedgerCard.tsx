@@ -4,7 +4,6 @@ import { ledgerQuery } from '@/money/api'
 import { Card, CardHead } from '@/ui/Card'
 
 import { LedgerTable } from './LedgerTable'
-import classes from './Page.module.css'
 
 /** Every line that was ever written. */
 export function LedgerCard({ contractId, title }: { contractId: string; title: string }) {
@@ -19,7 +18,7 @@ export function LedgerCard({ contractId, title }: { contractId: string; title: s
         end="entries are added, never changed"
       />
       {data.lines.length === 0 ? (
-        <p className={`mid ${classes.pad}`}>
+        <p className="mid p-3-inset">
           Nothing is due yet. The ledger starts with the deposit or the first accepted cue.
         </p>
       ) : (

@@ -129,7 +129,7 @@ function CuesCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
         end={sheet.release === 'per_cue' ? 'each is paid when accepted' : 'all are paid when the last one is accepted'}
       />
       {cues.length === 0 && (
-        <div className={classes.pad}>
+        <div className="p-3-inset">
           <EmptyState
             head={milestone.is_deposit ? 'A deposit depends on no cue' : 'No cues in this milestone'}
             level={3}
@@ -198,7 +198,7 @@ function LinesCard({ sheet }: { sheet: MilestoneSheet }) {
         end="entries are added, never changed"
       />
       {lines.length === 0 ? (
-        <p className={`mid ${classes.pad}`}>Nothing is due yet.</p>
+        <p className="mid p-3-inset">Nothing is due yet.</p>
       ) : (
         <LedgerTable lines={lines} currency={currency} name={`Lines of ${milestone.name}`} />
       )}
@@ -221,7 +221,7 @@ function DueCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   return (
     <Card aria-labelledby="due">
       <CardHead id="due" title={side === 'team' ? 'Due to the designer' : 'You are owed'} end="excluding tax" />
-      <div className={classes.pad}>
+      <div className="p-3-inset">
         <p className="figure">{money(owed - paid, currency)}</p>
         {facts.map(({ name, minor }) => (
           <p key={name} className={`small ${classes.line}`}>
@@ -243,7 +243,7 @@ function DueCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
         ))}
       </Rows>
       {owed !== paid && (
-        <p className={`small ${classes.pad}`}>
+        <p className="small p-3-inset">
           <Link className="link" to="/projects/$projectId/money" params={{ projectId }}>
             {side === 'team' ? 'Record payment' : invoices.length > 0 ? 'Invoices' : 'Draft invoice'}
           </Link>
@@ -259,7 +259,7 @@ function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   return (
     <Card aria-labelledby="slip">
       <CardHead id="slip" title="Late" end="visible to the two of you only" />
-      <div className={classes.pad}>
+      <div className="p-3-inset">
         <p>{slip ? capital(slipInWords(slip, side)) : 'Not due yet'}.</p>
         {slips.length > 1 && (
           <Table
@@ -302,7 +302,7 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   return (
     <Card aria-labelledby="estimates">
       <CardHead id="estimates" title="Estimates" end="visible to the two of you only" />
-      <div className={classes.pad}>
+      <div className="p-3-inset">
         {whole && (
           <p className={`small ${classes.line}`}>
             <span className="mid">From signing to due date</span>
@@ -354,7 +354,7 @@ function LogWork({ contractId, cues }: { contractId: string; cues: readonly { id
     log.mutate({ cue_id: cue, minutes: Math.round(given), worked_on: on }, { onSuccess: () => setMinutes('') })
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label="Log time">
+    <form className={`grid gap-3 ${classes.form}`} onSubmit={send} noValidate aria-label="Log time">
       <NativeSelect
         size="xs"
         label="Cue"
@@ -378,7 +378,7 @@ function LogWork({ contractId, cues }: { contractId: string; cues: readonly { id
         onChange={({ currentTarget }) => setOn(currentTarget.value)}
       />
       <Refusal error={log.error} className={classes.wide} />
-      <div className={classes.foot}>
+      <div className="row wrap justify-end col-span-full">
         <Button type="submit" aria-busy={log.isPending}>
           Log time
         </Button>

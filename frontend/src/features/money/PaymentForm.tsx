@@ -55,7 +55,7 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
     )
   }
   return (
-    <form className={classes.form} onSubmit={send} noValidate aria-label={name}>
+    <form className={`grid gap-3 ${classes.form}`} onSubmit={send} noValidate aria-label={name}>
       <TextInput
         ref={first}
         label={`Amount, ${currency}`}
@@ -85,7 +85,7 @@ export function PaymentForm({ name, verb, day, note, mostMinor, currency, record
       />
       {note !== undefined && <p className={`small mid ${classes.wide}`}>{note}</p>}
       <Refusal error={record.error} className={classes.wide} />
-      <div className={classes.foot}>
+      <div className="row wrap justify-end col-span-full">
         <Button variant="quiet" onClick={onDone}>
           Cancel
         </Button>

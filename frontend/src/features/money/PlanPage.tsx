@@ -145,7 +145,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
           <p className="mid">{modeInWords(contract)}</p>
           {timeInWords(contract) && <p className="mid">{timeInWords(contract)}</p>}
         </div>
-        <div className={classes.buttons}>
+        <div className="flex wrap gap-2">
           <ButtonLink
             component={Link}
             to={`/projects/${projectId}/contracts/${contract.id}`}
@@ -258,7 +258,7 @@ function Sums({ contract, pays, bid, concepts, onDeposit }: SumsProps) {
   return (
     <Card aria-labelledby="sums">
       <CardHead id="sums" title="Price" end="excluding tax" />
-      <div className={classes.pad}>
+      <div className="p-3-inset">
         <p className="figure">{money(price, contract.currency)}</p>
         <p className="small mid">
           {`${money(deposit, contract.currency)} of it at signing, ${money(milestones, contract.currency)} by milestones.`}
@@ -294,7 +294,7 @@ function Advice({ faults, advice, isEmpty, error }: AdviceProps) {
         count={advice.length > 0 ? advice.length : undefined}
         end="you can still send"
       />
-      <div className={classes.pad} aria-live="polite">
+      <div className="p-3-inset" aria-live="polite">
         <Refusal error={error} />
         {faults.map(({ message }) => (
           <ErrorBanner key={message} detail={message} />
@@ -306,7 +306,7 @@ function Advice({ faults, advice, isEmpty, error }: AdviceProps) {
               : 'No warnings: payments rise, the last is the largest, and every milestone has a date.'}
           </p>
         )}
-        <ul className={classes.advice}>
+        <ul className="grid gap-3">
           {advice.map(({ code, message, why }) => (
             <li key={`${code} ${message}`}>
               <p className="tone-warn">{message}</p>

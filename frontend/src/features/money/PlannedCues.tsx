@@ -50,7 +50,7 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
   return (
     <Card aria-labelledby="cues">
       <CardHead id="cues" title="Cues" end={`${covered} of ${plural(cues.length, 'cue')} in this contract`} />
-      <div className={classes.bulk}>
+      <div className={`grid gap-3 ${classes.bulk}`}>
         <TextInput
           label="Show"
           placeholder="name, ID or category"
@@ -72,13 +72,13 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
           }}
         />
       </div>
-      {shown.length === 0 && <p className={`mid ${classes.pad}`}>{`No cue matches “${filter}”.`}</p>}
+      {shown.length === 0 && <p className="mid p-3-inset">{`No cue matches “${filter}”.`}</p>}
       <ul>
         {shown.map((cue) => {
           const said = typed.cues[cue.id] ?? NO_CUE
           const isIn = keys.has(said.milestone) && said.milestone !== ''
           return (
-            <li key={cue.id} className={classes.cue}>
+            <li key={cue.id} className={`grid items-center ${classes.cue}`}>
               <span className={isIn ? 'cut-text' : 'cut-text mid'}>
                 <span className="mono dim">{cue.label}</span> {cue.name}
                 <span className="small dim"> {cue.category}</span>

@@ -79,7 +79,7 @@ interface MilestoneProps {
 function Milestone({ one, place, last, paysMinor, faults, currency, onChange, onMove, onRemove }: MilestoneProps) {
   const called = one.name.trim() || `milestone ${place + 1}`
   return (
-    <fieldset className={classes.milestone}>
+    <fieldset className={`grid items-start gap-2-3 ${classes.milestone}`}>
       <legend className="visually-hidden">{called}</legend>
       <TextInput
         label="Name"
@@ -114,7 +114,7 @@ function Milestone({ one, place, last, paysMinor, faults, currency, onChange, on
           checked={one.isDeposit}
           onChange={({ currentTarget: { checked } }) => onChange({ isDeposit: checked })}
         />
-        <span className={classes.buttons}>
+        <span className="flex wrap gap-2">
           <Button variant="quiet" disabled={place === 0} onClick={() => onMove(-1)} aria-label={`Move ${called} up`}>
             Up
           </Button>
@@ -132,7 +132,7 @@ function Milestone({ one, place, last, paysMinor, faults, currency, onChange, on
         </span>
       </div>
       {faults.map(({ message }) => (
-        <div key={message} className={classes.whole}>
+        <div key={message} className="col-span-full">
           <FieldError>{message}</FieldError>
         </div>
       ))}

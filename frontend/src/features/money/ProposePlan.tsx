@@ -33,7 +33,7 @@ export function ProposePlan({ contractId, currency, isByDay, onProposed }: Propo
     if (!propose.isPending && !fault) propose.mutate(total.trim() === '' ? null : minor)
   }
   return (
-    <div className={classes.pad}>
+    <div className="p-3-inset">
       <EmptyState head="No milestones yet" level={3}>
         Propose them from the sound list: parts by due dates, two weeks apart or more, with a deposit of 20 % in the
         price.

@@ -42,7 +42,7 @@ export function WorkRow({ work, length, currency, side, isProducer, onCorrect }:
           {what}, {STATES[work.state]}
         </span>
         {work.state === 'refused' && (
-          <span className={`small ${classes.refusal}`}>
+          <span className="small block wrap-anywhere">
             The studio refused it: {work.refusal}
             {side === 'designer' && (onCorrect ? ' Correct it to send it again.' : ' Log the day again to correct it.')}
           </span>
@@ -114,7 +114,7 @@ function RefuseForm({ work, name, onDone }: { work: WorkedDay; name: string; onD
     )
   }
   return (
-    <form className={`${classes.form} ${classes.inRow}`} onSubmit={send} noValidate aria-label={name}>
+    <form className={`grid gap-3 ${classes.form} ${classes.inRow}`} onSubmit={send} noValidate aria-label={name}>
       <TextInput
         className={classes.wide}
         label="Why"
@@ -126,7 +126,7 @@ function RefuseForm({ work, name, onDone }: { work: WorkedDay; name: string; onD
         error={isEmpty ? 'Say why.' : undefined}
       />
       <Refusal error={refuse.error} className={classes.wide} />
-      <div className={classes.foot}>
+      <div className="row wrap justify-end col-span-full">
         <Button variant="quiet" onClick={onDone}>
           Cancel
         </Button>

@@ -30,7 +30,7 @@ export function JobsCard({ scope }: { scope: Scope }) {
   return (
     <Card aria-labelledby="jobs">
       <CardHead id="jobs" title="Jobs" count={all} note="finished jobs are not listed" />
-      <div role="group" aria-label="Filter by state" className={classes.chips}>
+      <div role="group" aria-label="Filter by state" className="flex gap-2 border-b overflow-x-auto p-3-inset">
         <FilterChip count={all} pressed={state === undefined} onPress={() => setState(undefined)}>
           All
         </FilterChip>
@@ -47,12 +47,12 @@ export function JobsCard({ scope }: { scope: Scope }) {
         ))}
       </div>
       {(jobs.error ?? retry.error) && (
-        <div className={classes.inside}>
+        <div className="p-inset">
           <Refusal error={retry.error ?? jobs.error} />
         </div>
       )}
       {jobs.isSuccess && rows.length === 0 && (
-        <div className={classes.inside}>
+        <div className="p-inset">
           <EmptyState head={state === 'parked' ? 'No failed jobs' : 'No jobs'} level={3}>
             Deliveries, changes and approvals create jobs. They normally finish within seconds.
           </EmptyState>
@@ -64,7 +64,7 @@ export function JobsCard({ scope }: { scope: Scope }) {
         ))}
       </Rows>
       {jobs.hasNextPage && (
-        <div className={classes.inside}>
+        <div className="p-inset">
           <ShowMore list={jobs} />
         </div>
       )}
@@ -85,7 +85,7 @@ function JobRow({ job, scope, busy, onRetry }: { job: Job; scope: Scope; busy: b
           queued {ago(job.since)}
           {job.tries > 0 && `, ${plural(job.tries, 'try', 'tries')}`}
         </span>
-        {job.reason !== null && <span className={`small ${classes.reason}`}>{job.reason}</span>}
+        {job.reason !== null && <span className={`small block wrap-anywhere ${classes.reason}`}>{job.reason}</span>}
       </span>
       <State kind={kind}>{word}</State>
       {job.state === 'parked' && (

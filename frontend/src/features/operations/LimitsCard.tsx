@@ -9,7 +9,6 @@ import { ShowMore } from '@/ui/ShowMore'
 import { State } from '@/ui/State'
 
 import { limitsQuery, type Limits, type Quota, type Scope, share } from './api'
-import classes from './Operations.module.css'
 
 const NEAR = 0.9
 const SHOWN = 3 // limits of a studio: the nearest
@@ -40,7 +39,7 @@ export function LimitsCard({ scope }: { scope: Scope }) {
         note={studios && (near === 0 ? 'none is near' : scope === 'server' ? `${plural(near, 'studio')} near` : 'near')}
       />
       {error && (
-        <div className={classes.inside}>
+        <div className="p-inset">
           <Refusal error={error} />
         </div>
       )}
@@ -57,12 +56,12 @@ export function LimitsCard({ scope }: { scope: Scope }) {
         ))}
       </Rows>
       {list.hasNextPage && (
-        <div className={classes.inside}>
+        <div className="p-inset">
           <ShowMore list={list}>Show more studios</ShowMore>
         </div>
       )}
       {scope === 'server' && (
-        <p className={`small mid ${classes.inside}`}>
+        <p className="small mid p-inset">
           Set one with <code>soundlist quota STUDIO_ID --set cues=20000</code>
         </p>
       )}
@@ -76,7 +75,7 @@ function Limit({ quota }: { quota: Quota }) {
   const tone = used >= limit ? 'bad' : share(quota) >= NEAR ? 'warn' : undefined
   return (
     <div>
-      <p className={`small ${classes.limit}`}>
+      <p className="small flex between gap-3">
         <span>{NAMES[kind]}</span>
         <span className="num">{inWords}</span>
       </p>

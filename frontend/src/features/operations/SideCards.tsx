@@ -42,14 +42,12 @@ export function StorageCard({ scope }: { scope: Scope }) {
         note={data && `${bytes(whole)}${free === null ? '' : `, ${bytes(free)} free on the disk`}`}
       />
       {error && (
-        <div className={classes.inside}>
+        <div className="p-inset">
           <Refusal error={error} />
         </div>
       )}
       {data && scope === 'server' && (
-        <p className={`${data.scrub && isDamaged(data.scrub) ? 'strong' : 'mid'} ${classes.inside}`}>
-          {scrubLine(data.scrub)}
-        </p>
+        <p className={`${data.scrub && isDamaged(data.scrub) ? 'strong' : 'mid'} p-inset`}>{scrubLine(data.scrub)}</p>
       )}
       <Rows aria-labelledby="storage">
         {studios.map((one) => (
@@ -75,7 +73,7 @@ export function LanesCard({ scope }: { scope: Scope }) {
     <Card aria-labelledby="lanes">
       <CardHead id="lanes" title="Queues" count={data.lanes.length} note="served in turn" />
       {data.lanes.length === 0 ? (
-        <p className={`mid ${classes.inside}`}>No queued jobs.</p>
+        <p className="mid p-inset">No queued jobs.</p>
       ) : (
         <Rows aria-labelledby="lanes">
           {data.lanes.map((lane) => (
@@ -101,7 +99,7 @@ export function WorkersCard({ scope }: { scope: Scope }) {
     <Card aria-labelledby="workers">
       <CardHead id="workers" title="Workers" count={data.alive} />
       {data.workers.length === 0 ? (
-        <p className={`mid ${classes.inside}`}>
+        <p className="mid p-inset">
           {data.alive > 0
             ? 'Workers check, render and send email for all studios.'
             : 'No worker is running: none has reported in the last 20 seconds. The operator can start one with: soundlist worker'}

@@ -31,7 +31,7 @@ export function BudgetForm({ projectId, currencies }: { projectId: string; curre
   const [isOpen, setIsOpen] = useState(false)
   if (!isOpen) {
     return (
-      <p className={classes.worn}>
+      <p className="col-span-full">
         <Button variant="quiet" onClick={() => setIsOpen(true)}>
           Set a budget
         </Button>
@@ -69,7 +69,12 @@ function OpenForm({ projectId, currency, onDone }: { projectId: string; currency
     )
   }
   return (
-    <form className={`${classes.worn} ${classes.budget}`} onSubmit={save} noValidate aria-label="Budget">
+    <form
+      className={`grid items-end gap-3 col-span-full ${classes.budget}`}
+      onSubmit={save}
+      noValidate
+      aria-label="Budget"
+    >
       <TextInput
         label="Currency"
         maxLength={3}

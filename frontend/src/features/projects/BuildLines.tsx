@@ -12,10 +12,10 @@ import { refusal } from './words'
 /** One build: its label, how it ended, when and what for. */
 export function BuildLine({ build, children }: { build: Build | BuildBrief; children?: ReactNode }) {
   return (
-    <div className={classes.line}>
+    <div className={`grid items-center ${classes.line}`}>
       <span className="strong cut-text">{build.label}</span>
       <State kind={OUTCOME_STATES[outcomeOf(build)]}>{outcomeInWords(build)}</State>
-      <span className={`small dim ${classes.when}`}>
+      <span className="small dim num">
         {[ago(build.created_at), build.target, build.commit.slice(0, 8)].filter(Boolean).join(', ')}
       </span>
       {children}
@@ -62,7 +62,7 @@ function Files({ files, tone }: { files: readonly RefusedFile[]; tone: 'bad' | '
     >
       {files.map(({ path, reasons }) => (
         <li key={path}>
-          <span className={`mono ${classes.path}`}>{path}</span>
+          <span className="mono wrap-anywhere">{path}</span>
           {reasons.map(({ odd, rest }) => (
             <p key={odd + rest}>
               <span className="toned">{odd}</span>

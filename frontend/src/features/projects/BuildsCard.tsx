@@ -49,7 +49,7 @@ export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsC
             <Squares builds={builds} />
           </div>
           <BuildLine build={latest}>
-            <div className={classes.reasons}>
+            <div className="col-span-full mt-6px">
               <BuildReasons build={latest} projectId={projectId} most={FILES} />
             </div>
           </BuildLine>
@@ -83,7 +83,7 @@ export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsC
 function Squares({ builds }: { builds: readonly BuildBrief[] }) {
   return (
     <div
-      className={classes.run}
+      className={`flex items-end gap-3px ${classes.run}`}
       role="img"
       aria-label={`${plural(builds.length, 'build')}: ${outcomesInWords(builds)}`}
     >
@@ -100,7 +100,7 @@ function CiLines({ projectId }: { projectId: string }) {
   if (error) return <Refusal inset error={error} />
   if (data === undefined) return null
   return (
-    <div className={classes.command}>
+    <div className={`row ${classes.command}`}>
       <code>{data.command.replace(/ (&&|--server|--project|--target)/g, ' \\\n  $1')}</code>
       <div className={classes.take}>
         <CopyLines lines={[data.command]} label="Copy the CI command" />

@@ -84,7 +84,7 @@ function OneBuild({ build, projectId, opened }: { build: Build; projectId: strin
         <BuildLine build={build} />
       </summary>
       {open && (
-        <div className={classes.opened}>
+        <div className="border-b p-2-inset-3">
           <BuildReasons build={build} projectId={projectId} />
         </div>
       )}

@@ -3,17 +3,15 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 
-import classes from './Project.module.css'
-
 /** What is due in this project, in one's own calendar. */
 export function CalendarCard({ projectId }: { projectId: string }) {
   const make = useMakeCalendar(projectId)
   return (
     <Card aria-labelledby="calendar">
       <CardHead id="calendar" title="Calendar" end="what is due, as iCal" />
-      <div className={`stack ${classes.quiet}`}>
+      <div className="stack p-3-inset">
         {make.data ? (
-          <p className={`mono ${classes.address}`} role="status">
+          <p className="mono wrap-anywhere" role="status">
             {make.data.url}
           </p>
         ) : (

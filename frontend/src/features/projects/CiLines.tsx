@@ -46,7 +46,7 @@ export function CiCard({ projectId }: { projectId: string }) {
           </details>
         </>
       )}
-      <dl className={`small ${classes.facts}`}>
+      <dl className={`small grid gap-1-3 ${classes.facts}`}>
         <dt>Token</dt>
         <dd>
           Add it to the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>. Producers create it.

@@ -32,7 +32,7 @@ export function CreditsPage() {
           </p>
         </div>
         {isTeam && (
-          <p className={classes.downloads}>
+          <p className="flex wrap gap-2">
             <ButtonLink icon="download" href={`/v1/projects/${projectId}/credits.txt`} download>
               Text
             </ButtonLink>
@@ -99,7 +99,7 @@ function Named({ credit: { name, agreed_line: agreed } }: { credit: Credit }) {
   return (
     <span className="grow">
       <span className="strong">{name}</span>
-      {agreed !== '' && <span className={`small mid ${classes.agreed}`}>The contract says: {agreed}</span>}
+      {agreed !== '' && <span className="small mid block wrap-anywhere">The contract says: {agreed}</span>}
     </span>
   )
 }
@@ -125,7 +125,7 @@ function MyCard({ credits, projectId }: CardProps) {
   return (
     <Card aria-labelledby="my-credit">
       <CardHead id="my-credit" title="Your name in the credits" />
-      <form className={classes.form} onSubmit={send} noValidate aria-label="Your name in the credits">
+      <form className={`grid gap-3 ${classes.form}`} onSubmit={send} noValidate aria-label="Your name in the credits">
         <TextInput
           label="Name"
           description={`Empty: ${credits.my_account_name}, as in your account`}
@@ -159,7 +159,7 @@ function AddCard({ projectId }: { projectId: string }) {
   return (
     <Card aria-labelledby="add-credit">
       <CardHead id="add-credit" title="Add a name" note="performers, voices, musicians" />
-      <form className={classes.add} onSubmit={send} noValidate aria-label="Add a name">
+      <form className={`grid items-end gap-3 ${classes.add}`} onSubmit={send} noValidate aria-label="Add a name">
         <TextInput
           label="Role"
           maxLength={120}

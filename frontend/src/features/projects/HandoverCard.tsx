@@ -40,7 +40,7 @@ function Handover({ handover, projectId }: { handover: OpenHandover; projectId: 
         title={`${plural(cues.length, 'cue')} ${cues.length === 1 ? 'has' : 'have'} no designer`}
         note={`${title} with ${designer} ended, ${day(at)}`}
       />
-      <div className={classes.body}>
+      <div className={`grid gap-3 ${classes.body}`}>
         <p>
           {cues
             .slice(0, NAMED)
@@ -52,7 +52,7 @@ function Handover({ handover, projectId }: { handover: OpenHandover; projectId: 
           You are next: invite a designer, or write the next contract with one who is here. Its proposed plan begins
           with these cues. The designer hears the approved sounds and the palette.
         </p>
-        <div className={classes.acts}>
+        <div className="flex wrap gap-2">
           <ButtonLink component={Link} variant="primary" to={`/projects/${projectId}/contracts`}>
             Write the next contract
           </ButtonLink>

@@ -94,7 +94,7 @@ function Shown({ data, projectId }: { data: Hours; projectId: string }) {
           ]}
         />
         {data.uncontracted > 0 && (
-          <p className={`${classes.note} small mid`}>
+          <p className="p-2-inset small mid">
             {`${plural(data.uncontracted, 'cue')} of the list ${data.uncontracted === 1 ? 'is' : 'are'} under no agreed contract: hours not known.`}
           </p>
         )}
@@ -110,7 +110,7 @@ function DesignerCard({ designer }: { designer: Designer }) {
   return (
     <Card aria-labelledby={`hours-${person.id}`}>
       <CardHead id={`hours-${person.id}`} title={person.name} note={sumWords(designer)} />
-      <div className={classes.note}>
+      <div className="p-2-inset">
         <p className={short ? 'tone-warn' : 'mid'}>
           <span className={short ? 'toned' : undefined}>
             {short

@@ -134,12 +134,16 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
                 error={against(open.error, 'cue_prefix')}
               />
               <DescriptionField />
-              <fieldset className={classes.presets}>
+              <fieldset className={`grid gap-2-3 ${classes.presets}`}>
                 <legend>Delivery spec</legend>
                 {(Object.keys(PRESETS) as Preset[]).map((key) => {
                   const { head, accepts, makes, when } = PRESETS[key]
                   return (
-                    <label key={key} className={classes.preset} data-chosen={preset === key || undefined}>
+                    <label
+                      key={key}
+                      className={`flex items-start gap-2 ${classes.preset}`}
+                      data-chosen={preset === key || undefined}
+                    >
                       <input
                         type="radio"
                         name="preset"
@@ -151,7 +155,7 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
                       />
                       <span>
                         <span className="strong">{head}</span>
-                        <span id={`preset-${key}`} className={`mid ${classes.facts}`}>
+                        <span id={`preset-${key}`} className={`mid grid gap-1 ${classes.facts}`}>
                           <span>{accepts}</span>
                           <span>{makes}</span>
                           <span className="dim">{when}</span>
@@ -187,10 +191,14 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
     { value: true, head: 'A sample project', about: '24 sounds to hear and review. Delete it when done.' },
   ]
   return (
-    <fieldset className={`${classes.presets} ${classes.begin}`}>
+    <fieldset className={`grid gap-2-3 ${classes.presets} ${classes.begin}`}>
       <legend>Begin with</legend>
       {choices.map(({ value, head, about }) => (
-        <label key={head} className={classes.preset} data-chosen={isSample === value || undefined}>
+        <label
+          key={head}
+          className={`flex items-start gap-2 ${classes.preset}`}
+          data-chosen={isSample === value || undefined}
+        >
           <input
             type="radio"
             name="begin"
@@ -200,7 +208,7 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
           />
           <span>
             <span className="strong">{head}</span>
-            <span className={`mid ${classes.facts}`}>{about}</span>
+            <span className={`mid grid gap-1 ${classes.facts}`}>{about}</span>
           </span>
         </label>
       ))}

@@ -154,7 +154,7 @@ export function PaceCard({ projectId, isProducer }: { projectId: string; isProdu
       />
       <Refusal inset error={error} />
       {pace && (
-        <div className={classes.parts}>
+        <div className={`grid gap-4 ${classes.parts}`}>
           <Part head="The work" lines={ofWork(pace)} />
           <Part head="The studio’s part" lines={ofStudio(pace)} />
           {pace.costs.map((costs) => (
@@ -162,7 +162,7 @@ export function PaceCard({ projectId, isProducer }: { projectId: string; isProdu
           ))}
           <Part head="Estimates" lines={ofEstimates(pace)} />
           {pace.worn.length > 0 && (
-            <section className={classes.worn} aria-label="Cues with many rounds">
+            <section className="col-span-full" aria-label="Cues with many rounds">
               <h3 className="small mid">Three rounds or more, not accepted</h3>
               <ul>
                 {pace.worn.map(({ cue_id, label, name, rounds }) => (
@@ -193,7 +193,7 @@ function Part({ head, lines }: { head: string; lines: readonly Line[] }) {
   return (
     <section>
       <h3 className="small mid">{head}</h3>
-      <dl className={classes.pairs}>
+      <dl className={`grid gap-3px ${classes.pairs}`}>
         {lines.map(({ word, value, warns }) => (
           <div key={word}>
             <dt>{word}</dt>

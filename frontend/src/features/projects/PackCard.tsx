@@ -37,14 +37,14 @@ export function PackCard({ projectId }: { projectId: string }) {
         }
       />
       {noTarget ? (
-        <p className={`mid ${classes.quiet}`}>
+        <p className="mid p-3-inset">
           The spec has no targets, so no game files are rendered. Add a target to the spec.
         </p>
       ) : (
         <Refusal inset error={error} />
       )}
       {nothing && (
-        <div className={classes.inside}>
+        <div className="p-inset">
           <EmptyState head="Nothing is accepted yet." level={3}>
             The pack contains the game files of accepted sounds, with a documentation key.
           </EmptyState>
@@ -63,7 +63,7 @@ export function PackCard({ projectId }: { projectId: string }) {
         </Link>
       </p>
       {first && !nothing && (
-        <div className={classes.withMasters}>
+        <div className="p-10px-inset">
           <Checkbox
             checked={masters}
             onChange={({ currentTarget }) => setMasters(currentTarget.checked)}
@@ -79,7 +79,7 @@ function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string;
   const isProducer = useMyProject(projectId)?.is_producer ?? false
   const { target, files, bytes: size, missing } = pack
   return (
-    <li className={classes.pack}>
+    <li className="border-b p-2-inset">
       <div className="row">
         <p className="grow">
           <span className="strong">{target}</span>{' '}
@@ -93,7 +93,7 @@ function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string;
           Download
         </ButtonLink>
       </div>
-      <p className="row small mid wrap">
+      <p className="row wrap small mid">
         Documentation key
         <a
           className="link"

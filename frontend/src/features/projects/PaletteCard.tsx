@@ -47,7 +47,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
         }
       />
       {palette.length === 0 && (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState
             head="No reference sounds yet"
             level={3}
@@ -77,7 +77,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
             >
               <WaveThumb peaks={thumb as Peaks} lit heightPx={44} />
             </button>
-            <p className="row small dim between">
+            <p className="row between small dim">
               {loudness_lufs === null ? 'too short to measure' : level(loudness_lufs, 'LUFS')}
               {playing === cue.id && <Icon name="play" />}
             </p>
@@ -85,7 +85,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
         ))}
       </ul>
       {error !== null && (
-        <p role="alert" className={`small ${classes.error}`}>
+        <p role="alert" className="small p-2-inset">
           {error}
         </p>
       )}

@@ -48,7 +48,7 @@ export function ProjectPage() {
       {project && (
         <>
           <NextStep projectId={projectId} />
-          <div className={classes.cards}>
+          <div className={`grid gap-4 ${classes.cards}`}>
             <SoundsCard projectId={projectId} />
             <PeopleCard project={project} />
             {isParty && <MoneyCard projectId={projectId} />}
@@ -118,7 +118,7 @@ function OverviewCard({ title, note, link, error, children }: OverviewCardProps)
         }
       />
       <Refusal inset error={error} />
-      <div className={classes.inside}>{children ?? (error ? null : <Skeleton />)}</div>
+      <div className="grid gap-10px p-3-inset">{children ?? (error ? null : <Skeleton />)}</div>
     </Card>
   )
 }
@@ -151,7 +151,7 @@ function SoundsCard({ projectId }: { projectId: string }) {
               .filter((status) => !['to_make', 'cut'].includes(status))
               .map((status) => ({ value: counts[status] ?? 0, tone: STATES[STATUSES[status].kind].tone }))}
           />
-          <ul className={`small ${classes.legend}`} aria-label="Cues by state">
+          <ul className="small flex wrap gap-1-4" aria-label="Cues by state">
             {statuses.map((status) => (
               <li key={status}>
                 <State kind={STATUSES[status].kind}>{`${counts[status]} ${STATUSES[status].word.toLowerCase()}`}</State>

@@ -37,7 +37,7 @@ export function ProjectsPage() {
   const several = new Set(projects?.map(({ studio }) => studio.id)).size > 1
   return (
     <div className="page stack">
-      <div className={classes.head}>
+      <div className="flex wrap items-end between gap-2-4">
         <h1>Projects</h1>
         <div className="row wrap">
           <Segmented
@@ -93,7 +93,7 @@ export function ProjectsPage() {
         </Card>
       )}
       {pages.hasNextPage && (
-        <p className={classes.more}>
+        <p className="mt-3">
           <ShowMore list={pages}>Earlier projects</ShowMore>
         </p>
       )}

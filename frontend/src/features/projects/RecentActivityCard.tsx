@@ -54,13 +54,13 @@ export function RecentActivityCard({ projectId, happened }: { projectId: string;
           </Link>
         }
       />
-      {entries.length === 0 && <p className={`mid ${classes.quiet}`}>No activity yet.</p>}
+      {entries.length === 0 && <p className="mid p-3-inset">No activity yet.</p>}
       <ul>
         {entries.map((one) => {
           const { icon, tone } =
             one.kind === 'build' && one.text.includes('refused') ? { ...SIGNS.build, tone: 'bad' } : SIGNS[one.kind]
           return (
-            <li key={`${one.at} ${one.text}`} className={`small ${classes.act}`}>
+            <li key={`${one.at} ${one.text}`} className={`small grid gap-10px wrap-anywhere ${classes.act}`}>
               <span className="dim">{age(one.at)}</span>
               <span className={`tone-${tone} ${classes.sign}`}>
                 <Icon name={icon} />

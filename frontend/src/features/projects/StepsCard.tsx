@@ -31,15 +31,15 @@ export function StepsCard({ project, overview: { steps, cues, counts, needs } }:
         <p className="small mid">{standInWords(counts)}</p>
         <NeedSums sums={needs} />
       </div>
-      <div className={classes.steps}>
+      <div className={`flex gap-14px ${classes.steps}`}>
         {groupsOf(steps).map((group) => (
           <div key={group.title} style={{ flexGrow: group.steps.length }} className={classes.group}>
-            <ul className={classes.cells} aria-label={group.title}>
+            <ul className={`flex wrap gap-3px ${classes.cells}`} aria-label={group.title}>
               {group.steps.map((step) => (
                 <Cell key={step.cue.id} step={step} project={project} />
               ))}
             </ul>
-            <p className="row small between">
+            <p className="row between small">
               <span className="strong">{group.title}</span>
               <span className="mid nowrap">{`${group.accepted} of ${group.wanted} accepted`}</span>
             </p>
@@ -54,7 +54,7 @@ export function StepsCard({ project, overview: { steps, cues, counts, needs } }:
           </Link>
         </p>
       )}
-      <ul className={classes.legend} aria-label="Cues by state">
+      <ul className={`flex wrap ${classes.legend}`} aria-label="Cues by state">
         {statuses.map((status) => (
           <li key={status}>
             <State kind={STATUSES[status].kind}>

@@ -59,7 +59,7 @@ export function TokenMaker({ projectId }: { projectId: string }) {
     )
   }
   return (
-    <form onSubmit={send} noValidate className={classes.maker} aria-label="Create token">
+    <form onSubmit={send} noValidate className="grid gap-3" aria-label="Create token">
       <TextInput
         name="name"
         label="Token name"
@@ -94,7 +94,7 @@ export function TokenMaker({ projectId }: { projectId: string }) {
 
 function Secret({ token: { name, secret }, onDone }: { token: TokenMade; onDone: () => void }) {
   return (
-    <div className={classes.maker}>
+    <div className="grid gap-3">
       <SecretOnce secret={secret} what="Token" name={name} onDone={onDone}>
         Add it to the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>. If you lose it, create a new token.
       </SecretOnce>

@@ -57,14 +57,14 @@ export function AddCard({ projectId, pin, onPin, onFiles, fileField }: AddCardPr
     <Card aria-labelledby="add-references">
       <CardHead id="add-references" title="Add" note="Drop files anywhere on this page, or paste a link" />
       <form
-        className={classes.add}
+        className={`grid gap-3 ${classes.add}`}
         noValidate
         onSubmit={(event) => {
           event.preventDefault()
           if (!add.isPending) send()
         }}
       >
-        <div className={classes.files}>
+        <div className="flex wrap items-end gap-3">
           <PinSelect projectId={projectId} pin={pin} onPin={onPin} />
           <Button icon="upload" keys="n" onClick={() => fileField.current?.click()}>
             Add files

@@ -73,7 +73,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
   })
   return (
     <form
-      className={classes.edit}
+      className="grid gap-3"
       noValidate
       onSubmit={(event) => {
         event.preventDefault()
@@ -83,7 +83,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       <Textarea label="Caption" rows={2} maxLength={500} data-autofocus {...text('caption')} />
       <TextInput label="Terms" description="Always shown with the reference" maxLength={1000} {...text('terms')} />
       {plays && (
-        <div className={classes.two}>
+        <div className="grid grid-cols-2 gap-3">
           <TextInput label="From" inputMode="decimal" {...text('start')} error={wrong.start} />
           <TextInput label="To" inputMode="decimal" {...text('end')} error={wrong.end} />
         </div>
@@ -91,7 +91,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       <PinSelect projectId={projectId} pin={typed.pin} onPin={(pin) => setTyped({ ...typed, pin })} />
       <DraftNote draft={draft} />
       <Refusal error={change.error ?? remove.error} />
-      <div className={classes.acts}>
+      <div className="flex wrap gap-2">
         <Button type="submit" variant="primary" aria-busy={change.isPending}>
           Save
         </Button>
@@ -131,7 +131,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       )}
       <section aria-label="Versions">
         <h3>Versions</h3>
-        <ul className={classes.lines}>
+        <ul className={`grid gap-1 wrap-anywhere ${classes.lines}`}>
           {versions?.map((one) => (
             <li key={one.id} className="small">
               <span className="strong">{one.number}</span> {one.file_name}
@@ -146,7 +146,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       </section>
       <section aria-label="Opened by">
         <h3>Opened by</h3>
-        <ul className={classes.lines}>
+        <ul className={`grid gap-1 wrap-anywhere ${classes.lines}`}>
           {openings?.pages
             .flatMap(({ items }) => items)
             .map((opening) => (

@@ -40,8 +40,8 @@ export function ReferencesPage(): ReactNode {
   ])
   const uploads = useUploadsOf(projectId, mayAdd ? me?.person.id : undefined)
   return (
-    <div className={`page ${classes.page}`} aria-busy={board.isPending}>
-      <header className={classes.top}>
+    <div className={`page stack ${classes.page}`} aria-busy={board.isPending}>
+      <header className="row wrap">
         <h1>References</h1>
         {references && references.length > 0 && (
           <Count of={board.hasNextPage ? `${references.length}+` : references.length} />
@@ -57,16 +57,16 @@ export function ReferencesPage(): ReactNode {
         </EmptyState>
       )}
       {groupsOf(references ?? []).map(({ key, name, kind, references: own }) => (
-        <section key={key} aria-label={name} className={classes.group}>
+        <section key={key} aria-label={name} className="grid gap-3">
           <header className={classes.groupHead}>
             <h2>{name}</h2>
             {KINDS[kind] && <span className="small dim">{KINDS[kind]}</span>}
             <Count of={own.length} />
           </header>
-          <div className={classes.grid}>
+          <div className={`grid gap-4 ${classes.grid}`}>
             {own.map((reference) => (
               <ReferenceTile key={reference.id} reference={reference} onShow={setShown}>
-                <p className={`small dim ${classes.by}`}>
+                <p className="small dim flex wrap items-center gap-0-2">
                   {reference.version.number > 1 && `version ${reference.version.number}, `}
                   from {reference.version.added_by.name}
                   {reference.may_change && reference.version.kind === 'video' && (

@@ -12,7 +12,7 @@ export function UploadLines({ queue }: { queue: UploadQueue }) {
   useLeaveWarning(uploads)
   if (uploads.length === 0) return null
   return (
-    <ul className={classes.uploads} aria-label="Uploads">
+    <ul className={`grid gap-1 ${classes.uploads}`} aria-label="Uploads">
       {uploads.map(({ id, file, state, sentBytes, reason }) => {
         const isGoing = state === 'sending' || state === 'waiting' || state === 'line_lost' || state === 'paused'
         return (

@@ -49,7 +49,7 @@ export function CarriedNotes({ carried, hand, cueId, projectId, areBlocking, onS
   ])
   return (
     <section className={classes.carried} aria-label="Carried over from earlier versions">
-      <p className={`row small ${classes.carriedHead}`}>
+      <p className="row small p-10px-inset">
         <span className="strong">Carried over from earlier versions</span>
         <span className="dim end nowrap">
           {done} of {carried.length} done
@@ -68,7 +68,7 @@ export function CarriedNotes({ carried, hand, cueId, projectId, areBlocking, onS
         ))}
       </ul>
       {next && (
-        <p className={`small dim ${classes.carriedHead}`}>
+        <p className="small dim p-10px-inset">
           {areBlocking ? 'A version is approved once all are done.' : 'Approving marks what is left as done.'}
         </p>
       )}
@@ -105,14 +105,14 @@ function Line({ carried, hand, isNext, onSpot, onSay }: LineProps) {
       <p className="small dim">
         {note.kind === 'change' ? 'requested a change' : note.decides ? 'approver' : 'advises'}, version {note.number}
       </p>
-      <p className={classes.carriedText}>{note.text}</p>
+      <p className="wrap-anywhere">{note.text}</p>
       {answer && (
         <p className={answer.is_done ? 'small tone-ok toned' : 'small mid'}>
           {answer.is_done && <Icon name="tick" size={14} />} {answer.is_done ? 'Done' : 'Still open'} in version{' '}
           {answer.number}, {answer.given_by.name}, {age(answer.created_at)}
         </p>
       )}
-      <p className={classes.carriedActs}>
+      <p className="flex gap-2 mt-6px">
         <Button
           className="small"
           keys={isNext ? 'Enter' : undefined}

@@ -29,15 +29,15 @@ export function Checklist({ checklist, hand, cueId, onClose }: ChecklistProps) {
   ])
   const done = checklist.items.filter(({ id }) => checks.has(id)).length
   return (
-    <section aria-label="Checklist" className={classes.checklist}>
-      <div className={classes.line}>
+    <section aria-label="Checklist" className="grid gap-6px">
+      <div className="flex wrap items-center gap-1-3">
         <p className="small">
           <span className="strong">Checklist</span>{' '}
           <span className="mid" role="status">
             {done} of {checklist.items.length} checked
           </span>
         </p>
-        <span className={classes.acts}>
+        <span className="flex gap-6px end">
           {next && (
             <Button keys="i" icon="tick" className="small" onClick={checkNext}>
               Check<span className="visually-hidden">: {next.text}</span>

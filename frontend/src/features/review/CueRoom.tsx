@@ -444,7 +444,7 @@ export function CueRoom(props: CueRoomProps) {
 
   return (
     <>
-      <section className={classes.stage} aria-label={cue.name}>
+      <section className={`flex flex-col ${classes.stage}`} aria-label={cue.name}>
         <CueHead review={review} waitingHere={waiting.length > 0} queued={props.waiting} onQueue={props.onQueue} />
         {cutting && CutForm && (
           <CutForm

@@ -34,7 +34,7 @@ export function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps
   }
   return (
     <form
-      className={classes.cut}
+      className="grid gap-2 border-t mt-3 pt-3"
       onSubmit={(event) => {
         event.preventDefault()
         submit()

@@ -47,7 +47,7 @@ export function Figures({ take }: { take: ReviewTake }) {
     }
   }
   return (
-    <dl className={`${classes.figures} small`}>
+    <dl className={`grid gap-2px ${classes.figures} small`}>
       {lines.map(([term, value]) => (
         <div key={term}>
           <dt className="dim">{term}</dt>

@@ -57,14 +57,14 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
   return (
     <form
       aria-label="Filter the queue"
-      className={classes.filters}
+      className={`grid grid-cols-2 gap-2 ${classes.filters}`}
       onSubmit={(event) => {
         event.preventDefault()
         change({ q: words.trim() })
       }}
     >
-      <p className={`small dim ${classes.words}`}>Urgent first, then by need, priority and age.</p>
-      <label className={classes.words}>
+      <p className={`small dim grid gap-2px ${classes.words}`}>Urgent first, then by need, priority and age.</p>
+      <label className={`grid gap-2px ${classes.words}`}>
         <span className="small mid">Words in name, description or use</span>
         <input
           ref={first}
@@ -88,11 +88,11 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
       {choice('kind', 'Waiting', KINDS)}
       {choice('version', 'Version', VERSIONS)}
       {choice('heard', 'Heard', HEARD)}
-      <label className={classes.words}>
+      <label className={`grid gap-2px ${classes.words}`}>
         <span className="small mid">Due by</span>
         <input type="date" value={filter.due ?? ''} onChange={(event) => change({ due: event.currentTarget.value })} />
       </label>
-      <p className={classes.acts}>
+      <p className="flex wrap gap-6px col-span-full">
         <Button type="submit" variant="primary">
           Find
         </Button>

@@ -50,8 +50,8 @@ export function QueuePanel(props: QueuePanelProps) {
     if (queue.hasMore && below < NEAR_PX) void queue.readOn()
   }
   return (
-    <aside className={classes.queue} aria-label="Queue" id="queue" data-opened={opened || undefined}>
-      <header className={classes.head}>
+    <aside className={`flex flex-col ${classes.queue}`} aria-label="Queue" id="queue" data-opened={opened || undefined}>
+      <header className={`row ${classes.head}`}>
         <h2 className="nowrap">{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
         <Button
@@ -102,7 +102,7 @@ export function QueuePanel(props: QueuePanelProps) {
           <Drafts projectId={projectId} mayApprove={mayApprove} onAsk={onOpen} />
         </section>
       )}
-      <footer className={classes.foot}>
+      <footer className={`grid gap-6px ${classes.foot}`}>
         <KeysLine
           keys={[
             { keys: ['j', 'k'], label: 'next, previous' },
@@ -138,7 +138,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
     <li className={classes.item}>
       <Link
         ref={ref}
-        className={classes.itemLink}
+        className={`grid items-baseline ${classes.itemLink}`}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
         search={filter}
@@ -161,12 +161,12 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
           <span className="small mid cut-text">{waits.before}</span>
         )}{' '}
         <span className="small dim mono num">{cue.label}</span>
-        {item.is_urgent && <span className={`small mid ${classes.silence}`}>{capital(whyUrgent(cue))}</span>}
+        {item.is_urgent && <span className="small mid col-span-full">{capital(whyUrgent(cue))}</span>}
         {item.open_notes > 0 && (
-          <span className={`small mid ${classes.silence}`}>{plural(item.open_notes, 'note')} still open</span>
+          <span className="small mid col-span-full">{plural(item.open_notes, 'note')} still open</span>
         )}
         {item.accepted_after && (current || isSoon(item.accepted_after)) && (
-          <span className={`small mid ${classes.silence}`}>
+          <span className="small mid col-span-full">
             {capital(deemedAcceptanceNotice(item.accepted_after, item.silence_paused_by))}
           </span>
         )}

@@ -81,7 +81,7 @@ export function ReasonsPage() {
       </div>
       <Refusal error={error} />
       {counts && (!isNothing || isFiltered) && (
-        <div className={classes.filters}>
+        <div className="flex wrap gap-3">
           {counts.designers.length > 0 && (
             <Select
               label="Sound designer"
@@ -150,7 +150,7 @@ function Counts({ kind, title, counts, search }: CountsProps) {
   return (
     <Card aria-labelledby={`reasons-${kind}`}>
       <CardHead id={`reasons-${kind}`} title={title} />
-      {counts.length === 0 && <p className={`small mid ${classes.nothing}`}>None yet</p>}
+      {counts.length === 0 && <p className="small mid p-10px-inset">None yet</p>}
       <ul>
         {counts.map(({ reason, versions }) => (
           <li key={reason}>
@@ -191,7 +191,7 @@ function Versions({ kind, reason, search }: VersionsProps) {
         end="newest first"
       />
       <Refusal error={error} />
-      {data?.length === 0 && <p className={`small mid ${classes.nothing}`}>No version here</p>}
+      {data?.length === 0 && <p className="small mid p-10px-inset">No version here</p>}
       <ul>
         {data?.map((found) => (
           <li key={found.verdict_id}>
@@ -200,7 +200,7 @@ function Versions({ kind, reason, search }: VersionsProps) {
         ))}
       </ul>
       {versions.hasNextPage && (
-        <p className={classes.nothing}>
+        <p className="p-10px-inset">
           <ShowMore list={versions}>More versions</ShowMore>
         </p>
       )}
@@ -214,7 +214,7 @@ function Version({ found }: { found: Found }) {
   return (
     <Link
       data-row
-      className={classes.version}
+      className={`flex-col wrap-anywhere ${classes.version}`}
       to="/takes/$takeId"
       params={{ takeId: found.take_id }}
       search={{ at: startS ?? undefined }}

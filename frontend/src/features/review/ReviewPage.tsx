@@ -156,7 +156,7 @@ export function ReviewPage(): ReactNode {
           startS={search.at}
         />
       ) : (
-        <section className={classes.stage}>
+        <section className={`flex flex-col ${classes.stage}`}>
           <h1 className="visually-hidden">Review</h1>
           <Refusal error={error} />
         </section>

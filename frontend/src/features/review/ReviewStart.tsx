@@ -46,7 +46,7 @@ export function ReviewStart(): ReactNode {
   if (!queue.isKnown) return <h1 className="visually-hidden">Review</h1>
   if (isFiltered(filter)) {
     return (
-      <div className={`page ${classes.nothing}`}>
+      <div className={`page grid gap-4 ${classes.nothing}`}>
         <EmptyState
           head="No cue that waits matches the filter"
           level={1}
@@ -62,7 +62,7 @@ export function ReviewStart(): ReactNode {
     )
   }
   return (
-    <div className={`page ${classes.nothing}`}>
+    <div className={`page grid gap-4 ${classes.nothing}`}>
       <EmptyState
         head="Nothing to review"
         level={1}

@@ -24,7 +24,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
   const odd = oddOne(takes)
   const here = new Set(takes.map(({ variation }) => variation)).size
   return (
-    <div className={classes.set}>
+    <div className={`grid gap-6px ${classes.set}`}>
       <p className="row between small">
         <span className="strong">
           {here} of {cue.variations} variations
@@ -46,7 +46,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
               {nameOf(take)}
               {index < 9 && <Key keys={String(index + 1)} />}
             </span>
-            <span className={classes.setWave}>
+            <span className="grid">
               <WaveThumb peaks={take.thumb} lit={take.id === handId} heightPx={24} />
             </span>
             <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
@@ -54,7 +54,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
               {take.label !== null && `${take.label}, `}
               <CueProgress take={take} odd={odd?.take.id === take.id} />
             </span>
-            <span className={`small ${classes.setPick}`}>
+            <span className={`small flex items-center gap-1 ${classes.setPick}`}>
               {picked.has(take.id) ? (
                 <>
                   <Icon name="tick" size={14} /> selected

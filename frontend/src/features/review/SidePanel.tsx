@@ -72,7 +72,7 @@ export function SidePanel(props: SidePanelProps) {
   }
 
   return (
-    <aside className={classes.side} aria-label="About this version">
+    <aside className={`flex flex-col ${classes.side}`} aria-label="About this version">
       <div role="tablist" aria-label="About this version" className={classes.tabs}>
         {tabs.map(({ id, label }) => (
           <button
@@ -224,7 +224,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <button
         type="button"
-        className={classes.saidHead}
+        className={`row ${classes.saidHead}`}
         aria-expanded={open}
         aria-label={['Comment', said.number, 'by', said.who, where].filter((word) => word != null).join(' ')}
         onClick={onOpen}
@@ -242,7 +242,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
       </p>
       {comment && <SeenLine comment={comment} myId={myId} onSeen={() => onMark(comment.id, 'acknowledgement')} />}
       {said.replies.length > 0 && (
-        <ul className={classes.replies} aria-label={`Replies to ${said.who}`}>
+        <ul className={`grid gap-6px ${classes.replies}`} aria-label={`Replies to ${said.who}`}>
           {said.replies.map((one) => (
             <li key={one.id}>
               <Person name={one.author.name} picture={one.author.picture} role={roleOf(one.author.id)} />{' '}
@@ -321,7 +321,7 @@ function Findings({ take, onSpot }: { take: ReviewTake; onSpot: (startS: number)
     return <p className={`${classes.quiet} mid`}>All checks passed.</p>
   }
   return (
-    <div className={classes.findings}>
+    <div className={`grid gap-3 ${classes.findings}`}>
       <p className="small">
         <Link className="link" to="/takes/$takeId" params={{ takeId: take.id }}>
           All measurements

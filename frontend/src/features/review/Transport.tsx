@@ -81,7 +81,7 @@ export function Transport({ player, playing, durationS, trouble, isSilent, onNex
           {trouble}
         </span>
       )}
-      <span className={classes.more}>
+      <span className="flex end">
         <LazyMenu
           button={
             <Button icon="more" aria-keyshortcuts=".">

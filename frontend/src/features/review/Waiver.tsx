@@ -34,7 +34,7 @@ export function Waiver({ take, cueId, projectId }: WaiverProps) {
   }
   return (
     <form
-      className={classes.waiver}
+      className={`grid gap-2 ${classes.waiver}`}
       onSubmit={(event) => {
         event.preventDefault()
         submit()

@@ -50,7 +50,7 @@ export function WaveStage(props: WaveStageProps) {
     [hidden, target, take],
   )
   return (
-    <div className={classes.waves}>
+    <div className={`flex flex-col gap-6px ${classes.waves}`}>
       <Waveform
         label={name}
         peaks={peaks}

@@ -5,7 +5,7 @@ import classes from './Shares.module.css'
 /** An address to send to guests. */
 export function CopyAddress({ url, title }: { url: string; title: string }) {
   return (
-    <div className={classes.address}>
+    <div className="flex gap-2">
       <input
         className={classes.url}
         readOnly

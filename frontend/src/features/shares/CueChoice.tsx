@@ -23,17 +23,17 @@ export function CueChoice({ projectId, filter, onFilter, problem }: CueChoicePro
   const found = chosenCues(cues ?? [], filter)
   const only = cues?.find(({ id }) => id === filter.cueId)
   return (
-    <fieldset className={classes.choice}>
+    <fieldset className={`grid gap-2 ${classes.choice}`}>
       <legend className="small mid">Cues</legend>
       {only ? (
-        <p className={classes.acts}>
+        <p className="row wrap">
           <span className="strong">{only.name}</span> <span className="small dim mono">{only.label}</span>
           <button type="button" className="link small" onClick={() => onFilter({ ...filter, cueId: '' })}>
             Choose others
           </button>
         </p>
       ) : (
-        <div className={classes.fields}>
+        <div className={`grid items-end gap-3 ${classes.fields}`}>
           <TextInput
             label="Name contains"
             value={filter.text}

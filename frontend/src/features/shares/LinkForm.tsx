@@ -131,7 +131,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
           </Select>
         )}
         {typed.kind === 'playlist' && against('playlist_id') && <ErrorBanner detail={against('playlist_id') ?? ''} />}
-        <div className={classes.fields}>
+        <div className={`grid items-end gap-3 ${classes.fields}`}>
           <TextInput
             label="Title for guests"
             placeholder={suggested}
@@ -178,7 +178,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
         {refusal && refusal.errors.length === 0 && (
           <ErrorBanner detail={sentence(refusal.detail)} fix={refusal.fix ? sentence(refusal.fix) : undefined} />
         )}
-        <div className={classes.acts}>
+        <div className="row wrap">
           <Button type="submit" variant="primary" aria-busy={add.isPending}>
             Make link
           </Button>

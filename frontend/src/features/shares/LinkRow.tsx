@@ -42,10 +42,10 @@ export function LinkRow({ projectId, link }: { projectId: string; link: GuestLin
   const revoke = useRevokeLink(projectId, link.id)
   return (
     <Row className={classes.link}>
-      <div className={classes.linkLine}>
+      <div className="flex wrap items-center gap-1-3">
         <button
           type="button"
-          className={classes.sound}
+          className={`flex items-center ${classes.sound}`}
           aria-expanded={opened}
           aria-controls={panelId}
           onClick={() => setOpened(!opened)}
@@ -58,7 +58,7 @@ export function LinkRow({ projectId, link }: { projectId: string; link: GuestLin
         <span className="small mid nowrap">
           {plural(link.openings, 'opening')}, {plural(link.plays, 'play')}
         </span>
-        <span className={classes.acts}>
+        <span className="row wrap">
           {link.is_own && link.state === 'open' && (
             <Button icon="copy" aria-busy={address.isPending} onClick={() => address.mutate()}>
               Show address
@@ -88,9 +88,9 @@ function Opened({ projectId, link }: { projectId: string; link: GuestLink }) {
   const change = useChangeLink(projectId, link.id)
   const until = link.expires_at === null ? '' : dayAfter(new Date(link.expires_at), 0)
   return (
-    <div className={classes.visits}>
+    <div className={`grid gap-2 ${classes.visits}`}>
       {link.state !== 'revoked' && (
-        <div className={classes.fields}>
+        <div className={`grid items-end gap-3 ${classes.fields}`}>
           <TextInput
             label="Opens until"
             type="date"

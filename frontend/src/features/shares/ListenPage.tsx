@@ -56,7 +56,7 @@ export function ListenPage(): ReactNode {
 function Gone({ problem }: { problem: ApiProblem | null }) {
   return (
     <Sheet>
-      <div className={classes.body}>
+      <div className="grid gap-3 p-3-inset-4">
         <h1 className="title">{problem?.detail ?? 'This page could not be loaded.'}</h1>
         {problem?.fix && <p className="mid">{sentence(problem.fix)}</p>}
       </div>
@@ -79,7 +79,7 @@ function Door({ secret, onOpened }: { secret: string; onOpened: (visit: string) 
   const needsPassword = door.data.needs_password
   return (
     <Sheet>
-      <div className={classes.body}>
+      <div className="grid gap-3 p-3-inset-4">
         <h1 className="title">Listen</h1>
         <p className="mid">The person who sent you this link sees the name that you type, and what you play.</p>
         <Form
@@ -160,8 +160,8 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
     { keys: 'k', label: 'Previous sound', group: GROUP, run: () => void play(at - 1), repeats: true },
   ])
   return (
-    <div className={`page ${classes.page} ${classes.narrow}`}>
-      <header className={classes.top}>
+    <div className={`page stack ${classes.page} ${classes.narrow}`}>
+      <header className="row wrap">
         <h1>{title}</h1>
         <span className="small dim">for {room.guest_name}</span>
       </header>
@@ -177,7 +177,7 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
             onSeek={(s) => player.seek(s)}
             disabled={playing.sourceId !== String(current.place)}
           />
-          <div className={classes.acts}>
+          <div className="row wrap">
             <Button
               square
               tall
@@ -216,7 +216,7 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
         <Rows aria-label="Sounds">
           {sounds.map((sound, index) => (
             <Row key={sound.place} selected={index === at}>
-              <button type="button" className={classes.sound} onClick={() => void play(index)}>
+              <button type="button" className={`flex items-center ${classes.sound}`} onClick={() => void play(index)}>
                 <span className="strong cut-text">{titleOf(sound)}</span>
               </button>
               <span className={classes.thumb}>
@@ -254,7 +254,7 @@ function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound
   }
   return (
     <form
-      className={classes.comment}
+      className="grid grid-cols-1 gap-3"
       onSubmit={(event) => {
         event.preventDefault()
         void send()
@@ -278,7 +278,7 @@ function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound
         onChange={(event) => setText(event.currentTarget.value)}
       />
       <Refusal error={problem} />
-      <div className={classes.acts}>
+      <div className="row wrap">
         <Button type="submit" icon="comment" aria-busy={busy}>
           Send comment
         </Button>

@@ -6,7 +6,6 @@ import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Row, Rows } from '@/ui/Rows'
 
 import type { Live } from './api'
-import classes from './Shares.module.css'
 import type { LiveHand } from './useLive'
 
 interface LivePanelProps {
@@ -44,7 +43,7 @@ export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
           )
         }
       />
-      <div className={classes.body}>
+      <div className="grid gap-3 p-3-inset-4">
         {!isIn && (
           <p className="mid">
             Everyone of the team who joins hears the same playhead. One person has control; nobody needs to share a
@@ -54,7 +53,7 @@ export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
         {problem !== '' && <ErrorBanner detail={problem} />}
         {isIn && live?.is_elsewhere && <Elsewhere live={live} hand={hand} meId={meId} />}
         {isIn && !live?.is_elsewhere && (
-          <p role="status" className={classes.keys}>
+          <p role="status" className="row wrap">
             {live?.holder ? (
               <>
                 <Icon name="headphones" />
@@ -100,7 +99,7 @@ export function LivePanel({ hand, meId, onJoin }: LivePanelProps) {
 function Elsewhere({ live, hand, meId }: { live: Live; hand: LiveHand; meId: string | undefined }) {
   const mayTake = live.holder === null || live.holder.id === meId
   return (
-    <p role="status" className={classes.keys}>
+    <p role="status" className="row wrap">
       <Icon name="headphones" />
       {live.holder?.id === meId
         ? 'You have control in another tab, which plays the session. This tab is silent.'

@@ -140,13 +140,13 @@ function Room({ playlist }: { playlist: Playlist }) {
   useEffect(() => () => keep(), [])
 
   return (
-    <div className={`page ${classes.page}`}>
-      <header className={classes.top}>
+    <div className={`page stack ${classes.page}`}>
+      <header className="row wrap">
         <h1>{playlist.name}</h1>
         <Count of={takes.length} />
         <span className="small dim">by {playlist.made_by.name}</span>
         {unheard.length > 0 && <span className="small mid num">{unheard.length} not heard yet</span>}
-        <span className={`end ${classes.acts}`}>
+        <span className="end row wrap">
           {mayChange && (
             <Link className="link" to="/projects/$projectId/sharing" params={{ projectId }} search={{ playlist: id }}>
               Share with guests
@@ -172,7 +172,7 @@ function Room({ playlist }: { playlist: Playlist }) {
       <Refusal error={change.error} />
       {current && (
         <section aria-label="Now" className={classes.now}>
-          <p className={classes.nowHead}>
+          <p className="row wrap min-w-0">
             <span className="title cut-text">{titleOf(current)}</span>{' '}
             <span className="small dim mono">{current.cue_label}</span>{' '}
             {current.label !== null && <span className="small">{current.label}</span>}
@@ -185,7 +185,7 @@ function Room({ playlist }: { playlist: Playlist }) {
             disabled={follows}
           />
           {playing.error && <ErrorBanner detail={playing.error} />}
-          <div className={classes.acts}>
+          <div className="row wrap">
             <Button
               square
               icon="back"
@@ -236,7 +236,7 @@ function Room({ playlist }: { playlist: Playlist }) {
           />
         </section>
       )}
-      <div className={classes.two}>
+      <div className={`grid items-start gap-4 ${classes.two}`}>
         <section aria-label="Sounds" className={classes.list}>
           <Rows aria-label={`${plural(takes.length, 'sound')} in order`}>
             {takes.map((take, at) => (
@@ -258,7 +258,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                 <span className={`small dim num ${classes.place}`}>{at + 1}</span>
                 <button
                   type="button"
-                  className={`${classes.sound} ${classes.entry}`}
+                  className={`flex items-center ${classes.sound} ${classes.entry}`}
                   onClick={() => void open(take.take_id)}
                   disabled={follows}
                 >
@@ -272,7 +272,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                 </span>
                 <span className="small mid num nowrap">{take.duration_s === null ? '' : length(take.duration_s)}</span>
                 {mayChange && (
-                  <span className={classes.moves}>
+                  <span className="flex">
                     <Button
                       variant="quiet"
                       square

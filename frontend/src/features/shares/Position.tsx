@@ -20,7 +20,7 @@ export function Position({ player, durationS, thumb, onSeek, disabled = false }:
   const step = useSyncExternalStore(player.subscribe, () => Math.round(player.positionS() * STEPS_A_SECOND))
   const atS = Math.min(durationS, step / STEPS_A_SECOND)
   return (
-    <div className={classes.position}>
+    <div className="grid gap-1">
       <div className={classes.shape}>
         <WaveThumb peaks={thumb} heightPx={72} />
         <span

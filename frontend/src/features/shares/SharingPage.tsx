@@ -30,8 +30,8 @@ export function SharingPage(): ReactNode {
   const toggle = (kind: 'link' | 'playlist') => setForm(form === kind ? null : kind)
   useTitle('Sharing')
   return (
-    <div className={`page ${classes.page}`}>
-      <header className={classes.top}>
+    <div className={`page stack ${classes.page}`}>
+      <header className="row wrap">
         <h1>Sharing</h1>
         {mayShare && (
           <div className="row wrap">
@@ -44,7 +44,7 @@ export function SharingPage(): ReactNode {
           </div>
         )}
       </header>
-      <div className={classes.two}>
+      <div className={`grid items-start gap-4 ${classes.two}`}>
         <div className={classes.stack}>
           {mayShare && form === 'link' && (
             <LinkForm key={`${cue} ${playlist}`} projectId={projectId} cueId={cue} playlistId={playlist} />
@@ -67,7 +67,7 @@ function Links({ projectId }: { projectId: string }) {
       <CardHead id="links" title="Guest links" count={links.data?.length} />
       <Refusal error={links.error} />
       {links.data?.length === 0 && (
-        <p className={`mid ${classes.body}`}>
+        <p className="mid grid gap-3 p-3-inset-4">
           No links yet. A link lets a publisher, a composer or a friend hear sounds without an account.
         </p>
       )}
@@ -88,7 +88,7 @@ function Playlists({ projectId }: { projectId: string }) {
       <CardHead id="playlists" title="Playlists" count={playlists?.length} />
       <Refusal error={error} />
       {playlists?.length === 0 && (
-        <p className={`mid ${classes.body}`}>
+        <p className="mid grid gap-3 p-3-inset-4">
           No playlists yet. A playlist plays sounds one after another, alone or together with others of the team.
         </p>
       )}
@@ -148,7 +148,7 @@ function NewPlaylist({ projectId }: { projectId: string }) {
         <CueChoice projectId={projectId} filter={typed.filter} onFilter={(filter) => setTyped({ ...typed, filter })} />
         <DraftNote draft={draft} />
         <Refusal error={add.error} />
-        <div className={classes.acts}>
+        <div className="row wrap">
           <Button type="submit" aria-busy={add.isPending}>
             Make playlist
           </Button>

@@ -21,7 +21,6 @@ import { ErrorBanner } from '@/ui/ErrorBanner'
 import { State, type StateKind } from '@/ui/State'
 
 import type { PlaylistTake } from './api'
-import classes from './Shares.module.css'
 
 interface VerdictOfTakeProps {
   projectId: string
@@ -100,7 +99,7 @@ export function VerdictOfTake({
     onJudged()
   }
   return (
-    <div className={classes.verdict}>
+    <div className="grid grid-cols-1 gap-3">
       {judge.refusal && (
         <ErrorBanner detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
       )}
@@ -152,7 +151,7 @@ export function VerdictOfTake({
           />
         </p>
       )}
-      <div className={classes.acts}>
+      <div className="row wrap">
         <State kind={STATES[judged?.state ?? take.state]} />
         {mayApprove && canChange && (
           <HotkeyButton

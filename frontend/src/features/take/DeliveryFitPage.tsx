@@ -72,7 +72,7 @@ function Shifts({ fit }: { fit: DeliveryFit }) {
   return (
     <Card aria-labelledby="shifts">
       <CardHead id="shifts" title="Overall" note="its median sound against the approved sounds" />
-      <div className={classes.inside}>
+      <div className="grid gap-3 p-3-inset-14px">
         <Table
           label="The delivery overall"
           rows={fit.shifts}

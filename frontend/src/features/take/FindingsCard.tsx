@@ -42,7 +42,7 @@ export function FindingsCard({ take, check, findings, openAt, onSpot }: Findings
         }
       />
       {findings.length === 0 && (
-        <p className={`mid ${classes.inside}`}>
+        <p className="mid p-3-inset-14px">
           {check === undefined || take.state === 'received'
             ? 'Being checked…'
             : check === null
@@ -89,7 +89,7 @@ function Line({ finding, onSpot }: { finding: Found; onSpot: () => void }) {
       {finding.waived && 'Waived by the approver. '}
       {rest}{' '}
       {finding.auto_fix && (
-        <span className={classes.fixes}>
+        <span className={`inline-flex items-baseline gap-1 ${classes.fixes}`}>
           <Icon name="spanner" size={14} /> A fix {finding.auto_fix}.
         </span>
       )}

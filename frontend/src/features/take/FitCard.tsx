@@ -4,7 +4,6 @@ import { Link } from '@tanstack/react-router'
 import { Card, CardHead } from '@/ui/Card'
 
 import { fitQuery, type Take } from './api'
-import classes from './Fit.module.css'
 import { FitPicture } from './FitPicture'
 
 /** How a version lies among the approved sounds of its category, or of the palette; for the team. */
@@ -18,7 +17,7 @@ export function FitCard({ take }: { take: Take }) {
   return (
     <Card aria-labelledby="fit">
       <CardHead id="fit" title="Match with the palette" end={fit.basis ? beside : undefined} />
-      <div className={classes.inside}>
+      <div className="grid gap-3 p-3-inset-14px">
         <p>
           {fit.says}
           {fit.is_apart && ' That may be intended. Trust your ears.'}

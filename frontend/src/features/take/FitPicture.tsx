@@ -12,12 +12,12 @@ const EDGE = 2
 export function FitPicture({ fit }: { fit: TakeFit }) {
   return (
     <>
-      <div className={classes.strips}>
+      <div className="grid gap-3">
         {fit.measures.map((measure) => (
           <Strip key={measure.measure} fit={measure} />
         ))}
       </div>
-      <p className={`small mid ${classes.legend}`} aria-hidden="true">
+      <p className={`small mid flex wrap gap-1-4 ${classes.legend}`} aria-hidden="true">
         <span data-mark="own">this sound</span>
         <span data-mark="palette">palette</span>
         <span data-mark="other">other approved sounds</span>
@@ -72,7 +72,7 @@ function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
   return (
     <details>
       <summary className={`small ${classes.more}`}>All figures by sound</summary>
-      <div className={classes.scroll}>
+      <div className="overflow-x-auto">
         <table className={`small ${classes.table}`} aria-label="This sound and the sounds it is compared with">
           <thead>
             <tr>

@@ -32,7 +32,7 @@ export function LabelLine({ take }: { take: Take }) {
     )
   }
   return (
-    <form className={classes.label} onSubmit={onSubmit} aria-label="Label">
+    <form className="row wrap mt-2" onSubmit={onSubmit} aria-label="Label">
       <label className="small strong" htmlFor={`${listId}-field`}>
         Label
       </label>

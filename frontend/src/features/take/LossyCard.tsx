@@ -22,8 +22,8 @@ export function LossyCard({ check }: { check: Check | null | undefined }) {
   return (
     <Card aria-labelledby="lossy">
       <CardHead id="lossy" title="Was it converted from a lossy file?" end={`${judged.verdict}${sure}`} />
-      <div className={`${classes.inside} ${classes.proofs}`}>
-        <figure className={classes.bands}>
+      <div className="grid gap-3 p-3-inset-14px">
+        <figure className="grid gap-2px">
           <FramesPlot frames={frames} />
           <figcaption className="small mid">
             How many spectral lines of {frames.codec} are empty, for each possible frame position.{' '}
@@ -33,7 +33,7 @@ export function LossyCard({ check }: { check: Check | null | undefined }) {
           </figcaption>
         </figure>
         {spectrum && lowPassHz !== null && (
-          <figure className={classes.bands}>
+          <figure className="grid gap-2px">
             <SpectrumPlot spectrum={spectrum} edgeHz={lowPassHz} end={end} />
             <figcaption className="small mid">
               {end} Codecs cut off like this, but so do resamplers and filters; this alone proves nothing.

@@ -30,7 +30,7 @@ export function MasterCard({ take, closed }: MasterCardProps) {
   return (
     <Card aria-labelledby="master">
       <CardHead id="master" title="Master" end={bytes(take.master_bytes)} />
-      <div className={`stack ${classes.inside}`}>
+      <div className="stack p-3-inset-14px">
         {closed === null ? (
           <Downloads take={take} />
         ) : (

@@ -31,8 +31,8 @@ export function ReverbCard({ take, check, isMaker }: ReverbCardProps) {
   return (
     <Card aria-labelledby="reverb">
       <CardHead id="reverb" title="Reverb?" end={answer(evidence)} />
-      <div className={classes.inside}>
-        <figure className={classes.bands}>
+      <div className="p-3-inset-14px">
+        <figure className="grid gap-2px">
           <DecayPlot evidence={evidence} />
           <figcaption className="small mid">
             Energy decay per octave after the last loud moment. In a room all octaves decay evenly, in straight lines;
@@ -126,7 +126,7 @@ function BesideBefore({ before }: { before: ReverbBefore }) {
           ` The added tail is ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s.`}
       </p>
       {verdict !== 'undecided' && slower.length > 0 && (
-        <ul aria-label={`Tails compared with version ${number}`} className={classes.tails}>
+        <ul aria-label={`Tails compared with version ${number}`} className={`flex wrap ${classes.tails}`}>
           {slower.map(({ hz, byS }) => (
             <li key={hz}>
               {octave(hz)}: {figure(Math.abs(byS), 2)} s {byS > 0 ? 'slower' : 'faster'}

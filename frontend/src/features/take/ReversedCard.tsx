@@ -18,7 +18,7 @@ export function ReversedCard({ check }: { check: Check | null | undefined }) {
         title="Reversed?"
         end={`${judged.verdict}${judged.score === null ? '' : `, score ${score(judged.score)}`}`}
       />
-      <div className={classes.inside}>
+      <div className="p-3-inset-14px">
         <p className="small mid">
           The fastest rise and fall of each octave. Hits, shots and speech rise faster than they fall; reversed, they
           fall faster. <span className="nowrap">Press v to play it in reverse.</span>

@@ -25,7 +25,7 @@ export function FiguresCard({ check, findings }: { check: Check | null | undefin
   return (
     <Card aria-labelledby="figures">
       <CardHead id="figures" title="Measurements" end={`audio-checks ${check.tool_version}`} />
-      <div className={classes.figures}>
+      <div className="grid gap-14px p-3-inset-14px">
         {groups.length === 0 && <p className="mid">No measurements: the file could not be read.</p>}
         {groups.map(({ title, lines }) => (
           <Lines key={title} title={title} lines={lines} found={found} />
@@ -140,7 +140,7 @@ export function HistoryCard({ takeId }: { takeId: string }) {
               </time>
             </p>
             {historyText(entry) && (
-              <p className={`small mid ${classes.entryText}`}>
+              <p className="small mid wrap-anywhere">
                 {entry.start_s !== null && <span className="mono dim">{spot(entry.start_s, entry.end_s)} </span>}
                 {historyText(entry)}
               </p>

@@ -82,7 +82,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
           )
         }
       />
-      <div className={classes.sound}>
+      <div className="grid gap-2 p-3-inset-14px">
         {durationS === null ? (
           <p className="mid">
             {sounds === undefined || sounds.master.state === 'drawing'
@@ -116,7 +116,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
           <ErrorBanner detail="Sound could not be played." fix="Check your connection and try again." />
         )}
         {url !== null && (
-          <div className={classes.transport}>
+          <div className={`flex wrap gap-2 ${classes.transport}`}>
             <HotkeyButton
               variant="primary"
               icon={isPlaying ? 'pause' : 'play'}

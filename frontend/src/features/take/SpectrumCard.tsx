@@ -4,7 +4,6 @@ import { Card, CardHead } from '@/ui/Card'
 
 import { bandsQuery, type Check } from './api'
 import { BandPlot } from './BandPlot'
-import classes from './Take.module.css'
 
 /** The spectrum of the whole sound, with the mark of where it ends; nothing where an earlier version drew the sound. */
 export function SpectrumCard({ peaksUrl, check }: { peaksUrl: string | null; check: Check | null | undefined }) {
@@ -15,7 +14,7 @@ export function SpectrumCard({ peaksUrl, check }: { peaksUrl: string | null; che
   return (
     <Card aria-labelledby="spectrum">
       <CardHead id="spectrum" title="Spectrum of the whole sound" />
-      <div className={classes.inside}>
+      <div className="p-3-inset-14px">
         <BandPlot
           bands={bands}
           toHz={typeof rateHz === 'number' ? rateHz / 2 : (bands.hz.at(-1) ?? 20_000)}

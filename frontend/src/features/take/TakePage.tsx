@@ -170,7 +170,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
     <div className="page">
       <Head take={take} check={check} isTeam={project?.part === 'team'} fix={fixing} />
       {children}
-      <div className={`columns ${classes.columns}`}>
+      <div className="columns side-356">
         <div className="stack">
           <SoundCard
             take={take}
@@ -211,7 +211,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           <MasterCard take={take} closed={sounds?.closed ?? null} />
           <Card aria-labelledby="sources">
             <CardHead id="sources" title="Sources" />
-            <div className={classes.inside}>
+            <div className="p-3-inset-14px">
               <TakeSourcesPart takeId={take.id} mayState={isMaker} />
             </div>
           </Card>
@@ -253,7 +253,7 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
   return (
     <header className={classes.head}>
       <div>
-        <div className={classes.names}>
+        <div className={`flex wrap items-center ${classes.names}`}>
           <h1>{cue?.name ?? take.file_name}</h1>
           <State kind={state === 'received' ? 'checking' : state} pill />
           {waiver && <State kind="waived" reason={waiver.reason} />}
@@ -292,7 +292,7 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
         )}
         {take.note && <p className="mid">“{take.note}”</p>}
         {cue && <LabelLine take={take} />}
-        <p className={classes.ways}>
+        <p className={`flex wrap ${classes.ways}`}>
           {cue && (
             <Link
               className="link"

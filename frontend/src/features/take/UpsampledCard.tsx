@@ -4,7 +4,6 @@ import { figure, rate, score } from '@/ui/format'
 import type { Check } from './api'
 import { judgedOf, numberOf } from './judged'
 import { meanSpectrumOf, SpectrumPlot } from './SpectrumPlot'
-import classes from './Take.module.css'
 
 /** Where the spectrum ends, and how steeply: what the judgement of a lower rate goes by. */
 export function UpsampledCard({ check }: { check: Check | null | undefined }) {
@@ -22,8 +21,8 @@ export function UpsampledCard({ check }: { check: Check | null | undefined }) {
   return (
     <Card aria-labelledby="upsampled">
       <CardHead id="upsampled" title="Upsampled?" end={`${judged.verdict}${sure}`} />
-      <div className={classes.inside}>
-        <figure className={classes.bands}>
+      <div className="p-3-inset-14px">
+        <figure className="grid gap-2px">
           <SpectrumPlot spectrum={spectrum} edgeHz={edgeHz} end={end} />
           <figcaption className="small mid">
             {end}{' '}

@@ -136,7 +136,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         </div>
         <p className="dim small nowrap wide-only mono">{cue.label}</p>
       </div>
-      <div className={classes.wave}>
+      <div className="mt-3">
         <Waveform
           label={`${cue.name}, ${name}`}
           peaks={peaks}
@@ -147,7 +147,11 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         />
       </div>
       {takes.length > 1 && (
-        <div className={classes.alts} role="radiogroup" aria-label={isSet ? 'Variations' : 'Alternates'}>
+        <div
+          className={`grid gap-2 ${classes.alts}`}
+          role="radiogroup"
+          aria-label={isSet ? 'Variations' : 'Alternates'}
+        >
           {takes.map((take) => (
             <TakeCard
               key={take.id}
@@ -175,7 +179,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
           </Link>
         </p>
       )}
-      <div className={classes.acts}>
+      <div className={`row wrap ${classes.acts}`}>
         <HotkeyButton
           keys="Space"
           keyLabel="Play, pause"
@@ -241,7 +245,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
             Open to comment
           </Button>
         )}
-        <span className={`small dim wide-only end ${classes.says}`}>
+        <span className="small dim wide-only end num">
           {mayApprove ? levelsWords(takes, gains) : 'The approver decides. You can comment.'}
         </span>
       </div>
@@ -261,7 +265,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         <ErrorBanner detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
       )}
       {picking && mayApprove && blocked === '' && (
-        <div className={classes.change}>
+        <div className="border-t mt-4 pt-3">
           <ReasonRow
             reasons={reasons.pick}
             title={`Approve ${whole ? `the set of ${cue.variations}` : `${cue.name} ${name}`} because`}
@@ -271,7 +275,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         </div>
       )}
       {changing && (
-        <div className={classes.change}>
+        <div className="border-t mt-4 pt-3">
           <ChangeForm
             takeId={hand.id}
             what={`${cue.name} ${name}`}

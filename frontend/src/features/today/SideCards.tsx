@@ -35,13 +35,13 @@ export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps)
         count={waiting.length > SHOWN ? waiting.length : undefined}
         end="no action needed"
       />
-      {waiting.length + others.length === 0 && <p className={`${classes.quiet} mid`}>Nothing is with a designer.</p>}
+      {waiting.length + others.length === 0 && <p className="p-10px-inset mid">Nothing is with a designer.</p>}
       <Rows>
         <AwaitedRows awaited={others} projectId={projectId} />
         {shown.map((one) => (
           <Row key={`${one.file_name} ${one.since}`}>
             <span className="grow">
-              <span className={`cut-text ${classes.block}`}>{one.cue?.name ?? one.file_name}</span>
+              <span className="cut-text block">{one.cue?.name ?? one.file_name}</span>
               <span className="row small">
                 <Person name={one.who} picture={one.picture} role={roleOf(one.person_id)} />
                 <span className="dim nowrap">{age(one.since)}</span>
@@ -52,7 +52,7 @@ export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps)
         ))}
       </Rows>
       {waiting.length > shown.length && (
-        <p className={`${classes.quiet} small dim`}>and {waiting.length - shown.length} more</p>
+        <p className="p-10px-inset small dim">and {waiting.length - shown.length} more</p>
       )}
     </Card>
   )
@@ -61,8 +61,8 @@ export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps)
 function Whose({ name, who, since }: { name: string; who: string; since: string }) {
   return (
     <span className="grow">
-      <span className={`cut-text ${classes.block}`}>{name}</span>
-      <span className={`small dim cut-text ${classes.block}`}>
+      <span className="cut-text block">{name}</span>
+      <span className="small dim cut-text block">
         {who}, {age(since)}
       </span>
     </span>

@@ -76,7 +76,7 @@ export function TodayPage(): ReactNode {
 
   const steps = next.data ? stepsToName(next.data).filter(({ kind }) => kind !== 'answer_questions') : []
   const sums = money.data?.totals.map(({ currency, figures }) => (
-    <div key={currency} className={classes.money}>
+    <div key={currency} className="col-span-full">
       <MoneyLine
         currency={currency}
         figures={figures}
@@ -127,8 +127,8 @@ export function TodayPage(): ReactNode {
         />
       )}
       {settled && (
-        <div className={classes.today}>
-          <div className={classes.main}>
+        <div className={`grid items-start gap-4 ${classes.today}`}>
+          <div className="stack">
             <NextCard steps={steps} projectId={projectId} />
             {isRunning && sums}
             {first && (
@@ -182,7 +182,7 @@ export function TodayPage(): ReactNode {
             )}
           </div>
           {side && (
-            <aside className={classes.side} aria-label="Also here">
+            <aside className="stack" aria-label="Also here">
               {drafts > 0 && (
                 <Card aria-labelledby="drafts">
                   <CardHead id="drafts" title="Changes to send" count={drafts} end="sent together; one round per cue" />

@@ -88,7 +88,7 @@ function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: 
     <li>
       <Link
         data-stop
-        className={classes.line}
+        className={`grid items-center gap-3 ${classes.line}`}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
       >
@@ -136,7 +136,7 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
       <button
         type="button"
         data-stop
-        className={classes.line}
+        className={`grid items-center gap-3 ${classes.line}`}
         aria-expanded={open}
         aria-controls={placeId}
         onClick={() => setOpen(!open)}
@@ -185,7 +185,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
   }
   return (
     <form
-      className={classes.answer}
+      className={`grid gap-2 ${classes.answer}`}
       onSubmit={(event) => {
         event.preventDefault()
         send()
@@ -195,7 +195,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
         <Person name={question.asked_by.name} picture={question.asked_by.picture} role={roleOf(question.asked_by.id)} />{' '}
         asks. The answer is added to the description of {question.cue.name}.
       </p>
-      <div className={classes.answerLine}>
+      <div className="flex gap-2">
         <input
           // The line was opened to be written in.
           // eslint-disable-next-line jsx-a11y/no-autofocus

@@ -59,7 +59,7 @@ export function AddRelease({ projectId, performers, uploads }: AddReleaseProps) 
   })
   return (
     <form
-      className={classes.casting}
+      className={`grid items-end gap-2-3 ${classes.casting}`}
       noValidate
       aria-label="Add a release"
       onSubmit={(event) => {
@@ -115,7 +115,7 @@ function Uploading({ uploads: { queue } }: { uploads: ReleaseUploads }) {
   return (
     <ul className={classes.uploads} aria-label="Uploads">
       {uploads.map(({ id, file, state, sentBytes, reason }) => (
-        <li key={id} className={classes.release}>
+        <li key={id} className="flex wrap items-center gap-1-3 wrap-anywhere">
           <span className="mono">{file.name}</span>
           {['sending', 'waiting', 'paused', 'line_lost'].includes(state) ? (
             <Meter thin label={file.name} whole={Math.max(1, file.size)} parts={[{ value: sentBytes }]} />

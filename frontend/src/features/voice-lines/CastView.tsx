@@ -43,7 +43,7 @@ export function CastView({ projectId, script }: { projectId: string; script: Scr
     <>
       <Card aria-labelledby="cast">
         <CardHead id="cast" title="Cast" note="Each language has its own performer and director" />
-        <ul className={classes.cast}>
+        <ul className="grid gap-3 p-3-inset-4">
           {script.characters.map((character) => (
             <CharacterCast key={character.id} projectId={projectId} script={script} character={character} />
           ))}
@@ -51,7 +51,7 @@ export function CastView({ projectId, script }: { projectId: string; script: Scr
       </Card>
       <Card aria-labelledby="releases">
         <CardHead id="releases" title="Releases" count={found?.performers.flatMap((one) => one.releases).length} />
-        <div className={classes.releases}>
+        <div className="grid gap-3 p-3-inset-4">
           <Refusal error={releases.error ?? remove.error} />
           {found && found.lines_without_performer > 0 && (
             <p className="tone-warn toned">
@@ -91,7 +91,7 @@ function PerformerLine({
   onRemove: ((id: string) => void) | undefined
 }) {
   return (
-    <li className={classes.performer}>
+    <li className={`grid gap-1 ${classes.performer}`}>
       <p>
         <span className="strong">{performer.name}</span>{' '}
         <span className="small dim">
@@ -102,7 +102,7 @@ function PerformerLine({
       {performer.warning && <p className="small tone-warn toned">{performer.warning}</p>}
       <ul>
         {performer.releases.map((one) => (
-          <li key={one.id} className={classes.release}>
+          <li key={one.id} className="flex wrap items-center gap-1-3 wrap-anywhere">
             <a className="link" href={`/v1/voice-releases/${one.id}/file`}>
               {one.file_name}
             </a>
@@ -128,7 +128,7 @@ function PerformerLine({
 
 function CharacterCast({ projectId, script, character }: { projectId: string; script: Script; character: Character }) {
   return (
-    <li className={classes.character}>
+    <li className={`grid gap-2 ${classes.character}`}>
       <h3>
         {character.name} <span className="small dim">{plural(character.lines, 'line')}</span>
       </h3>
@@ -196,7 +196,7 @@ function EditCasting({ projectId, character, language, casting }: EditCastingPro
   }
   return (
     <form
-      className={classes.casting}
+      className={`grid items-end gap-2-3 ${classes.casting}`}
       noValidate
       aria-label={`${character.name}, ${languageName(language)}`}
       onSubmit={save}
@@ -224,7 +224,7 @@ function Settings({ projectId, script }: { projectId: string; script: Script }) 
     <Card aria-labelledby="voice-settings">
       <CardHead id="voice-settings" title="Settings" />
       <form
-        className={classes.casting}
+        className={`grid items-end gap-2-3 ${classes.casting}`}
         noValidate
         onSubmit={(event) => {
           event.preventDefault()

@@ -31,7 +31,7 @@ export function LineDialog({ projectId, line, mayChange, onClose }: LineDialogPr
     >
       {line && (
         <div className={classes.detail}>
-          <p className={classes.facts}>
+          <p className="flex wrap items-center gap-2-3">
             <LineState state={line.state} />
             <span className="small dim">
               {languageName(line.language)}

@@ -76,7 +76,7 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
         <EmptyState head="No matching lines">Choose another state or character, or clear the search.</EmptyState>
       )}
       {scenesOf(lines).map(({ scene, first, lines: own }) => (
-        <section key={first} aria-label={scene || 'Without a scene'} className={classes.scene}>
+        <section key={first} aria-label={scene || 'Without a scene'} className={`grid gap-2 ${classes.scene}`}>
           <h2>{scene || 'Without a scene'}</h2>
           <ul>
             {own.map((line) => (

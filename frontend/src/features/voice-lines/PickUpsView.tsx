@@ -42,7 +42,7 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
         </Button>
       </div>
       {partsOf(found.data?.lines ?? []).map(({ key, language, name, performer, directedBy, lines }) => (
-        <section key={key} className={classes.scene} aria-label={`${name}, ${languageName(language)}`}>
+        <section key={key} className={`grid gap-2 ${classes.scene}`} aria-label={`${name}, ${languageName(language)}`}>
           <header className={classes.partHead}>
             <h2>{name}</h2>
             <span className="small dim">

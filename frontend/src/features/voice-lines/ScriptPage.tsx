@@ -134,8 +134,8 @@ export function ScriptPage(): ReactNode {
       },
     })
   return (
-    <div className={`page ${classes.page}`}>
-      <header className={classes.top}>
+    <div className={`page stack ${classes.page}`}>
+      <header className="flex wrap items-center gap-2-3">
         <h1>Import a script</h1>
         <span className="end">
           <ButtonLink component={Link} to={`/projects/${projectId}/voice-lines`} keys="Escape">
@@ -147,7 +147,7 @@ export function ScriptPage(): ReactNode {
         <CardHead id="script" title="Script" note="CSV, XLSX, rows copied from a spreadsheet, or plain text" />
         <div className={classes.form}>
           {file ? (
-            <p className={classes.facts}>
+            <p className="flex wrap items-center gap-2-3">
               <span className="mono">{file.name}</span>
               <Button onClick={() => setFile(null)}>Remove file</Button>
             </p>
@@ -303,7 +303,7 @@ function Columns({ read, onMap }: { read: ScriptRead; onMap: (name: string, mean
   return (
     <Card aria-labelledby="columns">
       <CardHead id="columns" title="Columns" count={read.columns.length} />
-      <ul className={classes.columns}>
+      <ul className={`grid gap-3 ${classes.columns}`}>
         {read.columns.map(({ name, meaning, samples }) => (
           <li key={name}>
             <Select label={name} value={meaning} onChange={(event) => onMap(name, event.currentTarget.value)}>

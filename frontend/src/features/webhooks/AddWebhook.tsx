@@ -43,11 +43,11 @@ export function AddWebhook({ studioId, projects, mayBeLocalhost }: AddWebhookPro
     <Card aria-labelledby="add-webhook">
       <CardHead id="add-webhook" title="Add an address" />
       {add.data ? (
-        <div className={classes.inside}>
+        <div className="grid gap-3 p-3-inset-4">
           <SecretNote webhook={add.data} onDone={() => add.reset()} />
         </div>
       ) : (
-        <form className={classes.inside} aria-label="Add an address" onSubmit={send} noValidate>
+        <form className="grid gap-3 p-3-inset-4" aria-label="Add an address" onSubmit={send} noValidate>
           <TextInput
             label="Address"
             type="url"

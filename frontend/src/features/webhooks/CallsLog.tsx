@@ -20,7 +20,7 @@ export function CallsLog({ webhook }: { webhook: Webhook }) {
         <Refusal key={at} error={error} />
       ))}
       {data?.length === 0 && <p className="small mid">Nothing was sent yet.</p>}
-      <ul className={classes.calls}>
+      <ul className="grid gap-1">
         {data?.map((call) => (
           <li key={call.id}>
             <OneCall call={call} mayReplay={webhook.disabled_at === null} onReplay={() => replay.mutate(call)} />
@@ -45,7 +45,7 @@ function OneCall({ call, mayReplay, onReplay }: { call: Call; mayReplay: boolean
         </time>{' '}
         {problem && <span className="mid">{problem}</span>}
       </summary>
-      <div className={classes.call}>
+      <div className={`grid gap-2 ${classes.call}`}>
         <p className="small mid">
           {isTried ? `${plural(tries, 'attempt')}, the last took ${tookMs ?? 0} ms` : 'Not sent yet'}
           {status !== null && `, answered ${status}`}

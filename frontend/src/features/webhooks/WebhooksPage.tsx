@@ -99,7 +99,7 @@ function WebhookRow({ webhook }: { webhook: Webhook }) {
         {disabled && <span className="small strong end">{`Disabled ${ago(disabled)}`}</span>}
         {!disabled && failing && <span className="small end">{`Failing since ${ago(failing)}`}</span>}
       </p>
-      <p className={`small mid ${classes.url}`}>{url}</p>
+      <p className="small mid wrap-anywhere">{url}</p>
       <p className="small mid">
         {chosen.length === EVENTS.length
           ? 'Every event'

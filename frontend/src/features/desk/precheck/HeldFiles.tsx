@@ -66,8 +66,8 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
     })
   }
   return (
-    <section ref={region} className={classes.held} aria-label="Check before the upload">
-      <div className={classes.bar}>
+    <section ref={region} className="grid gap-2 border-b p-3-inset" aria-label="Check before the upload">
+      <div className={`row wrap ${classes.bar}`}>
         {wrong > 0 && <State kind="returned">{plural(wrong, 'file')} would come back</State>}
         {fixable.length > 0 && <State kind="fixable">{plural(fixable.length, 'file')} fixable after the upload</State>}
         {unnamed > 0 && <State kind="unmatched">{plural(unnamed, 'file')} without a cue</State>}
@@ -129,7 +129,7 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
         </p>
       )}
       {held.length > 0 && (
-        <ul aria-label="Files that wait for your decision" className={classes.files}>
+        <ul aria-label="Files that wait for your decision" className="grid">
           {held.slice(0, shown).map((file) => (
             <HeldRow
               key={file.id}
@@ -144,7 +144,7 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
         </ul>
       )}
       {held.length > shown && (
-        <div className={classes.bar}>
+        <div className={`row wrap ${classes.bar}`}>
           <span className="small mid">{held.length - shown} more below</span>
           <button type="button" className="link small mid" onClick={() => setShown(shown + SHOWN)}>
             Show more

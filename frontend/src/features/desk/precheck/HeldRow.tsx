@@ -30,7 +30,7 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
   }
   return (
     <li className={classes.file}>
-      <div className={classes.said}>
+      <div className="grid gap-2px">
         <span className={classes.name}>
           <span className="mono strong">{name}</span> <span className="mono dim">{cue}</span>
         </span>
@@ -78,7 +78,7 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
           </form>
         )}
       </div>
-      <span className={classes.does}>
+      <span className={`flex wrap gap-2 ${classes.does}`}>
         {standing === 'ready' || standing === 'fixable' ? (
           <Button aria-label={`Upload ${name}`} onClick={onSend}>
             Upload

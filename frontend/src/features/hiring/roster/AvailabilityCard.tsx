@@ -37,7 +37,7 @@ export function AvailabilityCard({ entry }: { entry: Entry }) {
   return (
     <Card aria-labelledby="availability">
       <CardHead id="availability" title="Availability" note="the next 12 weeks" />
-      <div className={forms.body}>
+      <div className={`grid gap-3 ${forms.body}`}>
         <LargeWeeks weeks={entry.weeks} firstOn={entry.first_week_on} />
         <BusyForm entry={entry} />
         <CalendarPart entry={entry} />
@@ -69,7 +69,11 @@ function BusyForm({ entry }: { entry: Entry }) {
     <form onSubmit={send} noValidate className="stack" aria-label="Busy days">
       <DraftNote draft={draft} />
       {ranges.map((range, at) => (
-        <fieldset key={at} className={classes.range} style={{ border: 0, padding: 0, margin: 0 }}>
+        <fieldset
+          key={at}
+          className={`grid items-end gap-3 ${classes.range}`}
+          style={{ border: 0, padding: 0, margin: 0 }}
+        >
           <legend className="visually-hidden">{`Busy range ${at + 1}`}</legend>
           <TextInput
             label="Busy from"

@@ -75,10 +75,12 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
         }
       />
       {found?.total === 0 ? (
-        <p className={`mid ${forms.body}`}>Nobody is on the roster yet. Designers you keep there can be chosen here.</p>
+        <p className={`mid grid gap-3 ${forms.body}`}>
+          Nobody is on the roster yet. Designers you keep there can be chosen here.
+        </p>
       ) : (
         <>
-          <div className={forms.body}>
+          <div className={`grid gap-3 ${forms.body}`}>
             <TextInput
               label="Search the roster"
               type="search"

@@ -11,7 +11,6 @@ import { Select } from '@/ui/Select'
 
 import forms from '../Hiring.module.css'
 import { type Entry, type EntryWrite, useSaveEntry } from './api'
-import classes from './Roster.module.css'
 import { EXCLUSIVITY_WORDS, listed, SERVICE_WORDS, SERVICES } from './words'
 
 const typedEntry = (entry: Entry) => ({
@@ -123,7 +122,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
   return (
     <Card aria-labelledby="facts">
       <CardHead id="facts" title="On file" note="seen by the studio’s producers and audio leads" />
-      <form onSubmit={send} noValidate className={`${forms.form} ${classes.fields}`} aria-label="On file">
+      <form onSubmit={send} noValidate className={`grid gap-4 ${forms.form} items-end`} aria-label="On file">
         <div className={forms.wide}>
           <DraftNote draft={draft} />
         </div>
@@ -133,7 +132,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
         {text('languages', 'Languages', 'Separated by commas')}
         <fieldset className={forms.wide} style={{ border: 0, padding: 0, margin: 0 }}>
           <legend className="small mid">Also</legend>
-          <div className={classes.checks}>
+          <div className="flex wrap gap-2-4">
             {SERVICES.map((service) => (
               <Checkbox
                 key={service}

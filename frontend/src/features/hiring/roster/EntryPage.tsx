@@ -89,7 +89,7 @@ function Head({ entry }: { entry: Entry }) {
       </Button>
       {removing && (
         <Dialog title={`Remove ${entry.name} from the roster?`} opened onClose={() => setRemoving(false)}>
-          <div className={forms.dialog}>
+          <div className="grid gap-3">
             <p>
               Everything noted here is deleted: facts, notes, dates and reel. Projects, bids and contracts stay as they
               are.
@@ -129,7 +129,9 @@ function AskCard({ entry }: { entry: Entry }) {
       <CardHead id="ask" title="Ask for a bid" />
       <Refusal error={error} />
       {postings?.length === 0 && (
-        <p className={`mid ${forms.body}`}>No posting is open or in draft. Write one on a project’s page first.</p>
+        <p className={`mid grid gap-3 ${forms.body}`}>
+          No posting is open or in draft. Write one on a project’s page first.
+        </p>
       )}
       <Rows>
         {postings?.map((posting) => (
@@ -194,7 +196,7 @@ function WorkCard({ entry }: { entry: Entry }) {
     return (
       <Card aria-labelledby="work">
         <CardHead id="work" title="Track record with us" />
-        <p className={`mid ${forms.body}`}>
+        <p className={`mid grid gap-3 ${forms.body}`}>
           No account with this address has worked for the studio yet. Figures appear here once one does.
         </p>
       </Card>

@@ -42,7 +42,7 @@ export function FiguresCard({ figures, title, note, linksProjects = false }: Fig
   return (
     <Card aria-labelledby={id}>
       <CardHead id={id} title={title} note={note} />
-      <div className={forms.body}>
+      <div className={`grid gap-3 ${forms.body}`}>
         <dl className={classes.facts}>
           {linesOf(figures).map(([word, value]) => (
             <div key={word} style={{ display: 'contents' }}>

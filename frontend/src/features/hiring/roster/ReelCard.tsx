@@ -79,7 +79,7 @@ export function ReelCard({ entry }: { entry: Entry }) {
           </Row>
         ))}
       </Rows>
-      <div className={forms.body}>
+      <div className={`grid gap-3 ${forms.body}`}>
         <Refusal error={remove.error} />
         <div className="row wrap">
           <Button icon="upload" onClick={() => picker.current?.click()}>

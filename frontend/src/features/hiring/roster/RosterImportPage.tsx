@@ -129,7 +129,7 @@ function Sheet({ studioId }: { studioId: string }) {
     <>
       <Card aria-labelledby="sheet">
         <CardHead id="sheet" title="Spreadsheet" note="CSV, XLSX, or rows copied from a spreadsheet" />
-        <div className={forms.body}>
+        <div className={`grid gap-3 ${forms.body}`}>
           {file ? (
             <div className="row wrap">
               <span className="mono">{file.name}</span>
@@ -209,7 +209,7 @@ function Columns({ read, onMap }: { read: RosterImport; onMap: (name: string, fi
   return (
     <Card aria-labelledby="columns">
       <CardHead id="columns" title="Columns" count={read.columns.length} />
-      <ul className={classes.columns}>
+      <ul className={`grid gap-3 ${classes.columns}`}>
         {read.columns.map(({ name, field, samples }) => (
           <li key={name}>
             <span className="strong cut-text" title={name}>

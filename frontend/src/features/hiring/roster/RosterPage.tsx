@@ -148,7 +148,7 @@ function Filters({ roster, search }: { roster: Roster; search: RosterSearch }) {
     Boolean,
   )
   return (
-    <div role="search" className={classes.search} aria-label="Search the roster">
+    <div role="search" className={`grid items-end gap-3 ${classes.search}`} aria-label="Search the roster">
       <TextInput
         ref={field}
         label="Search"
@@ -284,7 +284,7 @@ function People({ people, roster, search }: PeopleProps) {
       {people.map((one) => (
         <Row key={one.id} data-id={one.id} selected={one.id === selectedId} className={classes.person}>
           <PlayKey person={one} player={player} />
-          <span className={classes.who}>
+          <span className="grid">
             <Link
               className="link strong cut-text"
               to="/roster/$entryId"
@@ -362,7 +362,7 @@ function AddCard({ studioId }: { studioId: string }) {
   return (
     <Card aria-labelledby="add">
       <CardHead id="add" title="Add a person" note="nobody is mailed" />
-      <form onSubmit={send} noValidate className={forms.form} aria-label="Add a person">
+      <form onSubmit={send} noValidate className={`grid gap-4 ${forms.form}`} aria-label="Add a person">
         <div className={forms.wide}>
           <DraftNote draft={draft} />
         </div>

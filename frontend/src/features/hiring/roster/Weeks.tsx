@@ -27,7 +27,12 @@ interface WeeksProps {
 export function Weeks({ weeks, firstOn }: WeeksProps) {
   const words = weeksInWords(weeks, firstOn)
   return (
-    <span className={classes.weeks} role="img" aria-label={`Next 12 weeks: ${words}`} title={words}>
+    <span
+      className={`inline-flex items-center gap-2px ${classes.weeks}`}
+      role="img"
+      aria-label={`Next 12 weeks: ${words}`}
+      title={words}
+    >
       {weeks.map((state, place) => (
         <span key={place} className={classes.week} data-state={state} />
       ))}
@@ -39,7 +44,7 @@ export function Weeks({ weeks, firstOn }: WeeksProps) {
 export function LargeWeeks({ weeks, firstOn }: WeeksProps) {
   return (
     <>
-      <ul className={classes.large} aria-label="Next 12 weeks">
+      <ul className={`grid gap-3px ${classes.large}`} aria-label="Next 12 weeks">
         {weeks.map((state, place) => (
           <li key={place}>
             <span className={classes.week} data-state={state} />
@@ -50,7 +55,7 @@ export function LargeWeeks({ weeks, firstOn }: WeeksProps) {
           </li>
         ))}
       </ul>
-      <p className={`small mid ${classes.legend}`} aria-hidden="true">
+      <p className={`small mid flex wrap gap-3 ${classes.legend}`} aria-hidden="true">
         {(Object.keys(WEEK_WORDS) as Week[]).map((state) => (
           <span key={state}>
             <span className={classes.week} data-state={state} />

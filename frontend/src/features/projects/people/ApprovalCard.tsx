@@ -37,7 +37,7 @@ export function ApprovalCard({ project }: { project: Project }) {
       <CardHead id="before-approval" title="Before approval" note="checklists, and what blocks" />
       <Refusal inset error={error ?? block.error} />
       {settings && (
-        <div className={classes.form}>
+        <div className="grid gap-3 p-3-inset-4">
           {isProducer ? (
             <Select
               label="A version is not approved while it has"
@@ -124,7 +124,7 @@ function ChecklistForm({ projectId, category, items }: ChecklistFormProps) {
     )
   }
   return (
-    <form className={classes.checklist} onSubmit={onSubmit}>
+    <form className={`grid gap-3 ${classes.checklist}`} onSubmit={onSubmit}>
       <Textarea
         label={`Items for ${nameOf(category)}`}
         description="One a line. An item that stays as it is keeps its checks."

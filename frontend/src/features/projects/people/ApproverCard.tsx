@@ -53,7 +53,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
   return (
     <Card aria-labelledby="approver">
       <CardHead id="approver" title="Approver" note={ofWhat(project)} />
-      <div className={classes.approver}>
+      <div className="flex items-center gap-3 p-2-inset">
         <Face name={approver.name} picture={approver.picture} filled />
         <div className="grow">
           <p className="strong">{approver.name}</p>
@@ -75,7 +75,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
         </div>
       )}
       {naming && candidates.length > 0 && (
-        <form onSubmit={send} noValidate className={classes.form} aria-label="Change the approver">
+        <form onSubmit={send} noValidate className="grid gap-3 p-3-inset-4" aria-label="Change the approver">
           <Select
             label="New approver"
             data={candidates.map(({ person }) => ({
@@ -155,7 +155,7 @@ function InviteApprover({ project }: { project: Project }) {
           <MailedLink projectId={project.id} ofId={one.id} recipient={one.email} />
         </div>
       ))}
-      <form onSubmit={send} noValidate className={classes.form} aria-label="Invite an approver">
+      <form onSubmit={send} noValidate className="grid gap-3 p-3-inset-4" aria-label="Invite an approver">
         <TextInput
           label="Approver’s email"
           type="email"

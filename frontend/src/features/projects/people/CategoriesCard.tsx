@@ -58,7 +58,7 @@ export function CategoriesCard({
       <CardHead id="categories" title="Categories" note="each may have its own approver" />
       <Refusal inset error={error ?? name.error} />
       {categories && shown.length === 0 && (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState
             head="No categories yet"
             level={3}

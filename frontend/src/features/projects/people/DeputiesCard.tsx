@@ -30,7 +30,7 @@ export function DeputiesCard({ project, members = [] }: { project: Project; memb
       <CardHead id="deputies" title="Deputies" note="approve while an approver is away" />
       <Refusal inset error={error ?? withdraw.error} />
       {found?.deputies.length === 0 && (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState head="No deputies named" level={3}>
             A deputy approves from the first day to the last, and receives the emails. The right ends by itself.
           </EmptyState>
@@ -104,7 +104,7 @@ function NameDeputy({ project, members, today, timeZone }: NameDeputyProps) {
   return (
     <>
       <h3 className={classes.part}>Name a deputy</h3>
-      <form onSubmit={send} noValidate className={classes.form} aria-label="Name a deputy">
+      <form onSubmit={send} noValidate className="grid gap-3 p-3-inset-4" aria-label="Name a deputy">
         <Select
           label="In place of"
           data={people}
@@ -122,7 +122,7 @@ function NameDeputy({ project, members, today, timeZone }: NameDeputyProps) {
           onChange={(id) => id && change({ deputy_id: id })}
           error={against(name.error, 'deputy_id')}
         />
-        <div className={classes.days}>
+        <div className="grid grid-cols-2 gap-3">
           <TextInput
             label="First day"
             type="date"

@@ -42,7 +42,7 @@ export function DesignersCard({ project }: { project: Project }) {
     <Card aria-labelledby="designers">
       <CardHead id="designers" title="Designers" note="make and deliver the sounds" />
       {nobody && (
-        <div className={classes.empty}>
+        <div className="p-inset">
           <EmptyState head="No designers yet" level={3}>
             The email invitation shows the sound list and the delivery spec right away, before signing up.
           </EmptyState>
@@ -138,7 +138,7 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
             <Row key={id} className={classes.person}>
               <Icon name="mail" />
               <div className="grow">
-                <p className={`strong ${classes.mail}`}>{email}</p>
+                <p className="strong wrap-anywhere">{email}</p>
                 <p className="small mid">
                   {`${KIND_WORDS[kind]}, invited by ${inviter.name} ${ago(created_at)}; ${expired ? 'expired' : 'expires'} ${dueDay(expires_at)}`}
                 </p>

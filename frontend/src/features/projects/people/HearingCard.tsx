@@ -36,16 +36,16 @@ export function HearingCard({ project }: { project: Project }) {
   return (
     <Card aria-labelledby="hearing">
       <CardHead id="hearing" title="What designers hear of each other" />
-      <p className={`small mid ${classes.says}`}>
+      <p className="small mid p-2-inset">
         They only play these sounds, without the designer’s name. Masters, game files, findings, comments and returned
         sounds are shown to the studio and to the sound’s own designer.
       </p>
       <Refusal inset error={change.error} />
       {project.mine.is_producer ? (
-        <fieldset className={classes.choices}>
+        <fieldset className={`grid gap-2 ${classes.choices}`}>
           <legend className="small mid">Designers can play</legend>
           {CHOICES.map(({ value, label, says }) => (
-            <label key={value} className={classes.choice}>
+            <label key={value} className={`flex items-start gap-2 ${classes.choice}`}>
               <input
                 type="radio"
                 name="hearing"
@@ -57,7 +57,7 @@ export function HearingCard({ project }: { project: Project }) {
               />
               <span>
                 <span className="strong">{label}</span>
-                <span id={`hearing-${value}`} className={`small mid ${classes.explained}`}>
+                <span id={`hearing-${value}`} className="small mid block">
                   {says}
                 </span>
               </span>

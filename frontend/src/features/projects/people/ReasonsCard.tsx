@@ -35,7 +35,7 @@ export function ReasonsCard({ project }: { project: Project }) {
       <CardHead id="review-reasons" title="Reasons and labels" note="on the digits in Review, for all projects" />
       <Refusal inset error={error} />
       {lists && (
-        <div className={classes.form}>
+        <div className="grid gap-3 p-3-inset-4">
           <Segmented label="List" options={KINDS} value={kind} onChange={setKind} />
           {project.mine.is_producer ? (
             <ReasonsForm key={kind} project={project} kind={kind} list={lists[kind]} />
@@ -82,7 +82,7 @@ function ReasonsForm({ project, kind, list }: ReasonsFormProps) {
     save(lines.filter(Boolean), `${WHAT[kind]}: the list is saved.`)
   }
   return (
-    <form className={classes.checklist} onSubmit={onSubmit}>
+    <form className={`grid gap-3 ${classes.checklist}`} onSubmit={onSubmit}>
       <Textarea
         label={WHAT[kind]}
         description="One a line, up to nine of 40 letters, in the order of the digits. What was said before stays as it was said."

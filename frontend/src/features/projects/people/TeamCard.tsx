@@ -41,12 +41,12 @@ export function TeamCard({ project, members }: { project: Project; members: read
           </Link>
         }
       />
-      <p className={`small mid ${classes.says}`}>
+      <p className="small mid p-2-inset">
         Audio leads edit the spec, invite designers, answer questions and can be the approver. Reviewers listen and
         comment.
       </p>
       {project.audio_leads_warning && (
-        <p role="status" className={`small tone-warn toned ${classes.says}`}>
+        <p role="status" className="small tone-warn toned p-2-inset">
           <Icon name="triangle" /> {project.audio_leads_warning}.
         </p>
       )}
@@ -68,7 +68,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
               <Face name={person.name} picture={person.picture} />
               <div className="grow">
                 <p className="strong">{person.name}</p>
-                <p className={`small mid ${classes.mail}`}>{[parts.join(', '), email].filter(Boolean).join(' · ')}</p>
+                <p className="small mid wrap-anywhere">{[parts.join(', '), email].filter(Boolean).join(' · ')}</p>
               </div>
               {project.mine.is_producer && (
                 <Button

@@ -30,7 +30,7 @@ export function AcceptFields({ base }: { base: readonly string[] }) {
       <Choices place={accept('bit_depths')} label="Bit depth" options={DEPTHS} />
       <Choices place={accept('channels')} label="Channels" options={CHANNELS} />
       <div className={classes.field}>
-        <div className={classes.pair}>
+        <div className={`grid gap-2 ${classes.pair}`}>
           <NumberField place={[...accept('duration_s'), 'min']} label="Minimum length" unit="s" />
           <NumberField place={[...accept('duration_s'), 'max']} label="Maximum length" unit="s" />
         </div>
@@ -43,7 +43,7 @@ export function AcceptFields({ base }: { base: readonly string[] }) {
 export function LimitFields({ base, of }: { base: readonly string[]; of?: readonly string[] }) {
   const limits = statedLimits(useChecks()).filter(({ check }) => of === undefined || of.includes(check.name))
   return (
-    <div className={classes.limits}>
+    <div className="grid gap-2">
       {limits.map((limit) => (
         <LimitLine key={limit.key} limit={limit} base={base} />
       ))}
@@ -77,10 +77,10 @@ function LimitLine({
   const place = [...base, 'limits', key]
   const word = label.toLowerCase()
   return (
-    <div className={classes.limit}>
+    <div className={`grid items-center gap-1-4 ${classes.limit}`}>
       <span title={check.why}>{label}</span>
       {isRange ? (
-        <div className={classes.pair}>
+        <div className={`grid gap-2 ${classes.pair}`}>
           <NumberField place={[...place, 'min']} label={`Minimum ${word}`} unit={unit} hideLabel />
           <NumberField place={[...place, 'max']} label={`Maximum ${word}`} unit={unit} hideLabel />
         </div>

@@ -20,7 +20,7 @@ const WORDS = { same: '', gone: 'removed: ', new: 'added: ' }
 /** Two texts line by line: what went is quiet, what came is marked. */
 export function LineDiff({ before, after, label, same = 'The two are identical.' }: LineDiffProps) {
   const parts = useMemo(() => folded(diffLines(before, after)), [before, after])
-  if (before === after) return <p className={`mid ${classes.same}`}>{same}</p>
+  if (before === after) return <p className="mid p-3-inset">{same}</p>
   return (
     // A long line scrolls, so the keyboard must reach it.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
@@ -31,11 +31,11 @@ export function LineDiff({ before, after, label, same = 'The two are identical.'
             {`${plural(part.count, 'line')} unchanged`}
           </p>
         ) : (
-          <div key={index} className={classes.line} data-kind={part.kind}>
-            <span className={classes.number} aria-hidden="true">
+          <div key={index} className={`grid gap-1 ${classes.line}`} data-kind={part.kind}>
+            <span className="dim num" aria-hidden="true">
               {part.before ?? ''}
             </span>
-            <span className={classes.number} aria-hidden="true">
+            <span className="dim num" aria-hidden="true">
               {part.after ?? ''}
             </span>
             <span aria-hidden="true">{SIGNS[part.kind]}</span>

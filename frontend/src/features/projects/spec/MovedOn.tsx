@@ -21,7 +21,7 @@ export function MovedOn({ spec, theirs, mine, basedOn, onKeepMine, onTakeTheirs 
   return (
     <Card className={classes.moved} aria-labelledby="moved">
       <CardHead id="moved" title={`${spec.author.name} saved version ${spec.version} while you were editing`} />
-      <div className={classes.inside}>
+      <div className="grid gap-3 p-inset">
         <p>
           {`You started from version ${basedOn}. Nothing you typed is lost.`}{' '}
           {spec.note !== '' && <span className="mid">{`Their note: ${sentence(spec.note)}`}</span>}

@@ -25,11 +25,11 @@ export function SaveCard({ spec, writing, stays = false }: { spec: Spec; writing
   return (
     <Card className={classes.save} aria-labelledby="save">
       <CardHead id="save" title="Save" end={changed ? undefined : 'no changes'} />
-      <div className={classes.inside}>
-        <div aria-live="polite" className={classes.stands}>
+      <div className="grid gap-3 p-inset">
+        <div aria-live="polite" className={`grid gap-2 ${classes.stands}`}>
           {changed && !isCurrent && trouble === null && <p className="mid">Validating…</p>}
           {trouble && (
-            <div className={`tone-bad ${classes.trouble}`} id="spec-trouble">
+            <div className={`tone-bad flex gap-2 wrap-anywhere ${classes.trouble}`} id="spec-trouble">
               <Icon name="back" />
               <div>
                 {trouble.place !== '' && <p className="mono strong toned">{trouble.place}</p>}

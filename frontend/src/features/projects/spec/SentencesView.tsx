@@ -105,7 +105,7 @@ export function SentencesView({ projectId, cues, read, basedOn, isChanged, child
     },
   ])
   return (
-    <div className={`columns ${classes.columns}`} ref={page}>
+    <div className="columns side-356" ref={page}>
       <div className="stack">
         <Card aria-labelledby="every-sound">
           <CardHead id="every-sound" title="Every sound" />
@@ -133,7 +133,7 @@ export function SentencesView({ projectId, cues, read, basedOn, isChanged, child
             row(categorySentence(tables, category, checks), <CategoryFields name={category} />),
           )}
           {shownCategories.length < named.length && (
-            <div className={classes.more}>
+            <div className="grid justify-items-start gap-2 wrap-anywhere p-3-inset">
               <Button
                 onClick={() => setShowsAll(true)}
               >{`Show ${plural(named.length - shownCategories.length, 'more category', 'more categories')}`}</Button>
@@ -162,7 +162,7 @@ interface SentenceRowProps {
 
 function SentenceRow({ sentence: { label, text, note }, editor, isOpen, onOpen }: SentenceRowProps) {
   return (
-    <div className={classes.sentence} data-open={isOpen || undefined} data-sentence>
+    <div className={`grid items-baseline gap-1-4 ${classes.sentence}`} data-open={isOpen || undefined} data-sentence>
       <span className={classes.key}>{label}</span>
       <div>
         <p className={classes.text}>
@@ -182,7 +182,7 @@ function SentenceRow({ sentence: { label, text, note }, editor, isOpen, onOpen }
           {isOpen ? 'Close' : 'Edit'}
         </Button>
       )}
-      {isOpen && <div className={classes.editor}>{editor}</div>}
+      {isOpen && <div className={`grid grid-cols-1 gap-3 ${classes.editor}`}>{editor}</div>}
     </div>
   )
 }
@@ -224,12 +224,12 @@ function Names({ cues }: { cues: readonly Cue[] }) {
   const styles = [...NAME_STYLES, { example: 'Any name; we match by sound list', pattern: 'any' }]
   return (
     <>
-      <fieldset className={classes.styles}>
+      <fieldset className={`grid gap-2 ${classes.styles}`}>
         <legend className="small mid">Choose the one that looks like yours</legend>
         {styles.map((style) => {
           const count = stems.filter((stem) => fits(style.pattern, stem) === true).length
           return (
-            <label key={style.pattern} className={classes.style}>
+            <label key={style.pattern} className={`row ${classes.style}`}>
               <input
                 type="radio"
                 name="name-style"

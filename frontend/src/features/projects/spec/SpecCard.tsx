@@ -96,20 +96,20 @@ function madeLine(packs: readonly Pack[] | undefined): Line[] {
 function Part({ head, lines, legend = false }: { head: string; lines: readonly Line[]; legend?: boolean }) {
   return (
     <section>
-      <h3 className={classes.partHead}>
+      <h3 className={`row between ${classes.partHead}`}>
         {head}
         {legend && (
           <span className="row" aria-hidden="true">
-            <span className={`tone-bad toned ${classes.sign}`}>
+            <span className="tone-bad toned inline-flex items-center gap-1">
               <Icon name="back" /> returns
             </span>
-            <span className={`tone-warn toned ${classes.sign}`}>
+            <span className="tone-warn toned inline-flex items-center gap-1">
               <Icon name="triangle" /> warns
             </span>
           </span>
         )}
       </h3>
-      <dl className={classes.pairs}>
+      <dl className={`grid gap-3px ${classes.pairs}`}>
         {lines.map(({ word, value, severity }) => (
           <div key={word}>
             <dt>{word}</dt>
@@ -162,7 +162,7 @@ function Categories({ spec, projectId }: { spec: Spec; projectId: string }) {
         />
       )}
       {rows.length > 0 && (
-        <p className={`small mid ${classes.plain}`}>
+        <p className="small mid border-t p-2-inset">
           {plain.length > 0 &&
             `General rules: ${listed(plain.map(({ name, cues: count }) => (count > 0 ? `${name} (${figure(count)})` : name)))}. `}
           {unused.length > 0 && `Not in the sound list: ${listed(unused.map(({ name }) => name))}.`}

@@ -125,7 +125,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
 const WhenSaved = ({ version }: { version: number }) => (
   <Card aria-labelledby="when-saved">
     <CardHead id="when-saved" title="When you save" />
-    <p className={`small mid ${classes.inside}`}>
+    <p className="small mid grid gap-3 p-inset">
       {`Version ${version} begins. Versions in review are checked again; approved sounds stay approved. The designers see what changed.`}
     </p>
   </Card>

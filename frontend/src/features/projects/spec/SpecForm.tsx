@@ -32,7 +32,7 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
         <CardHead id="form-limits" title="Limits" note="leave a field empty for no limit" />
         <div className={classes.inside}>
           <LimitFields base={[]} />
-          <div className={`${classes.two} ${classes.tuning}`}>
+          <div className={`${classes.two} border-t mt-4 pt-3`}>
             {tuningLimits(checks).map(({ key, label, unit, usual }) => (
               <NumberField key={key} place={['limits', key]} label={label} unit={unit} usual={usual ?? undefined} />
             ))}
@@ -119,7 +119,7 @@ export function NamingFields({ cues }: { cues: readonly Cue[] }) {
         spellCheck={false}
         onChange={({ currentTarget }) => setTried(currentTarget.value)}
       />
-      <div className={classes.tried} role="status">
+      <div className={`grid gap-1 ${classes.tried}`} role="status">
         {tried !== '' && (
           <p className={`row ${fit === false ? 'tone-bad' : 'tone-ok'}`}>
             {fit !== null && <Icon name={fit ? 'tick' : 'back'} />}

@@ -157,7 +157,7 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
     set(place, Object.fromEntries(Object.entries(next).filter(([, value]) => value !== undefined)))
   }
   return (
-    <fieldset className={classes.target} data-wrong={isAt(trouble, place) || undefined}>
+    <fieldset className={`grid items-end gap-2-3 ${classes.target}`} data-wrong={isAt(trouble, place) || undefined}>
       <legend className="visually-hidden">{`Target ${name}: ${facts}`}</legend>
       <TextInput
         id={`spec-targets.${name}`}
@@ -213,7 +213,7 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
       />
       <Button variant="quiet" square icon="cross" aria-label={`Remove ${name}`} onClick={onRemove} />
       {trouble && trouble.place !== place.join('.') && (
-        <div className={classes.whole}>
+        <div className="col-span-full">
           <Against place={place} />
         </div>
       )}

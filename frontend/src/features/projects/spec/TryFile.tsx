@@ -67,7 +67,7 @@ export function TryFile({ projectId, makeJudge = judgeInWorker }: TryFileProps) 
           void filesOfDrop(event.dataTransfer).then(([picked]) => take(picked?.file))
         }}
       >
-        <div aria-live="polite" className={classes.tried}>
+        <div aria-live="polite" className="grid justify-items-start gap-1">
           {trial.data && <Outcome tried={trial.data} />}
         </div>
         <Refusal error={trial.error} />

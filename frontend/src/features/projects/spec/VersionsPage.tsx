@@ -56,12 +56,16 @@ export function VersionsPage() {
         </p>
       </div>
       <Refusal inset error={error} />
-      <div className={classes.columns}>
+      <div className={`grid items-start gap-4 ${classes.columns}`}>
         <Card aria-label="Versions">
           <Rows aria-label="Versions">
             {versions.map((one) => (
               <Row key={one.version} selected={one.version === version} className={classes.version}>
-                <button type="button" className={classes.pick} onClick={() => show({ version: one.version })}>
+                <button
+                  type="button"
+                  className={`grid wrap-anywhere ${classes.pick}`}
+                  onClick={() => show({ version: one.version })}
+                >
                   <span className="strong">{`Version ${one.version}`}</span>
                   <span className="small mid">{one.note || 'No note.'}</span>
                   <span className="small dim">{`${one.author.name}, ${day(one.created_at)}`}</span>
@@ -70,7 +74,7 @@ export function VersionsPage() {
             ))}
           </Rows>
           {list.hasNextPage && (
-            <div className={classes.more}>
+            <div className="p-3-inset">
               <ShowMore list={list}>Earlier versions</ShowMore>
             </div>
           )}
@@ -145,7 +149,7 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
       />
       <Refusal inset error={error ?? noOther} />
       {view !== 'text' && numbers.length > 1 && (
-        <p className={`row wrap small mid ${classes.against}`}>
+        <p className="row wrap small mid p-2-inset">
           <label htmlFor="against">Compare with version</label>
           <Select id="against" value={against} onChange={({ currentTarget }) => onAgainst(Number(currentTarget.value))}>
             {numbers

@@ -120,7 +120,7 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
       <span id={id} className={classes.label}>
         {label}
       </span>
-      <div role="group" aria-labelledby={id} className={classes.choices} id={fieldId(place)}>
+      <div role="group" aria-labelledby={id} className="flex wrap items-center gap-1" id={fieldId(place)}>
         {all.map((option) => (
           <button
             type="button"

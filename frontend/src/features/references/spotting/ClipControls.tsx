@@ -32,7 +32,7 @@ export function ClipControls({
   onNudge,
 }: ClipControlsProps) {
   return (
-    <div className={classes.controls}>
+    <div className="flex wrap items-end gap-2-3">
       <Button tall icon={isPlaying ? 'pause' : 'play'} keys="Space" onClick={onPlay}>
         {isPlaying ? 'Pause' : 'Play'}
       </Button>

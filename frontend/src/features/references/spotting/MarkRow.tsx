@@ -52,7 +52,7 @@ export function MarkRow({
   return (
     // Its fields take the focus; the row shows which mark they are of.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
-    <li className={classes.row} data-selected={isSelected || undefined} onFocus={onSelect}>
+    <li className={`grid items-start gap-2 ${classes.row}`} data-selected={isSelected || undefined} onFocus={onSelect}>
       <span className="small dim num">{at + 1}</span>
       <TimeField
         label={`Time of ${called}`}

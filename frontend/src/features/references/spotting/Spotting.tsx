@@ -95,8 +95,8 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].toSorted()
   return (
     <>
-      <div className={classes.stage}>
-        <div className={classes.picture}>
+      <div className={`grid items-start gap-4 ${classes.stage}`}>
+        <div className={`grid grid-cols-1 gap-3 ${classes.picture}`}>
           <Refusal error={open.error} />
           {isUnplayable ? (
             <ErrorBanner
@@ -171,7 +171,7 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
               <option key={category} value={category} />
             ))}
           </datalist>
-          <ol className={classes.rows}>
+          <ol className="grid">
             {marks.map((one, at) => (
               <MarkRow
                 key={one.id}

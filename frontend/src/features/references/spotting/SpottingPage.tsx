@@ -22,7 +22,7 @@ export function SpottingPage() {
   )
   const refusal = clip !== undefined && whyNot(clip)
   return (
-    <div className={`page ${classes.page}`} aria-busy={isPending}>
+    <div className={`page stack ${classes.page}`} aria-busy={isPending}>
       <Refusal error={error} />
       {refusal && (
         <EmptyState head={refusal} level={1} action={back}>
@@ -31,7 +31,7 @@ export function SpottingPage() {
       )}
       {clip && !refusal && (
         <>
-          <header className={classes.top}>
+          <header className="flex wrap items-baseline gap-2-4 wrap-anywhere">
             <h1>{`Spotting: ${titleOf(clip)}`}</h1>
             {back}
           </header>

@@ -57,7 +57,7 @@ export function Timeline({
     onSeek(to)
   }
   return (
-    <div className={classes.timeline}>
+    <div className="grid gap-1">
       {/* The slider in it does the same by keyboard. */}
       <div ref={line} className={classes.line} onPointerDown={(event) => onSeek(secondsAt(event.clientX))}>
         {marks.map((mark, at) => (
@@ -89,7 +89,7 @@ export function Timeline({
           onKeyDown={step}
         />
       </div>
-      <p className={`mono small ${classes.times}`}>
+      <p className={`mono small flex between ${classes.times}`}>
         <span>{clock(atS)}</span>
         <span className="dim">{clock(durationS)}</span>
       </p>

@@ -6,7 +6,6 @@ import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
 import { type BedRole, type BedSource, bedSourcesQuery, useBeds } from './api'
-import classes from './Scene.module.css'
 
 interface AddBedProps {
   projectId: string
@@ -33,7 +32,7 @@ export function AddBed({ projectId, category, onDone }: AddBedProps) {
   }
   return (
     <form
-      className={classes.addBed}
+      className="flex wrap items-end gap-2"
       aria-label="Add a bed"
       onSubmit={(event) => {
         event.preventDefault()

@@ -74,8 +74,8 @@ export function AgainstPanel({ review, projectId, hand, nameOf, source, player, 
     return <p className={`small mid ${classes.waits}`}>There is no other version, game file or approved sound yet.</p>
   }
   return (
-    <section className={classes.against} aria-label="Against">
-      <div className={classes.addBed}>
+    <section className={`grid gap-2 ${classes.against}`} aria-label="Against">
+      <div className="flex wrap items-end gap-2">
         <Select label="Against" value={chosen.key} onChange={(event) => setKey(event.currentTarget.value)}>
           {choices.map((one) => (
             <option key={one.key} value={one.key}>

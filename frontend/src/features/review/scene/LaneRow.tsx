@@ -36,7 +36,7 @@ export function LaneRow({ lane, lengthS, now, hasSpots, onLevel, onRest, onRemov
           playsAt(lane, lengthS).map((startS) => (
             <span
               key={startS}
-              className={classes.hit}
+              className={`grid items-center ${classes.hit}`}
               style={{
                 left: `${(startS / lengthS) * 100}%`,
                 width: `${(Math.min(lane.duration_s ?? 0, lengthS - startS) / lengthS) * 100}%`,
@@ -46,7 +46,7 @@ export function LaneRow({ lane, lengthS, now, hasSpots, onLevel, onRest, onRemov
             </span>
           ))}
       </span>
-      <span className={classes.level}>
+      <span className={`grid items-center gap-6px ${classes.level}`}>
         <input
           type="range"
           min={LOWEST_DB}

@@ -21,7 +21,7 @@ export function MaskingPlot({ masking, names, name }: MaskingPlotProps) {
   const topDb = Math.ceil(Math.max(-RANGE_DB, ...levels) / 10) * 10
   const share = (db: number | null) => (db === null ? 0 : Math.min(1, Math.max(0, (db - topDb + RANGE_DB) / RANGE_DB)))
   return (
-    <figure className={classes.masking}>
+    <figure className={`grid gap-1 ${classes.masking}`}>
       <div className={classes.bands} role="img" aria-label={masking.in_words}>
         {bands.map((band) => (
           <Band key={band.hz} band={band} share={share} />
@@ -35,7 +35,7 @@ export function MaskingPlot({ masking, names, name }: MaskingPlotProps) {
         ))}
       </div>
       <figcaption className="small mid">{masking.in_words}</figcaption>
-      <p className={`small dim ${classes.legend}`}>
+      <p className={`small dim flex wrap ${classes.legend}`}>
         <span data-is="heard">{name} heard</span>
         <span data-is="covered">covered</span>
         <span data-is="cover">what covers it</span>

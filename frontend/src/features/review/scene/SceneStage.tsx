@@ -52,8 +52,8 @@ export function SceneStage(props: SceneStageProps) {
   if (error instanceof ApiProblem) return <Refusal error={error} />
   if (scene === undefined) return <p className={`small mid ${classes.waits}`}>The scene is loading.</p>
   return (
-    <section className={classes.scene} aria-label="Scene">
-      <div className={classes.top}>
+    <section className={`grid gap-3 ${classes.scene}`} aria-label="Scene">
+      <div className={`grid items-start gap-3 ${classes.top}`}>
         <ClipView clips={scene.clips} projectId={projectId} player={player} />
         <WillItBeHeard scene={scene} moved={moved} />
       </div>
@@ -108,7 +108,7 @@ function WillItBeHeard({ scene, moved }: { scene: Scene; moved: Moved }) {
   const { data: masking } = useQuery(maskingQuery(scene.take_id, lanes.split(' ').filter(Boolean), scene.is_ready))
   const names = new Map(scene.lanes.map(({ id, name }) => [id, name]))
   return (
-    <section className={classes.heard} aria-label="Will it be heard?">
+    <section className="grid gap-6px" aria-label="Will it be heard?">
       <p className="row between">
         <span className="strong">Will it be heard?</span>
         {masking?.is_measured && masking.is_compared && (

@@ -21,7 +21,7 @@ export function SpectraPlot({ spectra, name, other }: SpectraPlotProps) {
       draw={draw}
       frequencies={marksOf(spectra.hz)}
       caption={
-        <span className={classes.legend}>
+        <span className={`flex wrap ${classes.legend}`}>
           <span data-is="line">{name}</span>
           <span data-is="cover">{other}</span>
           <span data-is="dots">what differs</span>

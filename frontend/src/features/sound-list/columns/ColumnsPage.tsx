@@ -136,7 +136,7 @@ function ColumnsForm({ projectId, columns, edition }: ColumnsFormProps) {
       <CardHead id="columns" title="Columns of this list" count={typed.length} />
       <form
         ref={form}
-        className={classes.form}
+        className="grid justify-items-start gap-3 p-3-inset-4"
         onSubmit={(event) => {
           event.preventDefault()
           void save()
@@ -152,7 +152,7 @@ function ColumnsForm({ projectId, columns, edition }: ColumnsFormProps) {
                 faults={[faultOf(at, 'name'), faultOf(at, 'kind') ?? faultOf(at, 'choices')]}
                 onChange={(change) => put(at, change)}
               />
-              <span className={classes.acts}>
+              <span className={`flex gap-2px ${classes.acts}`}>
                 <Button
                   variant="quiet"
                   aria-label={`Move ${column.name || 'the column'} up`}
@@ -217,8 +217,8 @@ interface ColumnFieldsProps {
 function ColumnFields({ column, place, faults: [nameFault, kindFault], onChange }: ColumnFieldsProps) {
   const id = `column-${place}`
   return (
-    <span className={classes.fields}>
-      <label className={classes.field}>
+    <span className={`grid gap-2-3 ${classes.fields}`}>
+      <label className={`grid gap-2px ${classes.field}`}>
         <span className="small mid">Name</span>
         <input
           value={column.name}
@@ -246,7 +246,7 @@ function ColumnFields({ column, place, faults: [nameFault, kindFault], onChange 
         {kindFault && <FieldError id={`${id}-kind`}>{kindFault}</FieldError>}
       </span>
       {column.kind === 'choice' && (
-        <label className={classes.field}>
+        <label className={`grid gap-2px ${classes.field}`}>
           <span className="small mid">Choices, one a line</span>
           <textarea
             rows={3}

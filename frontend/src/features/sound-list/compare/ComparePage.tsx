@@ -57,8 +57,8 @@ export function ComparePage(): ReactNode {
   const nothing =
     compared.data && compared.data.added.length + compared.data.changed.length + compared.data.cut.length === 0
   return (
-    <div className={`page ${classes.page}`}>
-      <header className={classes.top}>
+    <div className="page stack content-start">
+      <header className="flex wrap items-start between gap-2">
         <div>
           <h1>Compare revisions</h1>
           <p className="mid" role="status">
@@ -74,9 +74,9 @@ export function ComparePage(): ReactNode {
         <EmptyState head="No revisions yet">Adding the first cues creates revision 1.</EmptyState>
       )}
       {newest > 0 && (
-        <div className={`columns ${classes.columns}`}>
+        <div className="columns side-356">
           <div className="stack">
-            <Card aria-label="Revisions to compare" className={classes.choose}>
+            <Card aria-label="Revisions to compare" className={`grid grid-cols-2 gap-3 ${classes.choose}`}>
               <RevisionSelect
                 label="From"
                 value={from}
@@ -128,7 +128,7 @@ export function ComparePage(): ReactNode {
               ))}
             </ol>
             {revisions.hasNextPage && (
-              <p className={classes.older}>
+              <p className="p-2-inset-3">
                 <ShowMore list={revisions}>Older revisions</ShowMore>
               </p>
             )}
@@ -194,7 +194,7 @@ function Differences({ title, lines, projectId, fresh = false }: DifferencesProp
       <CardHead id={id} title={title} end={plural(lines.length, 'cue')} />
       <ul>
         {lines.map((line) => (
-          <li key={line.id} className={classes.line}>
+          <li key={line.id} className={`grid items-baseline ${classes.line}`}>
             <span className="mono dim">{line.label}</span>
             <Link
               className="link strong"

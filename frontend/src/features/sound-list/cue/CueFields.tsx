@@ -36,7 +36,7 @@ export function CueFields({ draft, faults, categories, columns = [], people = []
     />
   )
   return (
-    <div className={classes.fields}>
+    <div className={`grid items-start ${classes.fields}`}>
       <TextInput {...text('name', 'two')} data-autofocus />
       <TextInput {...text('file_name', 'two')} placeholder="From the name" />
       <Autocomplete
@@ -64,7 +64,7 @@ export function CueFields({ draft, faults, categories, columns = [], people = []
           data={[{ value: '', label: '–' }, ...people.map(({ id, name }) => ({ value: id, label: name }))]}
         />
       ))}
-      <fieldset className={classes.flags}>
+      <fieldset className={`flex wrap ${classes.flags}`}>
         <legend className="visually-hidden">Properties</legend>
         {flag('loop', 'Loop')}
         {flag('length_locked', 'Exact length')}

@@ -125,7 +125,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const open = cue.questions.filter(({ answer }) => answer === null)
   const answered = cue.questions.filter(({ answer }) => answer !== null).toReversed()
   return (
-    <div className={`page ${classes.page}`}>
+    <div className={`page grid grid-cols-1 gap-3 ${classes.page}`}>
       <header className={classes.top}>
         <div className={classes.title}>
           <p className="row small dim">
@@ -151,7 +151,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             </p>
           )}
         </div>
-        <div className={classes.acts}>
+        <div className={`flex wrap gap-2 ${classes.acts}`}>
           {mayEdit && (
             <Button icon="pencil" keys="e" pressed={doing === 'edit'} onClick={() => setDoing(doing ? null : 'edit')}>
               Edit
@@ -184,7 +184,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             )}
             {doing === 'cut' && <CutCue cue={cue} projectId={projectId} onClose={() => setDoing(null)} />}
             {doing !== 'edit' && <Facts cue={cue} projectId={projectId} />}
-            <div className={classes.inside}>
+            <div className="grid gap-3 p-3-inset-4">
               <VoiceLineWhereAny projectId={projectId} cueId={cue.id} />
               <SpokenPlaceholder cueId={cue.id} cueName={cue.name} projectId={projectId} mayEdit={mayEdit} />
               <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayEdit} />
@@ -209,7 +209,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
               title="Questions"
               note={open.length > 0 ? (open.length === 1 ? '1 unanswered' : `${open.length} unanswered`) : undefined}
             />
-            <div className={classes.inside}>
+            <div className="grid gap-3 p-3-inset-4">
               {[...open, ...answered].map((question) => (
                 <QuestionLine key={question.id} question={question} projectId={projectId} mayAnswer={rights.edits} />
               ))}
@@ -279,9 +279,9 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
     ...Object.entries(cue.extra),
   ]
   return (
-    <div className={classes.inside}>
+    <div className="grid gap-3 p-3-inset-4">
       {cue.description && <p className={classes.description}>{cue.description}</p>}
-      <dl className={classes.facts}>
+      <dl className={`grid gap-2-4 ${classes.facts}`}>
         {facts
           .filter(([, value]) => value !== '' && value !== false && value !== null)
           .map(([name, value]) => (

@@ -125,7 +125,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
   return (
     <form
       ref={form}
-      className={classes.panel}
+      className={`grid gap-3 ${classes.panel}`}
       aria-label={`Edit ${cue.name}`}
       noValidate
       onSubmit={(event) => {
@@ -164,7 +164,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
         <ErrorBanner key={sentence} detail={sentence} />
       ))}
       <Refusal error={refusal} />
-      <div className={classes.acts}>
+      <div className="row wrap">
         {more}
         <span className="small dim end">
           {mine.length > 0 ? 'Not saved yet. Your changes are kept if you close.' : 'No changes.'}

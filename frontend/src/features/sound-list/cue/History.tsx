@@ -43,7 +43,7 @@ export function History({ cue, versions, changes }: HistoryProps) {
         ))}
       </ol>
       {changes.hasNextPage && (
-        <p className={classes.further}>
+        <p className="p-2-inset-3">
           <ShowMore list={changes}>Show older</ShowMore>
         </p>
       )}

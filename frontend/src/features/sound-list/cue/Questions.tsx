@@ -31,7 +31,7 @@ export function QuestionLine({
 }) {
   const roleOf = useRoles(projectId)
   return (
-    <article className={classes.question} aria-label={`Question: ${question.text}`}>
+    <article className={`grid gap-1 ${classes.question}`} aria-label={`Question: ${question.text}`}>
       <p className="small dim">
         {question.answer === null && (
           <>
@@ -88,7 +88,7 @@ function UrgencyFields({ question, projectId }: { question: Question; projectId:
   return (
     <details>
       <summary className="small">Owner and due date</summary>
-      <div className={classes.say}>
+      <div className={`grid items-end gap-2 ${classes.say}`}>
         <NativeSelect
           label="Owner"
           value={question.owner?.id ?? ''}
@@ -152,7 +152,7 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
         send()
       }}
     >
-      <div className={classes.say}>
+      <div className={`grid items-end gap-2 ${classes.say}`}>
         <Textarea
           ref={field}
           label="Your answer"
@@ -221,7 +221,7 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
         send()
       }}
     >
-      <div className={classes.say}>
+      <div className={`grid items-end gap-2 ${classes.say}`}>
         <Textarea
           ref={field}
           label={`Your question about ${cue.name}`}

@@ -22,7 +22,7 @@ export function Reel({ cueId, cueName }: { cueId: string; cueName: string }) {
   const { ask, made: reel, making, error } = useReel(cueId)
   const [how, setHow] = useState<Required<ReelAdd>>({ gap_ms: 500, crossfade_ms: 0, slates: 'spoken', order: 'oldest' })
   return (
-    <div className={classes.inside}>
+    <div className="grid gap-3 p-3-inset-4">
       <div className="row wrap">
         <Button icon="headphones" disabled={making} onClick={() => ask.mutate(how)}>
           Play all versions

@@ -42,10 +42,10 @@ export function Versions({ cue, projectId, versions, unheardIds, problem, playin
     <Card aria-labelledby="versions">
       <CardHead id="versions" title="Versions" count={versions?.length} end="newest first" />
       <Refusal error={problem} />
-      {versions?.length === 0 && <p className={`small dim ${classes.inside}`}>No versions yet.</p>}
+      {versions?.length === 0 && <p className="small dim grid gap-3 p-3-inset-4">No versions yet.</p>}
       <ul>
         {versions?.map((version) => (
-          <li key={version.take.id} className={classes.version}>
+          <li key={version.take.id} className={`grid gap-6px ${classes.version}`}>
             <Line
               cue={cue}
               projectId={projectId}
@@ -82,7 +82,7 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
   const wave = <WaveThumb peaks={thumb} lit={playing} faded={take.state === 'set_aside'} heightPx={36} />
   return (
     <>
-      <div className={classes.versionHead}>
+      <div className={`grid items-center gap-3 ${classes.versionHead}`}>
         <span>
           <span className="strong">{name.charAt(0).toUpperCase() + name.slice(1)}</span>{' '}
           {take.label !== null && <span className="small">{take.label} </span>}

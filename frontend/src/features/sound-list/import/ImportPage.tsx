@@ -184,8 +184,8 @@ export function ImportPage(): ReactNode {
   }
 
   return (
-    <div className={`page ${classes.page}`}>
-      <header className={classes.top}>
+    <div className="page stack content-start">
+      <header className="flex wrap items-start between gap-2">
         <div>
           <h1>Paste or import</h1>
           <p className="mid">
@@ -205,7 +205,7 @@ export function ImportPage(): ReactNode {
         />
         <div className={classes.source} data-over={over || undefined}>
           {sheet.file ? (
-            <p className={classes.file}>
+            <p className="flex wrap items-center gap-2-3">
               <span className="mono">{sheet.file.name}</span>
               <Button onClick={() => setSheet({ ...sheet, mapping: {}, read: {}, file: null })}>Remove file</Button>
             </p>
@@ -231,7 +231,7 @@ export function ImportPage(): ReactNode {
               },
             }}
           />
-          <div className={classes.choose}>
+          <div className="flex wrap items-center gap-2-3 mt-3">
             <Button icon="upload" onClick={() => picker.current?.click()}>
               {sheet.file ? 'Choose another file' : 'Choose file'}
             </Button>

@@ -238,7 +238,7 @@ function Line({
       </th>
       <td className="mid">{read?.category}</td>
       <td className="num">{read?.duration_s == null ? '' : figure(read.duration_s, 2)}</td>
-      <td className={classes.why}>
+      <td className="wrap-anywhere">
         {faults.map((fault, place) => (
           <div key={place} className="row wrap tone-bad">
             {fault.column && <span className="strong">{fault.column}: </span>}

@@ -55,7 +55,7 @@ export function ReadNotes({ read, reading, onRead }: Props) {
   return (
     <Card aria-labelledby="how-read">
       <CardHead id="how-read" title="How the sheet was read" note="Guesses, and what was left out" />
-      <div className={classes.notes}>
+      <div className={`grid gap-3 wrap-anywhere ${classes.notes}`}>
         {tabs.length > 1 && (
           <div>
             <Segmented

@@ -97,10 +97,10 @@ function Usual({ kit }: { kit: Kit }) {
 
 function KitCards({ kits, projectId }: { kits: readonly Kit[]; projectId: string }) {
   return (
-    <ul className={classes.kits}>
+    <ul className={`grid gap-4 ${classes.kits}`}>
       {kits.map((kit) => (
         <li key={kit.key}>
-          <Card aria-labelledby={`kit-${kit.key}`} className={classes.kit}>
+          <Card aria-labelledby={`kit-${kit.key}`} className={`grid gap-2 ${classes.kit}`}>
             <h2 id={`kit-${kit.key}`}>{kit.name}</h2>
             <p>{kit.about}</p>
             <p className="mid">{`${plural(kit.cues, 'cue')}, ${plural(kit.files, 'file')}`}</p>

@@ -190,7 +190,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
         ))}
       </datalist>
       <Refusal error={refusal} />
-      <footer className={classes.foot}>
+      <footer className={`row wrap ${classes.foot}`}>
         <span className={wrong > 0 ? 'tone-bad toned' : 'small dim'} role="status">
           {wrong > 0
             ? `${plural(wrong, 'row')} with errors. Fix them to save; nothing you typed is lost.`

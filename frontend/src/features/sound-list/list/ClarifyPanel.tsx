@@ -55,13 +55,13 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
   ])
   const problem = problemIn(answer.error) ?? problemIn(dismiss.error)
   return (
-    <section className={classes.panel} aria-label={`What is unclear about ${cue.name}`}>
+    <section className={`grid gap-3 ${classes.panel}`} aria-label={`What is unclear about ${cue.name}`}>
       {first === undefined && <p>Every question is answered.</p>}
       {questions.map((one) => (
         <Asked key={one.fact} one={one} isFirst={one === first} busy={busy} onSay={say} onDrop={drop} />
       ))}
       <Refusal error={problem} />
-      <div className={classes.acts}>
+      <div className="row wrap">
         <span className="small dim">
           Each answer is added to the description. Unclear cues can be delivered all the same.
         </span>
@@ -86,7 +86,7 @@ function Asked({ one, isFirst, busy, onSay, onDrop }: AskedProps) {
   const [text, setText] = useState('')
   return (
     <form
-      className={classes.question}
+      className={`grid gap-1 ${classes.question}`}
       aria-label={one.question}
       onSubmit={(event) => {
         event.preventDefault()

@@ -59,9 +59,9 @@ interface SayPanelProps {
 
 function SayPanel({ cue, projectId, mayEdit, onClose }: SayPanelProps) {
   return (
-    <div className={classes.panel}>
+    <div className={`grid gap-3 ${classes.panel}`}>
       <SpokenPlaceholder cueId={cue.id} cueName={cue.name} projectId={projectId} mayEdit={mayEdit} />
-      <div className={classes.acts}>
+      <div className="row wrap">
         <Button className="end" keys="Escape" onClick={onClose}>
           Close
         </Button>
@@ -82,7 +82,7 @@ function AskPanel({ cue, projectId, mayAnswer, onClose }: AskPanelProps) {
   const open = data?.questions.filter(({ answer }) => answer === null) ?? []
   const answers = mayAnswer && open.length > 0
   return (
-    <section className={classes.panel} aria-label={`Questions on ${cue.name}`}>
+    <section className={`grid gap-3 ${classes.panel}`} aria-label={`Questions on ${cue.name}`}>
       {open.map((question, at) => (
         <QuestionLine
           key={question.id}
@@ -95,7 +95,7 @@ function AskPanel({ cue, projectId, mayAnswer, onClose }: AskPanelProps) {
       <VoiceLineWhereAny projectId={projectId} cueId={cue.id} />
       <ReferenceStrip projectId={projectId} cueId={cue.id} mayAdd={mayAnswer} />
       <AskForm cue={cue} projectId={projectId} opens={!isPending && !answers} onAsked={onClose} />
-      <div className={classes.acts}>
+      <div className="row wrap">
         <Button className="end" keys="Escape" onClick={onClose}>
           Close
         </Button>

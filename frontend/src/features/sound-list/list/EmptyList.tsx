@@ -95,7 +95,7 @@ function FirstSounds({ projectId, onImport }: { projectId: string; onImport: () 
   useHotkeys([{ keys: 'mod+Enter', label: 'Add the sounds', group: 'List', run: save }])
 
   return (
-    <section className={classes.first} aria-labelledby="first-sounds">
+    <section className={`grid gap-4 ${classes.first}`} aria-labelledby="first-sounds">
       <h2 id="first-sounds" className="title">
         Which sounds do you need?
       </h2>

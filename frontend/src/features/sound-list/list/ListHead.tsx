@@ -21,8 +21,8 @@ interface ListHeadProps {
 export function ListHead({ projectId, list, mayEdit, needs }: ListHeadProps): ReactNode {
   const revision = list?.revision ?? 0
   return (
-    <header className={classes.top}>
-      <div className={classes.title}>
+    <header className="row wrap between">
+      <div className={`flex wrap items-baseline ${classes.title}`}>
         <h1>Sound list</h1>
         {list && (
           <span className="mid">

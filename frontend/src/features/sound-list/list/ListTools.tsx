@@ -68,8 +68,8 @@ export function ListTools({
   const list = `/projects/${projectId}/sound-list`
   return (
     <>
-      <div className={classes.tools}>
-        <label className={classes.find}>
+      <div className={`row ${classes.tools}`}>
+        <label className={`inline-flex items-center gap-6px ${classes.find}`}>
           <Icon name="search" />
           <span className="visually-hidden">Search the list</span>
           <input
@@ -102,7 +102,7 @@ export function ListTools({
         )}
       </div>
       {shown === 'filter' && (
-        <div className={classes.tools} role="group" aria-label="Filter">
+        <div className={`row ${classes.tools}`} role="group" aria-label="Filter">
           <div className={classes.chips} role="group" aria-label="Filter by state" ref={chips}>
             <FilterChip
               count={rows.length}
@@ -142,8 +142,8 @@ export function ListTools({
               </FilterChip>
             )}
           </div>
-          <div className={classes.ends}>
-            <span className={classes.select}>
+          <div className={`row ${classes.ends}`}>
+            <span className={`inline-flex items-center ${classes.select}`}>
               <select
                 aria-label="Category"
                 value={search.category ?? ''}
@@ -158,7 +158,7 @@ export function ListTools({
               </select>
               <Icon name="chevron" />
             </span>
-            <span className={classes.select}>
+            <span className={`inline-flex items-center ${classes.select}`}>
               <select
                 aria-label="Need"
                 value={search.need ?? ''}
@@ -177,7 +177,7 @@ export function ListTools({
             </span>
             {(search.person !== undefined ||
               rows.some(({ cue }) => cue.implementer_id !== null || cue.recorder_id !== null)) && (
-              <span className={classes.select}>
+              <span className={`inline-flex items-center ${classes.select}`}>
                 <select
                   aria-label="Person"
                   value={search.person ?? ''}
@@ -202,7 +202,7 @@ export function ListTools({
         </div>
       )}
       {shown === 'display' && (
-        <div className={classes.tools} role="group" aria-label="Display">
+        <div className={`row ${classes.tools}`} role="group" aria-label="Display">
           <Segmented
             label="Columns shown"
             value={search.view ?? 'state'}
@@ -212,7 +212,7 @@ export function ListTools({
               { value: 'content', label: 'Content' },
             ]}
           />
-          <span className={classes.select}>
+          <span className={`inline-flex items-center ${classes.select}`}>
             <select
               aria-label="Group by"
               value={search.by ?? 'list'}
@@ -237,7 +237,7 @@ export function ListTools({
         </div>
       )}
       {shown === 'more' && (
-        <div className={`${classes.tools} wrap`} role="group" aria-label="More">
+        <div className={`row ${classes.tools} wrap`} role="group" aria-label="More">
           {mayEdit && (
             <>
               <Button keys="i" onClick={onImport}>

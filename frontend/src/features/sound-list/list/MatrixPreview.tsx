@@ -31,14 +31,14 @@ export function MatrixPreview({ projectId, line, category }: MatrixPreviewProps)
   const rows = [...taken, ...data.rows.filter(({ owner }) => owner === null)]
   const files = data.rows.reduce((sum, { variations }) => sum + variations, 0)
   return (
-    <section className={classes.preview} aria-label={`Cues of ${line}`}>
+    <section className="border-t p-2-14px" aria-label={`Cues of ${line}`}>
       <p role="status">
         <span className="strong">{plural(rows.length, 'cue')}</span>, {plural(files, 'file')} from “{line}”.
         {taken.length > 0 && (
           <span className="tone-bad toned"> {plural(taken.length, 'name')} in the list already; change a part.</span>
         )}
       </p>
-      <ul className={classes.made}>
+      <ul className={`grid gap-2px-4 ${classes.made}`}>
         {rows.slice(0, SHOWN).map((row) => (
           <li key={row.name}>
             <span className="strong">{row.name}</span> <span className="mono small mid">{stemsOf(row)}</span>

@@ -48,7 +48,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
 
   return (
     <>
-      <section className={`${classes.tools} ${classes.picked}`} aria-label="Selected cues">
+      <section className={`row ${classes.tools} ${classes.picked}`} aria-label="Selected cues">
         <strong className="strong nowrap" role="status">
           {plural(cues.length, 'cue')} selected
         </strong>
@@ -76,7 +76,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           </datalist>
           <Button type="submit">Set category</Button>
         </form>
-        <span className={classes.select}>
+        <span className={`inline-flex items-center ${classes.select}`}>
           <select
             aria-label="Design status of the selected cues"
             value=""
@@ -93,7 +93,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           </select>
           <Icon name="chevron" />
         </span>
-        <span className={classes.select}>
+        <span className={`inline-flex items-center ${classes.select}`}>
           <select
             aria-label="Need of the selected cues"
             value=""
@@ -111,7 +111,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           <Icon name="chevron" />
         </span>
         {TASKS.map(({ task, label }) => (
-          <span key={task} className={classes.select}>
+          <span key={task} className={`inline-flex items-center ${classes.select}`}>
             <select
               aria-label={`${label}, of the selected cues`}
               value=""

@@ -9,7 +9,6 @@ import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { problemIn } from '../api'
 import { saidQuery, useRemoveSaid, useSay } from './api'
-import classes from './Spoken.module.css'
 import { useRecorder } from './useRecorder'
 
 interface SpokenPlaceholderProps {
@@ -45,7 +44,7 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
   if (!said && !mayEdit) return null
   const problem = problemIn(say.error) ?? problemIn(remove.error)
   return (
-    <section className={classes.said} aria-label={`Spoken placeholder of ${cueName}`}>
+    <section className="grid gap-2" aria-label={`Spoken placeholder of ${cueName}`}>
       <p className="small strong">Spoken placeholder</p>
       {said ? (
         <p className="small mid">{`${length(said.duration_s)}, said by ${said.recorded_by.name} ${ago(said.recorded_at)}. The game plays it until a sound is approved.`}</p>
@@ -54,7 +53,7 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
           Hold v and say what the sound does, as in “bonk”. The game plays it until a sound is approved.
         </p>
       )}
-      <div className={classes.acts}>
+      <div className="row wrap">
         {said && (
           <>
             {/* A word or two, whose text is the name of the cue. */}
