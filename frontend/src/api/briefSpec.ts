@@ -1,16 +1,14 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api } from './client'
+import { get, post } from './endpoint'
 import { invalidate, queryKeys } from './queryKeys'
 import { useMutation } from './useMutation'
-
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
 /** What the answers of the brief ask of the delivery spec and it does not have. */
 export const proposalQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.brief(projectId, 'spec'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/spec', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/brief/spec', { project_id: projectId }),
   })
 
 /** Save what the answers ask for as a version of the spec. */
@@ -18,7 +16,7 @@ export function useApplyProposal(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: { based_on_version: number; brief_revision: number }) =>
-      answered(api.POST('/v1/projects/{project_id}/brief/spec', { ...inProject(projectId), body })),
+      post('/v1/projects/{project_id}/brief/spec', { project_id: projectId }, body),
     onSuccess: () =>
       invalidate(
         client,

@@ -1,5 +1,6 @@
 export { answered, api, csrfToken, newIdempotencyKey } from './client'
 export { checkServer, connection } from './connection'
+export { del, get, patch, post, put, queryById } from './endpoint'
 export { goOnLater } from './goOnLater'
 export { later, type WriteKind } from './later'
 export { everyPage } from './pages'

@@ -1,6 +1,6 @@
 import { queryOptions, useQuery } from '@tanstack/react-query'
 
-import { answered, api } from './client'
+import { get } from './endpoint'
 import { queryKeys } from './queryKeys'
 import type { components } from './schema.gen'
 
@@ -11,7 +11,7 @@ export type MyProject = Schemas['MyProject']
 /** The current person, with their studios and projects. */
 export const meQuery = queryOptions({
   queryKey: queryKeys.me(),
-  queryFn: () => answered(api.GET('/v1/me')),
+  queryFn: () => get('/v1/me'),
   staleTime: 60_000,
 })
 
@@ -19,8 +19,8 @@ export const meQuery = queryOptions({
 export const visitorQuery = queryOptions({
   queryKey: queryKeys.visitor(),
   queryFn: async () => {
-    const session = await answered(api.GET('/v1/session'))
-    return session.signed_in ? await answered(api.GET('/v1/me')) : null
+    const session = await get('/v1/session')
+    return session.signed_in ? await get('/v1/me') : null
   },
 })
 

@@ -2,7 +2,7 @@ import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { showToast } from '@/app/toast'
@@ -16,12 +16,11 @@ import classes from './RefusedNames.module.css'
 export type RefusedNames = components['schemas']['RefusedNames']
 
 const SHOWN = 5
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
 const refusedNamesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.soundList(projectId, 'refused names'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/refused-names', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/sound-list/refused-names', { project_id: projectId }),
     retry: false,
   })
 
@@ -74,20 +73,12 @@ export function RefusedNamesNote({ projectId, edits }: Props): ReactNode {
   const { data } = useQuery(refusedNamesQuery(projectId))
   const refresh = () => invalidate(client, queryKeys.soundList(projectId), queryKeys.spec(projectId), queryKeys.cue.all)
   const rename = useMutation({
-    mutationFn: () =>
-      answered(
-        api.POST('/v1/projects/{project_id}/sound-list/refused-names/rename', { ...inProject(projectId), body: {} }),
-      ),
+    mutationFn: () => post('/v1/projects/{project_id}/sound-list/refused-names/rename', { project_id: projectId }, {}),
     onSuccess: refresh,
   })
   const admit = useMutation({
     mutationFn: (category: string | null) =>
-      answered(
-        api.POST('/v1/projects/{project_id}/sound-list/refused-names/admit', {
-          ...inProject(projectId),
-          body: { category },
-        }),
-      ),
+      post('/v1/projects/{project_id}/sound-list/refused-names/admit', { project_id: projectId }, { category }),
     onSuccess: refresh,
   })
   if (!data || data.names.length === 0) return null

@@ -2,7 +2,7 @@ import { useQueryClient } from '@tanstack/react-query'
 import { useNavigate } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { answered, api, useMutation } from '@/api'
+import { del, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
@@ -15,8 +15,7 @@ export function useOpenSample(studioId: string) {
   const client = useQueryClient()
   const navigate = useNavigate()
   return useMutation({
-    mutationFn: () =>
-      answered(api.POST('/v1/studios/{studio_id}/sample', { params: { path: { studio_id: studioId } } })),
+    mutationFn: () => post('/v1/studios/{studio_id}/sample', { studio_id: studioId }),
     onSuccess: async ({ id: projectId }) => {
       await invalidate(client, queryKeys.me(), queryKeys.projects.all)
       await navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
@@ -43,8 +42,7 @@ export function SampleBanner({ projectId, isProducer }: { projectId: string; isP
   const client = useQueryClient()
   const navigate = useNavigate()
   const remove = useMutation({
-    mutationFn: () =>
-      answered(api.DELETE('/v1/projects/{project_id}/sample', { params: { path: { project_id: projectId } } })),
+    mutationFn: () => del('/v1/projects/{project_id}/sample', { project_id: projectId }),
     onSuccess: async () => {
       await navigate({ to: '/projects' })
       showToast('Sample project deleted.')

@@ -1,6 +1,6 @@
 import { queryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -8,7 +8,7 @@ import type { components } from '@/api/schema.gen'
 export const deskQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.desk(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/desk', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/desk', { project_id: projectId }),
   })
 
 type Desk = components['schemas']['Desk']

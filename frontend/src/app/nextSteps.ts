@@ -1,6 +1,6 @@
 import { queryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { money } from '@/money/words'
@@ -14,8 +14,7 @@ export type Awaited = components['schemas']['Awaited']
 export const nextStepsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.nextSteps(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/next-steps', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/next-steps', { project_id: projectId }),
   })
 
 type Kind = NextStep['kind']

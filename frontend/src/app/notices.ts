@@ -1,6 +1,6 @@
 import { queryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 
 /** The largest number that is counted; above it one more is answered. */
@@ -11,7 +11,7 @@ const ASKED_EVERY_MS = 120_000
 /** How many notices the current person has not read. */
 export const unreadQuery = queryOptions({
   queryKey: queryKeys.notices('unread'),
-  queryFn: async () => (await answered(api.GET('/v1/me/notices/unread'))).unread,
+  queryFn: async () => (await get('/v1/me/notices/unread')).unread,
   refetchInterval: ASKED_EVERY_MS,
 })
 

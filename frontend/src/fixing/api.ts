@@ -1,6 +1,6 @@
 import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -27,13 +27,11 @@ const TOUCHED = [
   queryKeys.cueReview.all,
 ]
 
-const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
-
 /** What a fix can do, or did, about a take; asked again while it is being made. */
 export const fixQuery = (takeId: string) =>
   queryOptions({
     queryKey: queryKeys.fix(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/fix', ofTake(takeId))),
+    queryFn: () => get('/v1/takes/{take_id}/fix', { take_id: takeId }),
     refetchInterval: ({ state: { data } }) => (data?.state === 'making' ? POLL_MS : false),
   })
 
@@ -43,7 +41,7 @@ export const useFix = (takeId: string) => useQuery(fixQuery(takeId))
 export const useSounds = (takeId: string, fix?: Fix) =>
   useQuery({
     queryKey: queryKeys.takeSounds(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', ofTake(takeId))),
+    queryFn: () => get('/v1/takes/{take_id}/sounds', { take_id: takeId }),
     refetchInterval: ({ state: { data } }) =>
       data && (data.master.state === 'drawing' || (fix?.state === 'made' && data.fix === null)) ? POLL_MS : false,
   })
@@ -52,15 +50,14 @@ export const useSounds = (takeId: string, fix?: Fix) =>
 export const fixesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.fixes(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/fixes', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/fixes', { project_id: projectId }),
   })
 
 /** Have the fixed copy made. */
 export function useAskForFix(takeId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.POST('/v1/takes/{take_id}/fix', ofTake(takeId))),
+    mutationFn: () => post('/v1/takes/{take_id}/fix', { take_id: takeId }),
     onSuccess: (fix) => {
       client.setQueryData(fixQuery(takeId).queryKey, fix)
     },
@@ -71,7 +68,7 @@ export function useAskForFix(takeId: string) {
 export function useUseFix(takeId: string, onUsed: (made: Schemas['TakeRead']) => void) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.POST('/v1/takes/{take_id}/fix/use', ofTake(takeId))),
+    mutationFn: () => post('/v1/takes/{take_id}/fix/use', { take_id: takeId }),
     onSuccess: onUsed,
     onSettled: () => invalidate(client, queryKeys.fix(takeId), ...TOUCHED),
   })
@@ -86,7 +83,7 @@ export function useUseFixes() {
     mutationFn: async (takeIds: readonly string[]) => {
       for (let at = 0; at < takeIds.length; at += AT_ONCE) {
         const some = takeIds.slice(at, at + AT_ONCE)
-        await Promise.all(some.map((id) => answered(api.POST('/v1/takes/{take_id}/fix/use', ofTake(id)))))
+        await Promise.all(some.map((id) => post('/v1/takes/{take_id}/fix/use', { take_id: id })))
       }
       return takeIds.length
     },

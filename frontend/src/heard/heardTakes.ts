@@ -1,6 +1,6 @@
 import type { InfiniteData, QueryClient } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem } from '@/api'
+import { ApiProblem, post } from '@/api'
 import { serverReturns } from '@/api/connection'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -60,12 +60,7 @@ export class HeardTakes {
 
   async #statusOf(takeIds: string[]): Promise<number> {
     try {
-      await answered(
-        api.POST('/v1/projects/{project_id}/heard-takes', {
-          params: { path: { project_id: this.#projectId } },
-          body: { take_ids: takeIds },
-        }),
-      )
+      await post('/v1/projects/{project_id}/heard-takes', { project_id: this.#projectId }, { take_ids: takeIds })
       return 204
     } catch (error) {
       return error instanceof ApiProblem ? error.status : 0

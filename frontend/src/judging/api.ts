@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, useMutation } from '@/api'
+import { answered, api, del, everyPage, get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -42,11 +42,7 @@ export const queueQuery = (projectId: string, filter: QueueFilter = {}) =>
     queryFn: async ({ client, pageParam: cursor }) =>
       withoutUnderWay(
         client,
-        await answered(
-          api.GET('/v1/review-queue', {
-            params: { query: { project_id: projectId, own: true, ...asked(filter), cursor } },
-          }),
-        ),
+        await get('/v1/review-queue', { project_id: projectId, own: true, ...asked(filter), cursor }),
       ),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
@@ -65,24 +61,19 @@ export const countQuery = (projectId: string, filter: QueueFilter = {}) =>
     queryKey: isFiltered(filter)
       ? queryKeys.reviewQueue(projectId, 'count', filter)
       : queryKeys.reviewQueue(projectId, 'count'),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/review-queue/count', {
-          params: { query: { project_id: projectId, own: true, ...asked(filter) } },
-        }),
-      ),
+    queryFn: () => get('/v1/review-queue/count', { project_id: projectId, own: true, ...asked(filter) }),
   })
 
 export const reviewQuery = (cueId: string) =>
   queryOptions({
     queryKey: queryKeys.cueReview(cueId),
-    queryFn: () => answered(api.GET('/v1/cues/{cue_id}/review', { params: { path: { cue_id: cueId } } })),
+    queryFn: () => get('/v1/cues/{cue_id}/review', { cue_id: cueId }),
   })
 
 export const historyQuery = (takeId: string) =>
   queryOptions({
     queryKey: queryKeys.takeHistory(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/history', { params: { path: { take_id: takeId } } })),
+    queryFn: () => get('/v1/takes/{take_id}/history', { take_id: takeId }),
   })
 
 /** Changes that are noted and that do not send themselves. */
@@ -91,11 +82,7 @@ export const draftsQuery = (projectId: string) =>
     queryKey: queryKeys.changeRequests(projectId, 'draft'),
     queryFn: () =>
       everyItem((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/change-requests', {
-            params: { path: { project_id: projectId }, query: { state: 'draft', cursor } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/change-requests', { project_id: projectId, state: 'draft', cursor }),
       ),
     select: (drafts) => drafts.filter(({ sends_at }) => sends_at === null),
   })
@@ -115,13 +102,7 @@ export async function refresh(client: QueryClient, projectId: string): Promise<v
 export function useSendFeedback(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (note: string) =>
-      answered(
-        api.POST('/v1/projects/{project_id}/feedback', {
-          params: { path: { project_id: projectId } },
-          body: { note },
-        }),
-      ),
+    mutationFn: (note: string) => post('/v1/projects/{project_id}/feedback', { project_id: projectId }, { note }),
     // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),
   })
@@ -132,11 +113,7 @@ export function useDropDraft(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (draft: ChangeRequest) =>
-      answered(
-        api.DELETE('/v1/change-requests/{change_request_id}', {
-          params: { path: { change_request_id: draft.id } },
-        }),
-      ),
+      del('/v1/change-requests/{change_request_id}', { change_request_id: draft.id }),
     // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),
   })

@@ -1,6 +1,6 @@
 import { useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { showToast } from '@/app/toast'
 
@@ -11,7 +11,7 @@ export function useSetLabel() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ takeId, label }: { takeId: string; label: string | null }) =>
-      answered(api.PUT('/v1/takes/{take_id}/label', { params: { path: { take_id: takeId } }, body: { label } })),
+      put('/v1/takes/{take_id}/label', { take_id: takeId }, { label }),
     // Awaited: the next key labels what is shown then.
     onSettled: (_, __, { takeId }) =>
       invalidate(

@@ -1,7 +1,7 @@
 import { type QueryClient, queryOptions } from '@tanstack/react-query'
 import type { RefObject } from 'react'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -20,7 +20,7 @@ export interface MentionsProps {
 export const mentionableQuery = (takeId: string) =>
   queryOptions({
     queryKey: queryKeys.peopleToMention(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/people', { params: { path: { take_id: takeId } } })),
+    queryFn: () => get('/v1/takes/{take_id}/people', { take_id: takeId }),
     staleTime: 60_000,
   })
 

@@ -1,6 +1,6 @@
 import { queryOptions, useQuery } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -13,8 +13,7 @@ const NONE: readonly string[] = []
 export const reasonsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.reviewReasons(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/review-reasons', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/review-reasons', { project_id: projectId }),
   })
 
 /** What the studio says most, each on its digit; nothing until it is here, so that no digit means something else. */

@@ -1,6 +1,6 @@
 import { queryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -10,7 +10,7 @@ export type Loss = components['schemas']['LossRead']
 export const lossQuery = (renderId: string) =>
   queryOptions({
     queryKey: queryKeys.loss(renderId),
-    queryFn: () => answered(api.GET('/v1/renders/{render_id}/loss', { params: { path: { render_id: renderId } } })),
+    queryFn: () => get('/v1/renders/{render_id}/loss', { render_id: renderId }),
     staleTime: Infinity,
     retry: false,
   })

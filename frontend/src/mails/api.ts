@@ -1,14 +1,13 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 
 /** How the mails stand by which a project invites. */
 export const mailedLinksQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.mailedLinks(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/mailed-links', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/mailed-links', { project_id: projectId }),
     // The worker writes and sends mails a moment after their event.
     refetchInterval: 3_000,
   })
@@ -17,8 +16,7 @@ export const mailedLinksQuery = (projectId: string) =>
 export function useHandOverLink(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (mailId: string) =>
-      answered(api.POST('/v1/mails/{mail_id}/link', { params: { path: { mail_id: mailId } } })),
+    mutationFn: (mailId: string) => post('/v1/mails/{mail_id}/link', { mail_id: mailId }),
     onSuccess: () => invalidate(client, queryKeys.mailedLinks(projectId)),
   })
 }

@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, useMutation } from '@/api'
+import { answered, api, everyPage, get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -35,22 +35,19 @@ export type WorkLogAdd = Schemas['WorkLogAdd']
 export const moneyQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.money(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/money', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/money', { project_id: projectId }),
   })
 
 export const cueMoneyQuery = (cueId: string) =>
   queryOptions({
     queryKey: queryKeys.money('cue', cueId),
-    queryFn: () => answered(api.GET('/v1/cues/{cue_id}/money', { params: { path: { cue_id: cueId } } })),
+    queryFn: () => get('/v1/cues/{cue_id}/money', { cue_id: cueId }),
   })
-
-const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
 
 export const ledgerQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.money('ledger', contractId),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ledger', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/ledger', { contract_id: contractId }),
   })
 
 /** An invoice as PDF with its XML inside. */
@@ -67,7 +64,7 @@ export function useSayShipped(contractId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (shippedOn: string) =>
-      answered(api.POST('/v1/contracts/{contract_id}/shipped', { ...of(contractId), body: { shipped_on: shippedOn } })),
+      post('/v1/contracts/{contract_id}/shipped', { contract_id: contractId }, { shipped_on: shippedOn }),
     onSuccess: (ledger) => client.setQueryData(ledgerQuery(contractId).queryKey, ledger),
     onSettled: () => invalidate(client, queryKeys.money.all, queryKeys.nextSteps.all),
   })
@@ -76,7 +73,7 @@ export function useSayShipped(contractId: string) {
 export const invoicesQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.money('invoices', contractId),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/invoices', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/invoices', { contract_id: contractId }),
   })
 
 /** The next invoice, under the number that was typed or, without one, the number after the last. */
@@ -96,7 +93,7 @@ export const invoiceDraftQuery = (contractId: string, fullNumber = '') =>
 export const estimatesQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.money('estimates', contractId),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/estimates', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/estimates', { contract_id: contractId }),
     retry: false,
   })
 
@@ -117,21 +114,20 @@ export const proposedPlanQuery = (contractId: string, totalMinor: number | null)
 export const milestoneQuery = (milestoneId: string) =>
   queryOptions({
     queryKey: queryKeys.money('milestone', milestoneId),
-    queryFn: () =>
-      answered(api.GET('/v1/milestones/{milestone_id}', { params: { path: { milestone_id: milestoneId } } })),
+    queryFn: () => get('/v1/milestones/{milestone_id}', { milestone_id: milestoneId }),
   })
 
 export const planQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.money('plan', contractId),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/milestones', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/milestones', { contract_id: contractId }),
   })
 
 /** The errors and warnings of a plan as it is typed. */
 export const planCheckQuery = (contractId: string, plan: PlanSet) =>
   queryOptions({
     queryKey: queryKeys.money('plan-check', contractId, plan),
-    queryFn: () => answered(api.POST('/v1/contracts/{contract_id}/plan-check', { ...of(contractId), body: plan })),
+    queryFn: () => post('/v1/contracts/{contract_id}/plan-check', { contract_id: contractId }, plan),
     staleTime: Infinity,
     gcTime: 60_000,
   })
@@ -142,11 +138,7 @@ export const plannableQuery = (projectId: string) =>
     queryKey: queryKeys.soundList(projectId, 'plannable'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/sound-list', {
-            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
       )
       return pages.flatMap(({ cues }) => cues).filter(({ state }) => state !== 'cut')
     },
@@ -155,7 +147,7 @@ export const plannableQuery = (projectId: string) =>
 export const daysQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.money('days', contractId),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/worked-days', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/worked-days', { contract_id: contractId }),
   })
 
 function useMoneyChange<Given, Answer>(change: (given: Given) => Promise<Answer>) {
@@ -168,48 +160,38 @@ function useMoneyChange<Given, Answer>(change: (given: Given) => Promise<Answer>
 
 export const useIssueInvoice = (contractId: string) =>
   useMoneyChange((body: InvoiceIssue) =>
-    answered(api.POST('/v1/contracts/{contract_id}/invoices', { ...of(contractId), body })),
+    post('/v1/contracts/{contract_id}/invoices', { contract_id: contractId }, body),
   )
 
 export const useRecordPayment = (invoiceId: string) =>
-  useMoneyChange((body: PaymentAdd) =>
-    answered(api.POST('/v1/invoices/{invoice_id}/payments', { params: { path: { invoice_id: invoiceId } }, body })),
-  )
+  useMoneyChange((body: PaymentAdd) => post('/v1/invoices/{invoice_id}/payments', { invoice_id: invoiceId }, body))
 
 export const useChargeInterest = ({ id }: Invoice) =>
-  useMoneyChange(() =>
-    answered(api.POST('/v1/invoices/{invoice_id}/late-interest', { params: { path: { invoice_id: id } } })),
-  )
+  useMoneyChange(() => post('/v1/invoices/{invoice_id}/late-interest', { invoice_id: id }))
 
 export const useRefund = (paymentId: string) =>
-  useMoneyChange((body: PaymentAdd) =>
-    answered(api.POST('/v1/payments/{payment_id}/refunds', { params: { path: { payment_id: paymentId } }, body })),
-  )
+  useMoneyChange((body: PaymentAdd) => post('/v1/payments/{payment_id}/refunds', { payment_id: paymentId }, body))
 
 export const useSavePlan = (contractId: string) =>
-  useMoneyChange((body: PlanSet) =>
-    answered(api.PUT('/v1/contracts/{contract_id}/milestones', { ...of(contractId), body })),
-  )
+  useMoneyChange((body: PlanSet) => put('/v1/contracts/{contract_id}/milestones', { contract_id: contractId }, body))
 
 export const useLogDay = (contractId: string) =>
   useMoneyChange((body: WorkedDayAdd) =>
-    answered(api.POST('/v1/contracts/{contract_id}/worked-days', { ...of(contractId), body })),
+    post('/v1/contracts/{contract_id}/worked-days', { contract_id: contractId }, body),
   )
 
 /** Logs hours, or corrects those of an entry and sends them again. */
 export const useLogHours = (contractId: string, correctedId?: string) =>
   useMoneyChange((body: WorkedDayAdd) => {
     if (correctedId === undefined)
-      return answered(api.POST('/v1/contracts/{contract_id}/worked-days', { ...of(contractId), body }))
+      return post('/v1/contracts/{contract_id}/worked-days', { contract_id: contractId }, body)
     const params = { params: { path: { worked_day_id: correctedId } } }
     return answered(api.PUT('/v1/worked-days/{worked_day_id}', { ...params, body }))
   })
 
 export const useRefuseDay = (workedDayId: string) =>
   useMoneyChange((body: Schemas['WorkRefusal']) =>
-    answered(
-      api.POST('/v1/worked-days/{worked_day_id}/refuse', { params: { path: { worked_day_id: workedDayId } }, body }),
-    ),
+    post('/v1/worked-days/{worked_day_id}/refuse', { worked_day_id: workedDayId }, body),
   )
 
 export const useSettleDay = (workedDayId: string) =>
@@ -220,9 +202,7 @@ export const useSettleDay = (workedDayId: string) =>
   })
 
 export const useLogWork = (contractId: string) =>
-  useMoneyChange((body: WorkLogAdd) =>
-    answered(api.POST('/v1/contracts/{contract_id}/work-logs', { ...of(contractId), body })),
-  )
+  useMoneyChange((body: WorkLogAdd) => post('/v1/contracts/{contract_id}/work-logs', { contract_id: contractId }, body))
 
 export const useSettleRound = (extraRoundId: string) =>
   useMoneyChange((how: 'agree' | 'drop') => {
@@ -236,6 +216,5 @@ export const useSettleRound = (extraRoundId: string) =>
 
 export const useMakeCalendar = (projectId: string) =>
   useMutation({
-    mutationFn: () =>
-      answered(api.POST('/v1/projects/{project_id}/calendar', { params: { path: { project_id: projectId } } })),
+    mutationFn: () => post('/v1/projects/{project_id}/calendar', { project_id: projectId }),
   })

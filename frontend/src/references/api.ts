@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -9,11 +9,7 @@ export type Reference = Schemas['ReferenceRead']
 export type ReferenceVersion = Schemas['ReferenceVersionRead']
 
 const page = (projectId: string, cueId: string | undefined, cursor: string | undefined) =>
-  answered(
-    api.GET('/v1/projects/{project_id}/references', {
-      params: { path: { project_id: projectId }, query: { cue_id: cueId, cursor } },
-    }),
-  )
+  get('/v1/projects/{project_id}/references', { project_id: projectId, cue_id: cueId, cursor })
 
 /** The references of a project, page by page. */
 export const boardQuery = (projectId: string) =>
@@ -40,11 +36,7 @@ export function useOpenVersion(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (versionId: string) =>
-      answered(
-        api.POST('/v1/reference-versions/{reference_version_id}/openings', {
-          params: { path: { reference_version_id: versionId } },
-        }),
-      ),
+      post('/v1/reference-versions/{reference_version_id}/openings', { reference_version_id: versionId }),
     onSuccess: () => invalidate(client, queryKeys.references(projectId, 'openings')),
   })
 }

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -10,8 +10,7 @@ export type ViewedPage = components['schemas']['ViewedPage']
 export const viewsQuery = (projectId: string, page: ViewedPage) =>
   queryOptions({
     queryKey: queryKeys.savedViews(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/saved-views', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/saved-views', { project_id: projectId }),
     select: (views) => views.filter((view) => view.page === page),
   })
 
@@ -19,12 +18,7 @@ export function useSaveView(projectId: string, page: ViewedPage) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (view: { name: string; query: string }) =>
-      answered(
-        api.POST('/v1/projects/{project_id}/saved-views', {
-          params: { path: { project_id: projectId } },
-          body: { page, ...view },
-        }),
-      ),
+      post('/v1/projects/{project_id}/saved-views', { project_id: projectId }, { page, ...view }),
     onSuccess: () => invalidate(client, queryKeys.savedViews(projectId)),
   })
 }
@@ -32,8 +26,7 @@ export function useSaveView(projectId: string, page: ViewedPage) {
 export function useDeleteView(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (viewId: string) =>
-      answered(api.DELETE('/v1/saved-views/{saved_view_id}', { params: { path: { saved_view_id: viewId } } })),
+    mutationFn: (viewId: string) => del('/v1/saved-views/{saved_view_id}', { saved_view_id: viewId }),
     onSuccess: () => invalidate(client, queryKeys.savedViews(projectId)),
   })
 }

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -13,27 +13,25 @@ export type SameSounds = Schemas['SameSoundsRead']
 export const takeSourcesQuery = (takeId: string) =>
   queryOptions({
     queryKey: queryKeys.sources('take', takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/sources', { params: { path: { take_id: takeId } } })),
+    queryFn: () => get('/v1/takes/{take_id}/sources', { take_id: takeId }),
   })
 
 export const sameSoundsQuery = (takeId: string) =>
   queryOptions({
     queryKey: queryKeys.sameSounds(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/same-sounds', { params: { path: { take_id: takeId } } })),
+    queryFn: () => get('/v1/takes/{take_id}/same-sounds', { take_id: takeId }),
   })
 
 export const deliverySourcesQuery = (deliveryId: string) =>
   queryOptions({
     queryKey: queryKeys.sources('delivery', deliveryId),
-    queryFn: () =>
-      answered(api.GET('/v1/deliveries/{delivery_id}/sources', { params: { path: { delivery_id: deliveryId } } })),
+    queryFn: () => get('/v1/deliveries/{delivery_id}/sources', { delivery_id: deliveryId }),
   })
 
 export function useStateTakeSources(takeId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Sources) =>
-      answered(api.PUT('/v1/takes/{take_id}/sources', { params: { path: { take_id: takeId } }, body })),
+    mutationFn: (body: Sources) => put('/v1/takes/{take_id}/sources', { take_id: takeId }, body),
     onSuccess: () => invalidate(client, queryKeys.sources.all, queryKeys.sameSounds.all),
   })
 }
@@ -41,10 +39,7 @@ export function useStateTakeSources(takeId: string) {
 export function useStateDeliverySources(deliveryId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Sources) =>
-      answered(
-        api.PUT('/v1/deliveries/{delivery_id}/sources', { params: { path: { delivery_id: deliveryId } }, body }),
-      ),
+    mutationFn: (body: Sources) => put('/v1/deliveries/{delivery_id}/sources', { delivery_id: deliveryId }, body),
     onSuccess: () => invalidate(client, queryKeys.sources.all),
   })
 }

@@ -1,4 +1,4 @@
-import { answered, api, ApiProblem, csrfToken, lineLost, problemOf } from '@/api'
+import { ApiProblem, csrfToken, lineLost, post, problemOf } from '@/api'
 
 import type { Transport, TransportEvents, Upload } from './queue'
 import { bodyOf, type TusOptions, uploadIdOf } from './tus'
@@ -67,7 +67,7 @@ export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }
       sent += bytes.byteLength
       events.onProgress(sent)
     }
-    const finished = await answered(api.POST('/v1/uploads/{upload_id}/finish', { params: { path: { upload_id: id } } }))
+    const finished = await post('/v1/uploads/{upload_id}/finish', { upload_id: id })
     place.forget()
     events.onFinished(finished.upload_id)
   }
@@ -138,7 +138,7 @@ function giveUp(id: string): void {
 }
 
 const ask = (id: string, parts: { number: number; sha256: string }[]) =>
-  answered(api.POST('/v1/uploads/{upload_id}/parts', { params: { path: { upload_id: id } }, body: { parts } }))
+  post('/v1/uploads/{upload_id}/parts', { upload_id: id }, { parts })
 
 /** Browsers hash on secure pages only. */
 const canHash = () => (globalThis.crypto as Partial<Crypto> | undefined)?.subtle !== undefined

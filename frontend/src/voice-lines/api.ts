@@ -1,6 +1,6 @@
 import { queryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -10,5 +10,5 @@ export type VoiceLine = components['schemas']['VoiceLineRead']
 export const cueVoiceLineQuery = (projectId: string, cueId: string) =>
   queryOptions({
     queryKey: queryKeys.voiceLines(projectId, 'cue', cueId),
-    queryFn: () => answered(api.GET('/v1/cues/{cue_id}/voice-line', { params: { path: { cue_id: cueId } } })),
+    queryFn: () => get('/v1/cues/{cue_id}/voice-line', { cue_id: cueId }),
   })

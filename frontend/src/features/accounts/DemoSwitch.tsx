@@ -2,7 +2,7 @@ import { Menu } from '@mantine/core'
 import { useQueryClient } from '@tanstack/react-query'
 import { useRouter } from '@tanstack/react-router'
 
-import { answered, api } from '@/api'
+import { get, put } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { meQuery } from '@/api/me'
 import { showToast } from '@/app/toast'
@@ -21,7 +21,7 @@ function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> {
   const router = useRouter()
   return async (part, href = '/') => {
     try {
-      await answered(api.PUT('/v1/demo/part/{part}', { params: { path: { part } } }))
+      await put('/v1/demo/part/{part}', { part })
     } catch {
       showToast('Could not switch roles: the server can’t be reached.')
       return
@@ -29,7 +29,7 @@ function usePlayPart(): (part: DemoPart, href?: string) => Promise<void> {
     // The current page stays until the new one is ready; refetching it as another person would be refused.
     const forget = () => client.removeQueries({ type: 'inactive', fetchStatus: 'idle' })
     forget()
-    client.setQueryData(meQuery.queryKey, await answered(api.GET('/v1/me')))
+    client.setQueryData(meQuery.queryKey, await get('/v1/me'))
     void invalidate(client, queryKeys.session())
     await router.navigate({ href })
     forget()

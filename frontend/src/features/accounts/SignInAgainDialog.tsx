@@ -1,4 +1,4 @@
-import { answered, api, type SignInReason, useMutation } from '@/api'
+import { post, type SignInReason, useMutation } from '@/api'
 import type { Me } from '@/api/me'
 import { Dialog } from '@/app/Dialog'
 import type { OpenedProps } from '@/app/LazyDialog'
@@ -17,8 +17,7 @@ interface SignInAgainDialogProps extends OpenedProps {
 
 export function SignInAgainDialog({ me, reason, opened, onClose, onSignedIn }: SignInAgainDialogProps) {
   const signIn = useMutation({
-    mutationFn: (body: { email: string; password: string; code?: string }) =>
-      answered(api.POST('/v1/sign-in', { body })),
+    mutationFn: (body: { email: string; password: string; code?: string }) => post('/v1/sign-in', {}, body),
     onSuccess: ({ id }) => onSignedIn(id),
   })
   const isCodeAsked = useSecondFactorAsked(signIn.error)

@@ -1,6 +1,6 @@
 import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, api, del, get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -21,7 +21,7 @@ const MINUTE_MS = 60_000
 /** Whether the person is signed in; the request also fetches the token that this page's writes must carry. */
 export const sessionQuery = queryOptions({
   queryKey: queryKeys.session(),
-  queryFn: () => answered(api.GET('/v1/session')),
+  queryFn: () => get('/v1/session'),
   staleTime: MINUTE_MS,
 })
 
@@ -39,40 +39,37 @@ function useEntrance<Body, Answer>(enter: (body: Body) => Promise<Answer>) {
   })
 }
 
-export const useSignIn = () => useEntrance((body: Schemas['SignInAdd']) => answered(api.POST('/v1/sign-in', { body })))
+export const useSignIn = () => useEntrance((body: Schemas['SignInAdd']) => post('/v1/sign-in', {}, body))
 
-export const useSignUp = () => useEntrance((body: Schemas['SignUpAdd']) => answered(api.POST('/v1/sign-up', { body })))
+export const useSignUp = () => useEntrance((body: Schemas['SignUpAdd']) => post('/v1/sign-up', {}, body))
 
 /** Whether anyone may open an account here, and whether a link is mailed first. */
 export const signUpQuery = queryOptions({
   queryKey: queryKeys.signUp(),
-  queryFn: () => answered(api.GET('/v1/sign-up')),
+  queryFn: () => get('/v1/sign-up'),
 })
 
 export const useAskSignUp = () =>
   useMutation({
-    mutationFn: (body: Schemas['SignUpRequest']) => answered(api.POST('/v1/sign-ups', { body })),
+    mutationFn: (body: Schemas['SignUpRequest']) => post('/v1/sign-ups', {}, body),
   })
 
 export const signUpLinkQuery = (secret: string) =>
   queryOptions({
     queryKey: queryKeys.signUpLink(secret),
-    queryFn: () => answered(api.GET('/v1/sign-ups/{secret}', { params: { path: { secret } } })),
+    queryFn: () => get('/v1/sign-ups/{secret}', { secret }),
     retry: false,
   })
 
 export const useFinishSignUp = (secret: string) =>
-  useEntrance((body: Schemas['SignUpFinish']) =>
-    answered(api.POST('/v1/sign-ups/{secret}', { params: { path: { secret } }, body })),
-  )
+  useEntrance((body: Schemas['SignUpFinish']) => post('/v1/sign-ups/{secret}', { secret }, body))
 
-export const useAskVerification = () =>
-  useMutation({ mutationFn: () => answered(api.POST('/v1/me/email-verifications')) })
+export const useAskVerification = () => useMutation({ mutationFn: () => post('/v1/me/email-verifications') })
 
 export function useVerifyEmail(secret: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.POST('/v1/email-verifications/{secret}', { params: { path: { secret } } })),
+    mutationFn: () => post('/v1/email-verifications/{secret}', { secret }),
     onSuccess: () => invalidate(client, queryKeys.me()),
   })
 }
@@ -81,14 +78,13 @@ export type SignIn = Schemas['SignInRead']
 
 export const signInsQuery = queryOptions({
   queryKey: queryKeys.signIns(),
-  queryFn: () => answered(api.GET('/v1/me/sign-ins')),
+  queryFn: () => get('/v1/me/sign-ins'),
 })
 
 export function useEndSignIn() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (id: string) =>
-      answered(api.DELETE('/v1/me/sign-ins/{sign_in_id}', { params: { path: { sign_in_id: id } } })),
+    mutationFn: (id: string) => del('/v1/me/sign-ins/{sign_in_id}', { sign_in_id: id }),
     onSettled: () => invalidate(client, queryKeys.signIns()),
   })
 }
@@ -96,7 +92,7 @@ export function useEndSignIn() {
 export function useEndOtherSignIns() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.DELETE('/v1/me/sign-ins')),
+    mutationFn: () => del('/v1/me/sign-ins'),
     onSettled: () => invalidate(client, queryKeys.signIns()),
   })
 }
@@ -105,13 +101,13 @@ export type DeskTokenMade = Schemas['DeskTokenMade']
 
 export const deskTokensQuery = queryOptions({
   queryKey: queryKeys.deskTokens(),
-  queryFn: () => answered(api.GET('/v1/me/desk-tokens')),
+  queryFn: () => get('/v1/me/desk-tokens'),
 })
 
 export function useCreateDeskToken() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['DeskTokenAdd']) => answered(api.POST('/v1/me/desk-tokens', { body })),
+    mutationFn: (body: Schemas['DeskTokenAdd']) => post('/v1/me/desk-tokens', {}, body),
     onSettled: () => invalidate(client, queryKeys.deskTokens()),
   })
 }
@@ -119,8 +115,7 @@ export function useCreateDeskToken() {
 export function useRevokeDeskToken() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (id: string) =>
-      answered(api.DELETE('/v1/me/desk-tokens/{desk_token_id}', { params: { path: { desk_token_id: id } } })),
+    mutationFn: (id: string) => del('/v1/me/desk-tokens/{desk_token_id}', { desk_token_id: id }),
     onSettled: () => invalidate(client, queryKeys.deskTokens()),
   })
 }
@@ -131,13 +126,13 @@ export type Cadence = Schemas['Cadence']
 
 export const mailPreferencesQuery = queryOptions({
   queryKey: queryKeys.mailPreferences(),
-  queryFn: () => answered(api.GET('/v1/me/mail-preferences')),
+  queryFn: () => get('/v1/me/mail-preferences'),
 })
 
 export function useSaveMailPreferences() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: MailPreferences) => answered(api.PUT('/v1/me/mail-preferences', { body })),
+    mutationFn: (body: MailPreferences) => put('/v1/me/mail-preferences', {}, body),
     onSuccess: (saved) => client.setQueryData(queryKeys.mailPreferences(), saved),
   })
 }
@@ -146,7 +141,7 @@ export function useSaveMailPreferences() {
 export const mailChoiceQuery = (secret: string) =>
   queryOptions({
     queryKey: queryKeys.mailChoice(secret),
-    queryFn: () => answered(api.GET('/v1/mail-choices/{secret}', { params: { path: { secret } } })),
+    queryFn: () => get('/v1/mail-choices/{secret}', { secret }),
     retry: false,
   })
 
@@ -155,7 +150,7 @@ export function useChooseMail(secret: string) {
   return useMutation({
     mutationFn: async (cadence: Cadence) => {
       await client.ensureQueryData(sessionQuery) // the first write of a page needs its token too
-      return answered(api.PUT('/v1/mail-choices/{secret}', { params: { path: { secret } }, body: { cadence } }))
+      return put('/v1/mail-choices/{secret}', { secret }, { cadence })
     },
     onSuccess: (saved) => {
       client.setQueryData(queryKeys.mailChoice(secret), saved)
@@ -165,30 +160,26 @@ export function useChooseMail(secret: string) {
 }
 
 export const useNewPassword = (secret: string) =>
-  useEntrance((password: string) =>
-    answered(api.POST('/v1/password-resets/{secret}', { params: { path: { secret } }, body: { password } })),
-  )
+  useEntrance((password: string) => post('/v1/password-resets/{secret}', { secret }, { password }))
 
 export const useJoinStudio = (secret: string) =>
-  useEntrance((body: Schemas['InvitationAccept']) =>
-    answered(api.POST('/v1/studio-invitations/{secret}/accept', { params: { path: { secret } }, body })),
-  )
+  useEntrance((body: Schemas['InvitationAccept']) => post('/v1/studio-invitations/{secret}/accept', { secret }, body))
 
 export const useAskReset = () =>
   useMutation({
-    mutationFn: (email: string) => answered(api.POST('/v1/password-resets', { body: { email } })),
+    mutationFn: (email: string) => post('/v1/password-resets', {}, { email }),
   })
 
 export const studioInvitationQuery = (secret: string) =>
   queryOptions({
     queryKey: queryKeys.studioInvitation(secret),
-    queryFn: () => answered(api.GET('/v1/studio-invitations/{secret}', { params: { path: { secret } } })),
+    queryFn: () => get('/v1/studio-invitations/{secret}', { secret }),
   })
 
 export function useRename() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (name: string) => answered(api.PUT('/v1/me', { body: { name } })),
+    mutationFn: (name: string) => put('/v1/me', {}, { name }),
     onSuccess: () => invalidate(client, queryKeys.me()),
   })
 }
@@ -199,7 +190,7 @@ export function useSavePicture() {
   return useMutation({
     mutationFn: (file: Blob | null) =>
       file === null
-        ? answered(api.DELETE('/v1/me/picture'))
+        ? del('/v1/me/picture')
         : answered(
             api.PUT('/v1/me/picture', {
               headers: { 'Content-Type': 'application/octet-stream' },
@@ -214,7 +205,7 @@ export function useSavePicture() {
 export function useChangePassword() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['PasswordChange']) => answered(api.PUT('/v1/me/password', { body })),
+    mutationFn: (body: Schemas['PasswordChange']) => put('/v1/me/password', {}, body),
     onSuccess: () => invalidate(client, queryKeys.deskTokens()),
   })
 }
@@ -222,7 +213,7 @@ export function useChangePassword() {
 export function useOpenStudio() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (name: string) => answered(api.POST('/v1/studios', { body: { name } })),
+    mutationFn: (name: string) => post('/v1/studios', {}, { name }),
     onSuccess: () => invalidate(client, queryKeys.me()),
   })
 }
@@ -230,31 +221,28 @@ export function useOpenStudio() {
 export function useRenameStudio(studioId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['StudioChange']) =>
-      answered(api.PUT('/v1/studios/{studio_id}', { ...inStudio(studioId), body })),
+    mutationFn: (body: Schemas['StudioChange']) => put('/v1/studios/{studio_id}', { studio_id: studioId }, body),
     onSuccess: () => invalidate(client, queryKeys.me()),
   })
 }
 
-const inStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
-
 export const usePeople = (studioId: string) =>
   useQuery({
     queryKey: queryKeys.studioPeople(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/people', inStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/people', { studio_id: studioId }),
   })
 
 export const useInvitations = (studioId: string, enabled: boolean) =>
   useQuery({
     queryKey: queryKeys.studioInvitations(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/invitations', inStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/invitations', { studio_id: studioId }),
     enabled,
   })
 
 export const useOutbox = (studioId: string, enabled: boolean) =>
   useQuery({
     queryKey: queryKeys.outbox(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/outbox', inStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/outbox', { studio_id: studioId }),
     enabled,
     // The worker writes and sends mails a moment after their event.
     refetchInterval: 2_000,
@@ -263,18 +251,17 @@ export const useOutbox = (studioId: string, enabled: boolean) =>
 export const useQuotas = (studioId: string) =>
   useQuery({
     queryKey: queryKeys.quotas(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/quotas', inStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/quotas', { studio_id: studioId }),
   })
 
 export function useSetRoles(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ personId, roles, handOverTo }: { personId: string; roles: Role[]; handOverTo?: string | null }) =>
-      answered(
-        api.PUT('/v1/studios/{studio_id}/people/{person_id}', {
-          params: { path: { studio_id: studioId, person_id: personId } },
-          body: handOverTo ? { roles, hand_over_to: handOverTo } : { roles },
-        }),
+      put(
+        '/v1/studios/{studio_id}/people/{person_id}',
+        { studio_id: studioId, person_id: personId },
+        handOverTo ? { roles, hand_over_to: handOverTo } : { roles },
       ),
     onSettled: () => invalidate(client, queryKeys.studioPeople(studioId)),
   })
@@ -284,11 +271,7 @@ const departureQuery = (studioId: string, personId: string, roles: Role[]) =>
   queryOptions({
     queryKey: queryKeys.departure(studioId, personId, roles),
     queryFn: () =>
-      answered(
-        api.GET('/v1/studios/{studio_id}/people/{person_id}/departure', {
-          params: { path: { studio_id: studioId, person_id: personId }, query: { roles } },
-        }),
-      ),
+      get('/v1/studios/{studio_id}/people/{person_id}/departure', { studio_id: studioId, person_id: personId, roles }),
     staleTime: 0,
   })
 
@@ -305,14 +288,12 @@ export function useRemoveMember(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ personId, handOverTo, keep }: { personId: string; handOverTo: string | null; keep: AccessKind[] }) =>
-      answered(
-        api.DELETE('/v1/studios/{studio_id}/people/{person_id}', {
-          params: {
-            path: { studio_id: studioId, person_id: personId },
-            query: { keep, ...(handOverTo && { hand_over_to: handOverTo }) },
-          },
-        }),
-      ),
+      del('/v1/studios/{studio_id}/people/{person_id}', {
+        studio_id: studioId,
+        person_id: personId,
+        keep,
+        ...(handOverTo && { hand_over_to: handOverTo }),
+      }),
     onSettled: () => invalidate(client, queryKeys.studioPeople(studioId)),
   })
 }
@@ -321,7 +302,7 @@ export function useInvite(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['StudioInvitationAdd']) =>
-      answered(api.POST('/v1/studios/{studio_id}/invitations', { ...inStudio(studioId), body })),
+      post('/v1/studios/{studio_id}/invitations', { studio_id: studioId }, body),
     onSuccess: () => invalidate(client, queryKeys.studioInvitations(studioId), queryKeys.outbox(studioId)),
   })
 }
@@ -330,11 +311,10 @@ export function useWithdraw(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (invitationId: string) =>
-      answered(
-        api.DELETE('/v1/studios/{studio_id}/invitations/{studio_invitation_id}', {
-          params: { path: { studio_id: studioId, studio_invitation_id: invitationId } },
-        }),
-      ),
+      del('/v1/studios/{studio_id}/invitations/{studio_invitation_id}', {
+        studio_id: studioId,
+        studio_invitation_id: invitationId,
+      }),
     onSettled: () => invalidate(client, queryKeys.studioInvitations(studioId)),
   })
 }
@@ -342,8 +322,7 @@ export function useWithdraw(studioId: string) {
 export function useSendMail(studioId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (mailId: string) =>
-      answered(api.POST('/v1/mails/{mail_id}/send', { params: { path: { mail_id: mailId } } })),
+    mutationFn: (mailId: string) => post('/v1/mails/{mail_id}/send', { mail_id: mailId }),
     onSettled: () => invalidate(client, queryKeys.outbox(studioId)),
   })
 }
@@ -351,18 +330,17 @@ export function useSendMail(studioId: string) {
 export const useStudioCalendar = (studioId: string) =>
   useQuery({
     queryKey: queryKeys.studioCalendar(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/calendar', inStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/calendar', { studio_id: studioId }),
   })
 
 export function useSaveStudioCalendar(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ time_zone, holidays }: StudioCalendar) =>
-      answered(
-        api.PUT('/v1/studios/{studio_id}/calendar', {
-          ...inStudio(studioId),
-          body: { time_zone, holidays: holidays.map(({ day, name }) => ({ day, name })) },
-        }),
+      put(
+        '/v1/studios/{studio_id}/calendar',
+        { studio_id: studioId },
+        { time_zone, holidays: holidays.map(({ day, name }) => ({ day, name })) },
       ),
     onSuccess: (saved) => client.setQueryData(queryKeys.studioCalendar(studioId), saved),
   })
@@ -376,18 +354,14 @@ export const useInvoiceDetails = (studioId?: string) =>
   useQuery({
     queryKey: queryKeys.invoiceDetails(studioId ?? 'me'),
     queryFn: (): Promise<InvoiceDetails> =>
-      answered(studioId === undefined ? api.GET(DETAILS_OF_ME) : api.GET(DETAILS_OF_STUDIO, inStudio(studioId))),
+      studioId === undefined ? get(DETAILS_OF_ME) : get(DETAILS_OF_STUDIO, { studio_id: studioId }),
   })
 
 export function useSaveInvoiceDetails(studioId?: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: InvoiceDetails): Promise<InvoiceDetails> =>
-      answered(
-        studioId === undefined
-          ? api.PUT(DETAILS_OF_ME, { body })
-          : api.PUT(DETAILS_OF_STUDIO, { ...inStudio(studioId), body }),
-      ),
+      studioId === undefined ? put(DETAILS_OF_ME, {}, body) : put(DETAILS_OF_STUDIO, { studio_id: studioId }, body),
     onSuccess: (saved) => client.setQueryData(queryKeys.invoiceDetails(studioId ?? 'me'), saved),
   })
 }

@@ -1,19 +1,17 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
-
-const byLink = (secret: string) => ({ params: { path: { secret } } })
 
 export const emailChangeQuery = queryOptions({
   queryKey: queryKeys.emailChange(),
-  queryFn: () => answered(api.GET('/v1/me/email-change')),
+  queryFn: () => get('/v1/me/email-change'),
 })
 
 export function useAskEmailChange() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (email: string) => answered(api.POST('/v1/me/email-change', { body: { email } })),
+    mutationFn: (email: string) => post('/v1/me/email-change', {}, { email }),
     onSuccess: (pending) => client.setQueryData(queryKeys.emailChange(), pending),
   })
 }
@@ -21,7 +19,7 @@ export function useAskEmailChange() {
 export function useCancelEmailChange() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.DELETE('/v1/me/email-change')),
+    mutationFn: () => del('/v1/me/email-change'),
     onSettled: () => invalidate(client, queryKeys.emailChange()),
   })
 }
@@ -29,17 +27,17 @@ export function useCancelEmailChange() {
 export const emailChangeLinkQuery = (secret: string) =>
   queryOptions({
     queryKey: queryKeys.emailChangeLink(secret),
-    queryFn: () => answered(api.GET('/v1/email-changes/{secret}', byLink(secret))),
+    queryFn: () => get('/v1/email-changes/{secret}', { secret }),
     retry: false,
   })
 
 export function useConfirmEmailChange(secret: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.POST('/v1/email-changes/{secret}/confirm', byLink(secret))),
+    mutationFn: () => post('/v1/email-changes/{secret}/confirm', { secret }),
     onSuccess: () => invalidate(client, queryKeys.me(), queryKeys.emailChange(), queryKeys.signIns()),
   })
 }
 
 export const useStopEmailChange = (secret: string) =>
-  useMutation({ mutationFn: () => answered(api.DELETE('/v1/email-changes/{secret}', byLink(secret))) })
+  useMutation({ mutationFn: () => del('/v1/email-changes/{secret}', { secret }) })

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 
 import { sessionQuery } from './api'
@@ -23,7 +23,7 @@ const jsonOf = (credential: Credential | null): Record<string, unknown> => {
 
 export const passkeysQuery = queryOptions({
   queryKey: queryKeys.passkeys(),
-  queryFn: () => answered(api.GET('/v1/me/passkeys')),
+  queryFn: () => get('/v1/me/passkeys'),
 })
 
 /** Have the browser make a passkey, and keep it under a name. */
@@ -31,12 +31,12 @@ export function useAddPasskey() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: async (name: string) => {
-      const { public_key } = await answered(api.POST('/v1/me/passkeys/options'))
+      const { public_key } = await post('/v1/me/passkeys/options')
       const publicKey = PublicKeyCredential.parseCreationOptionsFromJSON(
         public_key as unknown as PublicKeyCredentialCreationOptionsJSON,
       )
       const credential = jsonOf(await navigator.credentials.create({ publicKey }))
-      return answered(api.POST('/v1/me/passkeys', { body: { name, credential } }))
+      return post('/v1/me/passkeys', {}, { name, credential })
     },
     onSettled: () =>
       invalidate(client, queryKeys.passkeys(), queryKeys.secondFactors(), queryKeys.signIns(), queryKeys.me()),
@@ -46,8 +46,7 @@ export function useAddPasskey() {
 export function useRemovePasskey() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (id: string) =>
-      answered(api.DELETE('/v1/me/passkeys/{passkey_id}', { params: { path: { passkey_id: id } } })),
+    mutationFn: (id: string) => del('/v1/me/passkeys/{passkey_id}', { passkey_id: id }),
     onSettled: () => invalidate(client, queryKeys.passkeys(), queryKeys.secondFactors(), queryKeys.me()),
   })
 }
@@ -58,12 +57,12 @@ export function usePasskeySignIn() {
   return useMutation({
     mutationFn: async () => {
       await client.ensureQueryData(sessionQuery) // the first write of a page needs its token too
-      const { public_key } = await answered(api.POST('/v1/passkeys/options'))
+      const { public_key } = await post('/v1/passkeys/options')
       const publicKey = PublicKeyCredential.parseRequestOptionsFromJSON(
         public_key as unknown as PublicKeyCredentialRequestOptionsJSON,
       )
       const credential = jsonOf(await navigator.credentials.get({ publicKey }))
-      return answered(api.POST('/v1/passkeys/sign-in', { body: { credential } }))
+      return post('/v1/passkeys/sign-in', {}, { credential })
     },
   })
 }

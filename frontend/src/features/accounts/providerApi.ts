@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, put, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -18,7 +18,7 @@ export const domainOf = (email: string): string => DOMAIN.exec(email.trim())?.[1
 export const providerOfDomainQuery = (domain: string) =>
   queryOptions({
     queryKey: queryKeys.providerOfDomain(domain),
-    queryFn: () => answered(api.GET('/v1/sign-in/provider', { params: { query: { domain } } })),
+    queryFn: () => get('/v1/sign-in/provider', { domain }),
     enabled: domain !== '',
     staleTime: MINUTE_MS,
     retry: false,
@@ -30,7 +30,7 @@ export function useBeginProviderSignIn() {
   return useMutation({
     mutationFn: async (body: Schemas['ProviderSignInStart']) => {
       await client.ensureQueryData(sessionQuery)
-      return answered(api.POST('/v1/sign-in/oidc/start', { body }))
+      return post('/v1/sign-in/oidc/start', {}, body)
     },
   })
 }
@@ -40,7 +40,7 @@ export function useFinishProviderSignIn() {
   return useMutation({
     mutationFn: async (body: Schemas['ProviderAnswer']) => {
       await client.ensureQueryData(sessionQuery)
-      const done = await answered(api.POST('/v1/sign-in/oidc/callback', { body }))
+      const done = await post('/v1/sign-in/oidc/callback', {}, body)
       if (!done.second_factor_needed) client.clear()
       return done
     },
@@ -51,26 +51,24 @@ export function useProviderSignInCode() {
   const client = useQueryClient()
   return useMutation({
     mutationFn: async (code: string) => {
-      const done = await answered(api.POST('/v1/sign-in/oidc/code', { body: { code } }))
+      const done = await post('/v1/sign-in/oidc/code', {}, { code })
       client.clear()
       return done
     },
   })
 }
 
-const inStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
-
 export const signInProviderQuery = (studioId: string) =>
   queryOptions({
     queryKey: queryKeys.signInProvider(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/sign-in-provider', inStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/sign-in-provider', { studio_id: studioId }),
   })
 
 export function useSetSignInProvider(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['ProviderSave']) =>
-      answered(api.PUT('/v1/studios/{studio_id}/sign-in-provider', { ...inStudio(studioId), body })),
+      put('/v1/studios/{studio_id}/sign-in-provider', { studio_id: studioId }, body),
     onSuccess: (saved) => client.setQueryData(queryKeys.signInProvider(studioId), saved),
   })
 }
@@ -78,7 +76,7 @@ export function useSetSignInProvider(studioId: string) {
 export function useRemoveSignInProvider(studioId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.DELETE('/v1/studios/{studio_id}/sign-in-provider', inStudio(studioId))),
+    mutationFn: () => del('/v1/studios/{studio_id}/sign-in-provider', { studio_id: studioId }),
     onSettled: () => client.invalidateQueries({ queryKey: queryKeys.signInProvider(studioId) }),
   })
 }

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -8,28 +8,24 @@ export type TotpSetup = components['schemas']['TotpSetupRead']
 
 export const secondFactorsQuery = queryOptions({
   queryKey: queryKeys.secondFactors(),
-  queryFn: () => answered(api.GET('/v1/me/second-factors')),
+  queryFn: () => get('/v1/me/second-factors'),
 })
 
-export const useBeginTotp = () => useMutation({ mutationFn: () => answered(api.POST('/v1/me/totp')) })
+export const useBeginTotp = () => useMutation({ mutationFn: () => post('/v1/me/totp') })
 
 export type SecondFactorUse = components['schemas']['SecondFactorUse']
-
-const inStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
 
 export const requirementQuery = (studioId: string) =>
   queryOptions({
     queryKey: queryKeys.secondFactorRequirement(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/second-factor', inStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/second-factor', { studio_id: studioId }),
   })
 
 export function useSetRequirement(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (uses: SecondFactorUse[]) =>
-      answered(
-        api.PUT('/v1/studios/{studio_id}/second-factor', { ...inStudio(studioId), body: { required_for: uses } }),
-      ),
+      put('/v1/studios/{studio_id}/second-factor', { studio_id: studioId }, { required_for: uses }),
     onSuccess: (saved) => client.setQueryData(queryKeys.secondFactorRequirement(studioId), saved),
   })
 }
@@ -37,7 +33,7 @@ export function useSetRequirement(studioId: string) {
 export function useConfirmTotp() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (code: string) => answered(api.POST('/v1/me/totp/confirm', { body: { code } })),
+    mutationFn: (code: string) => post('/v1/me/totp/confirm', {}, { code }),
     onSuccess: () => invalidate(client, queryKeys.secondFactors(), queryKeys.signIns(), queryKeys.me()),
   })
 }
@@ -45,7 +41,7 @@ export function useConfirmTotp() {
 export function useEndTotp() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.DELETE('/v1/me/totp')),
+    mutationFn: () => del('/v1/me/totp'),
     onSettled: () => invalidate(client, queryKeys.secondFactors(), queryKeys.me()),
   })
 }
@@ -53,7 +49,7 @@ export function useEndTotp() {
 export function useRenewRecoveryCodes() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.POST('/v1/me/recovery-codes')),
+    mutationFn: () => post('/v1/me/recovery-codes'),
     onSettled: () => invalidate(client, queryKeys.secondFactors()),
   })
 }

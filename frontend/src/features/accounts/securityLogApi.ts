@@ -1,6 +1,6 @@
 import { infiniteQueryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -12,11 +12,7 @@ export const securityEventsQuery = (studioId: string, kind: SecurityEventKind | 
   infiniteQueryOptions({
     queryKey: queryKeys.securityEvents(studioId, kind),
     queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/studios/{studio_id}/security-events', {
-          params: { path: { studio_id: studioId }, query: { cursor, ...(kind && { kind }) } },
-        }),
-      ),
+      get('/v1/studios/{studio_id}/security-events', { studio_id: studioId, cursor, ...(kind && { kind }) }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     select: ({ pages }) => pages.flatMap(({ items }) => items),

@@ -2,7 +2,7 @@ import { type QueryClient, useQuery, useQueryClient } from '@tanstack/react-quer
 import { redirect, useParams, useRouter } from '@tanstack/react-router'
 import { lazy, Suspense, useEffect } from 'react'
 
-import { answered, api, ApiProblem, goOnLater, leaveSession } from '@/api'
+import { ApiProblem, goOnLater, leaveSession, post } from '@/api'
 import { type Me, meQuery } from '@/api/me'
 import { speaksFor } from '@/api/me'
 import { cameBack, deskQuery } from '@/app/desk'
@@ -32,7 +32,7 @@ const backTo = (href: string): { next?: string } => (href === '/' ? {} : { next:
 
 async function signOut(client: QueryClient, leave: () => Promise<void>): Promise<void> {
   try {
-    await answered(api.POST('/v1/sign-out'))
+    await post('/v1/sign-out')
   } catch (error) {
     if (!isSignedOut(error)) {
       showToast('Could not sign you out: the server can’t be reached.')

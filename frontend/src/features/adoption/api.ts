@@ -1,6 +1,6 @@
 import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -15,35 +15,33 @@ const POLL_MS = 3_000
 
 /** What adopting a folder would do; nothing is written. */
 export const planFolder = (projectId: string, body: FolderAsk) =>
-  answered(api.POST('/v1/projects/{project_id}/adoption-plan', { params: { path: { project_id: projectId } }, body }))
+  post('/v1/projects/{project_id}/adoption-plan', { project_id: projectId }, body)
 
 export const openAdoption = (projectId: string, body: FolderAsk) =>
-  answered(api.POST('/v1/projects/{project_id}/adoptions', { params: { path: { project_id: projectId } }, body }))
+  post('/v1/projects/{project_id}/adoptions', { project_id: projectId }, body)
 
 export const adoptFolder = (adoptionId: string) =>
-  answered(api.POST('/v1/adoptions/{adoption_id}/adopt', { params: { path: { adoption_id: adoptionId } } }))
+  post('/v1/adoptions/{adoption_id}/adopt', { adoption_id: adoptionId })
 
 /** The adoptions of a project, the newest first. */
 export const adoptionsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.adoptions(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/adoptions', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/adoptions', { project_id: projectId }),
   })
 
 /** A folder that was sent by the command line: its plan, and what is still to be uploaded. */
 export const sentPlanQuery = (adoptionId: string) =>
   queryOptions({
     queryKey: queryKeys.adoption(adoptionId, 'plan'),
-    queryFn: () =>
-      answered(api.GET('/v1/adoptions/{adoption_id}/plan', { params: { path: { adoption_id: adoptionId } } })),
+    queryFn: () => get('/v1/adoptions/{adoption_id}/plan', { adoption_id: adoptionId }),
   })
 
 /** How far the checks are; asked for again until every adopted sound is checked and rendered. */
 export const progressQuery = (adoptionId: string) =>
   queryOptions({
     queryKey: queryKeys.adoption(adoptionId),
-    queryFn: () => answered(api.GET('/v1/adoptions/{adoption_id}', { params: { path: { adoption_id: adoptionId } } })),
+    queryFn: () => get('/v1/adoptions/{adoption_id}', { adoption_id: adoptionId }),
     refetchInterval: ({ state: { data } }) =>
       data && data.adopted_at !== null && data.undone_at === null && data.rendered < data.takes ? POLL_MS : false,
   })
@@ -62,8 +60,7 @@ export const refreshAdopted = (client: QueryClient, projectId: string) =>
 export function useUndoAdoption(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (adoptionId: string) =>
-      answered(api.POST('/v1/adoptions/{adoption_id}/undo', { params: { path: { adoption_id: adoptionId } } })),
+    mutationFn: (adoptionId: string) => post('/v1/adoptions/{adoption_id}/undo', { adoption_id: adoptionId }),
     onSuccess: () => refreshAdopted(client, projectId),
   })
 }

@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, useMutation } from '@/api'
+import { everyPage, get, patch, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -17,29 +17,23 @@ export interface AnswerWrite {
   note: string
 }
 
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-
 export const briefQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.brief(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/brief', { project_id: projectId }),
   })
 
 export const readsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.briefReads(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/brief/reads', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/brief/reads', { project_id: projectId }),
   })
 
 export const useBriefVersions = (projectId: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.briefVersions(projectId),
     queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/brief/versions', {
-          params: { path: { project_id: projectId }, query: { cursor } },
-        }),
-      ),
+      get('/v1/projects/{project_id}/brief/versions', { project_id: projectId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })
@@ -47,12 +41,7 @@ export const useBriefVersions = (projectId: string) =>
 export const comparisonQuery = (projectId: string, from: number, to: number | undefined) =>
   queryOptions({
     queryKey: queryKeys.briefComparison(projectId, from, to ?? 'now'),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/brief/compare', {
-          params: { path: { project_id: projectId }, query: { from, to } },
-        }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/brief/compare', { project_id: projectId, from, to }),
   })
 
 /** Names and categories of the list, for the rows of the form and the example of a file's name. */
@@ -61,11 +50,7 @@ export const listedCuesQuery = (projectId: string) =>
     queryKey: queryKeys.soundList(projectId, 'of the brief'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/sound-list', {
-            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
       )
       return pages.flatMap(({ cues }) => cues)
     },
@@ -75,7 +60,7 @@ export function useSaveAnswers(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: { revision: number; answers: Record<string, AnswerWrite> }) =>
-      answered(api.PATCH('/v1/projects/{project_id}/brief', { ...inProject(projectId), body })),
+      patch('/v1/projects/{project_id}/brief', { project_id: projectId }, body),
     onSuccess: (brief) => {
       client.setQueryData(briefQuery(projectId).queryKey, brief)
       return invalidate(
@@ -92,7 +77,7 @@ export function usePublishBrief(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: { revision: number; note: string }) =>
-      answered(api.POST('/v1/projects/{project_id}/brief/versions', { ...inProject(projectId), body })),
+      post('/v1/projects/{project_id}/brief/versions', { project_id: projectId }, body),
     onSuccess: () =>
       invalidate(
         client,
@@ -106,18 +91,14 @@ export function usePublishBrief(projectId: string) {
 export const useRecordRead = (projectId: string) =>
   useMutation({
     mutationFn: (version: number) =>
-      answered(
-        api.PUT('/v1/projects/{project_id}/brief/versions/{version}/read', {
-          params: { path: { project_id: projectId, version } },
-        }),
-      ),
+      put('/v1/projects/{project_id}/brief/versions/{version}/read', { project_id: projectId, version }),
   })
 
 export function useAskFollowUp(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: { question: string; text: string }) =>
-      answered(api.POST('/v1/projects/{project_id}/brief/follow-ups', { ...inProject(projectId), body })),
+      post('/v1/projects/{project_id}/brief/follow-ups', { project_id: projectId }, body),
     onSuccess: () => invalidate(client, queryKeys.brief(projectId)),
   })
 }
@@ -126,12 +107,7 @@ export function useAnswerFollowUp(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ id, text }: { id: string; text: string }) =>
-      answered(
-        api.POST('/v1/brief-follow-ups/{follow_up_id}/answer', {
-          params: { path: { follow_up_id: id } },
-          body: { text },
-        }),
-      ),
+      post('/v1/brief-follow-ups/{follow_up_id}/answer', { follow_up_id: id }, { text }),
     onSuccess: () => invalidate(client, queryKeys.brief(projectId)),
   })
 }

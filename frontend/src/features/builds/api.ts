@@ -1,6 +1,6 @@
 import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, useMutation } from '@/api'
+import { del, everyPage, get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -19,19 +19,16 @@ export type NoteAdd = Schemas['ListeningNoteAdd']
 export type HeardAs = Schemas['HeardAs']
 export type CueMark = Schemas['CueMark']
 
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-const ofAudit = (auditId: string) => ({ params: { path: { audit_id: auditId } } })
-
 export const auditsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.audits(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/audits', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/audits', { project_id: projectId }),
   })
 
 export const useAudit = (projectId: string, auditId: string | undefined) =>
   useQuery({
     queryKey: queryKeys.audits(projectId, 'one', auditId),
-    queryFn: () => answered(api.GET('/v1/audits/{audit_id}', ofAudit(auditId ?? ''))),
+    queryFn: () => get('/v1/audits/{audit_id}', { audit_id: auditId ?? '' }),
     enabled: auditId !== undefined,
   })
 
@@ -41,11 +38,7 @@ export const useAuditedSounds = (projectId: string, auditId: string | undefined,
     queryKey: queryKeys.audits(projectId, drifted ? 'drift' : 'sounds', auditId),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/audits/{audit_id}/sounds', {
-            params: { path: { audit_id: auditId ?? '' }, query: { drifted, cursor } },
-          }),
-        ),
+        get('/v1/audits/{audit_id}/sounds', { audit_id: auditId ?? '', drifted, cursor }),
       )
       return pages.flatMap(({ items }) => items)
     },
@@ -55,34 +48,27 @@ export const useAuditedSounds = (projectId: string, auditId: string | undefined,
 export const useSoundHistory = (projectId: string, path: string) =>
   useQuery({
     queryKey: queryKeys.audits(projectId, 'history', path),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/sound-history', {
-          params: { path: { project_id: projectId }, query: { path } },
-        }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/sound-history', { project_id: projectId, path }),
   })
 
 export const useAcceptDrift = (projectId: string, auditId: string) =>
   useChange(projectId, async ({ paths, reason }: { paths: readonly string[]; reason: string }) => {
     for (const path of paths) {
-      await answered(api.POST('/v1/audits/{audit_id}/accepted-drifts', { ...ofAudit(auditId), body: { path, reason } }))
+      await post('/v1/audits/{audit_id}/accepted-drifts', { audit_id: auditId }, { path, reason })
     }
   })
 
 export const useWithdraw = (projectId: string) =>
   useChange(projectId, async (ids: readonly string[]) => {
     for (const id of ids) {
-      await answered(
-        api.DELETE('/v1/accepted-drifts/{accepted_drift_id}', { params: { path: { accepted_drift_id: id } } }),
-      )
+      await del('/v1/accepted-drifts/{accepted_drift_id}', { accepted_drift_id: id })
     }
   })
 
 export const useSendBack = (projectId: string, auditId: string) =>
   useChange(projectId, async ({ paths, text }: { paths: readonly string[]; text: string }) => {
     for (const path of paths) {
-      await answered(api.POST('/v1/audits/{audit_id}/tasks', { ...ofAudit(auditId), body: { path, text } }))
+      await post('/v1/audits/{audit_id}/tasks', { audit_id: auditId }, { path, text })
     }
   })
 
@@ -98,23 +84,18 @@ function useChange<T>(projectId: string, change: (of: T) => Promise<unknown>) {
 export const ciQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.ci(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/ci', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/ci', { project_id: projectId }),
   })
 
 export const gameStatesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.listening(projectId, 'states'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/game-states', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/game-states', { project_id: projectId }),
   })
 
 export const useMarkCue = (projectId: string) =>
   useChange(projectId, ({ cueId, mark, isSet }: { cueId: string; mark: CueMark; isSet: boolean }) =>
-    answered(
-      api.PUT('/v1/cues/{cue_id}/game-state', {
-        params: { path: { cue_id: cueId } },
-        body: { mark, is_set: isSet },
-      }),
-    ),
+    put('/v1/cues/{cue_id}/game-state', { cue_id: cueId }, { mark, is_set: isSet }),
   )
 
 export const useTasks = (projectId: string, done: boolean) =>
@@ -122,11 +103,7 @@ export const useTasks = (projectId: string, done: boolean) =>
     queryKey: queryKeys.listening(projectId, done ? 'tasks done' : 'tasks'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/game-tasks', {
-            params: { path: { project_id: projectId }, query: { done, cursor } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/game-tasks', { project_id: projectId, done, cursor }),
       )
       return pages.flatMap(({ items }) => items)
     },
@@ -134,36 +111,25 @@ export const useTasks = (projectId: string, done: boolean) =>
 
 export const useChangeTask = (projectId: string) =>
   useChange(projectId, ({ id, isDone }: { id: string; isDone: boolean }) =>
-    answered(
-      api.PUT('/v1/game-tasks/{game_task_id}', { params: { path: { game_task_id: id } }, body: { is_done: isDone } }),
-    ),
+    put('/v1/game-tasks/{game_task_id}', { game_task_id: id }, { is_done: isDone }),
   )
 
 export const listeningQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.listening(projectId, 'pass'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/listening-pass', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/listening-pass', { project_id: projectId }),
   })
 
 export const useStartPass = (projectId: string) =>
-  useChange(projectId, () => answered(api.POST('/v1/projects/{project_id}/listening-passes', inProject(projectId))))
+  useChange(projectId, () => post('/v1/projects/{project_id}/listening-passes', { project_id: projectId }))
 
 export const useClosePass = (projectId: string) =>
   useChange(projectId, (passId: string) =>
-    answered(
-      api.POST('/v1/listening-passes/{listening_pass_id}/close', {
-        params: { path: { listening_pass_id: passId } },
-      }),
-    ),
+    post('/v1/listening-passes/{listening_pass_id}/close', { listening_pass_id: passId }),
   )
 
 export const sendNote = (passId: string, body: NoteAdd) =>
-  answered(
-    api.POST('/v1/listening-passes/{listening_pass_id}/notes', {
-      params: { path: { listening_pass_id: passId } },
-      body,
-    }),
-  )
+  post('/v1/listening-passes/{listening_pass_id}/notes', { listening_pass_id: passId }, body)
 
 export const sendUndo = (noteId: string) =>
-  answered(api.DELETE('/v1/listening-notes/{listening_note_id}', { params: { path: { listening_note_id: noteId } } }))
+  del('/v1/listening-notes/{listening_note_id}', { listening_note_id: noteId })

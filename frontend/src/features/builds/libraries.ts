@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -12,17 +12,13 @@ export const MAX_SHEET_BYTES = 24 * 2 ** 20 // the body of 32 MiB holds it in Ba
 export const librariesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.soundLibraries(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/sound-libraries', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/sound-libraries', { project_id: projectId }),
   })
 
 export function useAddLibrary(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Sheet) =>
-      answered(
-        api.POST('/v1/projects/{project_id}/sound-libraries', { params: { path: { project_id: projectId } }, body }),
-      ),
+    mutationFn: (body: Sheet) => post('/v1/projects/{project_id}/sound-libraries', { project_id: projectId }, body),
     onSuccess: () => invalidate(client, queryKeys.soundLibraries.all),
   })
 }
@@ -30,8 +26,7 @@ export function useAddLibrary(projectId: string) {
 export function useRemoveLibrary() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (id: string) =>
-      answered(api.DELETE('/v1/sound-libraries/{library_id}', { params: { path: { library_id: id } } })),
+    mutationFn: (id: string) => del('/v1/sound-libraries/{library_id}', { library_id: id }),
     onSuccess: () => invalidate(client, queryKeys.soundLibraries.all, queryKeys.sameSounds.all),
   })
 }

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, api, del, get, patch, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -32,30 +32,23 @@ export type MasterRetention = Schemas['MasterRetentionRead']
 export type Template = Schemas['TemplateBrief']
 
 const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-const ofStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
 export const versionsQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'versions'),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/versions', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/versions', { contract_id: contractId }),
   })
 
 export const versionQuery = (contractId: string, version: number) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'versions', version),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/contracts/{contract_id}/versions/{version}', {
-          params: { path: { contract_id: contractId, version } },
-        }),
-      ),
+    queryFn: () => get('/v1/contracts/{contract_id}/versions/{version}', { contract_id: contractId, version }),
     staleTime: Infinity,
   })
 
 export const masterRetentionQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'masters'),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/master-retention', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/master-retention', { contract_id: contractId }),
   })
 
 /** Keep masters longer than the contract asks, or no longer. */
@@ -63,7 +56,7 @@ export function useKeepMasters(contractId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (keep: boolean) =>
-      answered(api.PUT('/v1/contracts/{contract_id}/master-retention', { ...of(contractId), body: { keep } })),
+      put('/v1/contracts/{contract_id}/master-retention', { contract_id: contractId }, { keep }),
     onSuccess: (retention) => {
       client.setQueryData(queryKeys.contract(contractId, 'masters'), retention)
       return invalidate(client, queryKeys.contract(contractId, 'record'))
@@ -75,50 +68,45 @@ export const comparisonQuery = (contractId: string, from: number, to: number) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'comparison', from, to),
     queryFn: () =>
-      answered(
-        api.GET('/v1/contracts/{contract_id}/comparison', {
-          params: { path: { contract_id: contractId }, query: { from_version: from, to_version: to } },
-        }),
-      ),
+      get('/v1/contracts/{contract_id}/comparison', { contract_id: contractId, from_version: from, to_version: to }),
   })
 
 export const recordQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'record'),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/record', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/record', { contract_id: contractId }),
   })
 
 export const endingQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'ending'),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/ending', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/ending', { contract_id: contractId }),
   })
 
 export const changeOrdersQuery = (contractId: string) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'change-orders'),
-    queryFn: () => answered(api.GET('/v1/contracts/{contract_id}/change-orders', of(contractId))),
+    queryFn: () => get('/v1/contracts/{contract_id}/change-orders', { contract_id: contractId }),
   })
 
 export const changePreviewQuery = (contractId: string, changes: Change[]) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'change-orders', 'preview', changes),
-    queryFn: () =>
-      answered(api.POST('/v1/contracts/{contract_id}/change-order-preview', { ...of(contractId), body: { changes } })),
+    queryFn: () => post('/v1/contracts/{contract_id}/change-order-preview', { contract_id: contractId }, { changes }),
     enabled: changes.length > 0,
   })
 
 export const libraryQuery = (kind: ContractKind) =>
   queryOptions({
     queryKey: queryKeys.contractLibrary(kind),
-    queryFn: () => answered(api.GET('/v1/contract-library/{kind}', { params: { path: { kind } } })),
+    queryFn: () => get('/v1/contract-library/{kind}', { kind }),
     staleTime: Infinity,
   })
 
 export const templatesQuery = (studioId: string) =>
   queryOptions({
     queryKey: queryKeys.contractTemplates(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/contract-templates', ofStudio(studioId))),
+    queryFn: () => get('/v1/studios/{studio_id}/contract-templates', { studio_id: studioId }),
   })
 
 /** The contract that a new one can begin like: the last of its kind with this designer, else the studio's last. */
@@ -126,11 +114,11 @@ export const lastContractQuery = (projectId: string, engagementId: string, kind:
   queryOptions({
     queryKey: queryKeys.contracts(projectId, 'last', engagementId, kind),
     queryFn: async () => {
-      const { contract } = await answered(
-        api.GET('/v1/projects/{project_id}/last-contract', {
-          params: { path: { project_id: projectId }, query: { engagement_id: engagementId, kind } },
-        }),
-      )
+      const { contract } = await get('/v1/projects/{project_id}/last-contract', {
+        project_id: projectId,
+        engagement_id: engagementId,
+        kind,
+      })
       return contract
     },
   })
@@ -138,7 +126,7 @@ export const lastContractQuery = (projectId: string, engagementId: string, kind:
 export const previewQuery = (contractId: string, draft: Draft) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'preview', draft),
-    queryFn: () => answered(api.POST('/v1/contracts/{contract_id}/preview', { ...of(contractId), body: draft })),
+    queryFn: () => post('/v1/contracts/{contract_id}/preview', { contract_id: contractId }, draft),
     staleTime: Infinity,
     gcTime: 60_000,
   })
@@ -147,7 +135,7 @@ export function useBeginContract(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['ContractAdd']) =>
-      answered(api.POST('/v1/projects/{project_id}/contracts', { ...inProject(projectId), body })),
+      post('/v1/projects/{project_id}/contracts', { project_id: projectId }, body),
     onSuccess: () => invalidate(client, queryKeys.contracts(projectId)),
   })
 }
@@ -156,7 +144,7 @@ export function useAskForNda(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (needed: boolean) =>
-      answered(api.PATCH('/v1/projects/{project_id}', { ...inProject(projectId), body: { nda_needed: needed } })),
+      patch('/v1/projects/{project_id}', { project_id: projectId }, { nda_needed: needed }),
     onSuccess: (project) => client.setQueryData(queryKeys.project(projectId), project),
   })
 }
@@ -180,12 +168,7 @@ const signatureOf = ({ name, textSha256, code, drawing }: Signature) => ({
 export function useSigningCode(contractId: string) {
   return useMutation({
     mutationFn: (textSha256: string) =>
-      answered(
-        api.POST('/v1/contracts/{contract_id}/signing-codes', {
-          ...of(contractId),
-          body: { text_sha256: textSha256 },
-        }),
-      ),
+      post('/v1/contracts/{contract_id}/signing-codes', { contract_id: contractId }, { text_sha256: textSha256 }),
   })
 }
 
@@ -301,11 +284,11 @@ function doneToChange(contractId: string, deed: ChangeDeed): Promise<ChangeOrder
   if (deed.does === 'propose') {
     const { reason, beginsAtOnce, changes, offers } = deed
     const body = { reason, begins_at_once: beginsAtOnce, changes, offers }
-    return answered(api.POST('/v1/contracts/{contract_id}/change-orders', { ...of(contractId), body }))
+    return post('/v1/contracts/{contract_id}/change-orders', { contract_id: contractId }, body)
   }
   if (deed.does === 'dismiss') {
     const body = { offer: deed.offer, reason: deed.reason }
-    return answered(api.POST('/v1/contracts/{contract_id}/change-offers/dismiss', { ...of(contractId), body }))
+    return post('/v1/contracts/{contract_id}/change-offers/dismiss', { contract_id: contractId }, body)
   }
   const it = { params: { path: { contract_id: contractId, change_order_number: deed.number } } }
   const path = '/v1/contracts/{contract_id}/change-orders/{change_order_number}'
@@ -340,8 +323,7 @@ export function useChangeOrder(contractId: string) {
 export function useKeepAsTemplate(contractId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (name: string) =>
-      answered(api.POST('/v1/contracts/{contract_id}/template', { ...of(contractId), body: { name } })),
+    mutationFn: (name: string) => post('/v1/contracts/{contract_id}/template', { contract_id: contractId }, { name }),
     onSuccess: () => invalidate(client, queryKeys.contractTemplates.all),
   })
 }
@@ -350,9 +332,7 @@ export function useImportTemplate(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (toml: string) =>
-      answered(
-        api.POST('/v1/studios/{studio_id}/contract-templates/import', { ...ofStudio(studioId), body: { toml } }),
-      ),
+      post('/v1/studios/{studio_id}/contract-templates/import', { studio_id: studioId }, { toml }),
     onSuccess: () => invalidate(client, queryKeys.contractTemplates(studioId)),
   })
 }
@@ -361,11 +341,7 @@ export function useDropTemplate(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (templateId: string) =>
-      answered(
-        api.DELETE('/v1/studios/{studio_id}/contract-templates/{template_id}', {
-          params: { path: { studio_id: studioId, template_id: templateId } },
-        }),
-      ),
+      del('/v1/studios/{studio_id}/contract-templates/{template_id}', { studio_id: studioId, template_id: templateId }),
     onSuccess: () => invalidate(client, queryKeys.contractTemplates(studioId)),
   })
 }

@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, api, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -16,8 +16,6 @@ export type Answer = Pick<Schemas['RedlineAnswerAdd'], 'answer'> & Partial<Schem
 
 /** What a change, or an answer, has to begin with. */
 export const NOTHING = { title: '', text: '', terms: {}, comment: '' }
-
-const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
 
 /** A round of redlines in the text that it is about; the last one, unless another is named. */
 export const redlinesQuery = (contractId: string, round?: number) =>
@@ -35,8 +33,7 @@ export const redlinesQuery = (contractId: string, round?: number) =>
 export const redlinePreviewQuery = (contractId: string, version: number, changes: Proposed[]) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'redline-preview', version, changes),
-    queryFn: () =>
-      answered(api.POST('/v1/contracts/{contract_id}/redline-preview', { ...of(contractId), body: { changes } })),
+    queryFn: () => post('/v1/contracts/{contract_id}/redline-preview', { contract_id: contractId }, { changes }),
     placeholderData: keepPreviousData,
     staleTime: Infinity,
     gcTime: 60_000,
@@ -61,16 +58,15 @@ function useRedlines<T>(contractId: string, send: (body: T) => Promise<Redlines>
 
 export const useProposeRedlines = (contractId: string) =>
   useRedlines(contractId, (body: Schemas['RedlinesAdd']) =>
-    answered(api.POST('/v1/contracts/{contract_id}/redlines', { ...of(contractId), body })),
+    post('/v1/contracts/{contract_id}/redlines', { contract_id: contractId }, body),
   )
 
 export const useAnswerRedline = (contractId: string) =>
   useRedlines(contractId, ({ number, body }: { number: number; body: Answer }) =>
-    answered(
-      api.POST('/v1/contracts/{contract_id}/redlines/{redline_number}/answer', {
-        params: { path: { contract_id: contractId, redline_number: number } },
-        body: { ...NOTHING, ...body },
-      }),
+    post(
+      '/v1/contracts/{contract_id}/redlines/{redline_number}/answer',
+      { contract_id: contractId, redline_number: number },
+      { ...NOTHING, ...body },
     ),
   )
 
@@ -78,10 +74,5 @@ export const useAnswerRedline = (contractId: string) =>
 export const useReadWord = (contractId: string) =>
   useMutation({
     mutationFn: (contentBase64: string) =>
-      answered(
-        api.POST('/v1/contracts/{contract_id}/redlines/word', {
-          ...of(contractId),
-          body: { content_base64: contentBase64 },
-        }),
-      ),
+      post('/v1/contracts/{contract_id}/redlines/word', { contract_id: contractId }, { content_base64: contentBase64 }),
   })

@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -16,7 +16,7 @@ const POLL_MS = 2000
 export const deliveryQuery = (deliveryId: string) =>
   queryOptions({
     queryKey: queryKeys.delivery(deliveryId),
-    queryFn: () => answered(api.GET('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId } } })),
+    queryFn: () => get('/v1/deliveries/{delivery_id}', { delivery_id: deliveryId }),
     refetchInterval: ({ state: { data } }) =>
       data?.takes.some(({ state }) => state === 'received') ? POLL_MS + 10 * data.takes.length : false,
   })
@@ -25,12 +25,7 @@ export const deliveryQuery = (deliveryId: string) =>
 export const useDeliveries = (projectId: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.deliveryList(projectId),
-    queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/deliveries', {
-          params: { path: { project_id: projectId }, query: { cursor } },
-        }),
-      ),
+    queryFn: ({ pageParam: cursor }) => get('/v1/projects/{project_id}/deliveries', { project_id: projectId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })

@@ -1,7 +1,7 @@
 import { useInfiniteQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import { variationName } from '@/judging/hearing'
 import { reasonsText } from '@/judging/words'
@@ -14,11 +14,7 @@ export function ApprovedVersions({ projectId }: { projectId: string }) {
   const { data, error, hasNextPage, isFetching, fetchNextPage } = useInfiniteQuery({
     queryKey: queryKeys.desk(projectId, 'approved'),
     queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/takes', {
-          params: { path: { project_id: projectId }, query: { state: ['approved'], cursor, limit: PAGE } },
-        }),
-      ),
+      get('/v1/projects/{project_id}/takes', { project_id: projectId, state: ['approved'], cursor, limit: PAGE }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })

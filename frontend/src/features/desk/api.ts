@@ -1,6 +1,6 @@
 import { keepPreviousData, type QueryClient, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, useMutation } from '@/api'
+import { answered, api, everyPage, get, patch, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
@@ -42,8 +42,6 @@ const POLL_MS_EACH = 10
 /** A file that has no picture after so long could not be read as a sound. */
 const DRAWN_WITHIN_MS = 60_000
 
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-
 /** What the check returned is on the desk at once; its picture follows. */
 const isBeingDrawn = ({ preview_url, since }: CameBack): boolean =>
   preview_url === null && Date.now() - Date.parse(since) < DRAWN_WITHIN_MS
@@ -62,18 +60,14 @@ export const openDeliveryQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.deliveries(projectId),
     queryFn: async () => {
-      const { items } = await answered(
-        api.GET('/v1/projects/{project_id}/deliveries', {
-          params: { path: { project_id: projectId }, query: { limit: 1 } },
-        }),
-      )
+      const { items } = await get('/v1/projects/{project_id}/deliveries', { project_id: projectId, limit: 1 })
       const newest = items[0]
       return newest && newest.closed_at === null ? newest : null
     },
   })
 
 export const openDelivery = (projectId: string): Promise<Delivery> =>
-  answered(api.POST('/v1/projects/{project_id}/deliveries', { ...inProject(projectId), body: { note: '' } }))
+  post('/v1/projects/{project_id}/deliveries', { project_id: projectId }, { note: '' })
 
 const isMoving = (detail: DeliveryDetail): boolean =>
   detail.takes.some(({ state }) => state === 'received') || detail.archives.some(({ state }) => state === 'received')
@@ -81,7 +75,7 @@ const isMoving = (detail: DeliveryDetail): boolean =>
 export const deliveryQuery = (deliveryId: string) =>
   queryOptions({
     queryKey: queryKeys.delivery(deliveryId),
-    queryFn: () => answered(api.GET('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId } } })),
+    queryFn: () => get('/v1/deliveries/{delivery_id}', { delivery_id: deliveryId }),
   })
 
 export const useDelivery = (deliveryId: string | undefined) =>
@@ -93,7 +87,7 @@ export const useDelivery = (deliveryId: string | undefined) =>
   })
 
 export const addTake = (deliveryId: string, body: Schemas['TakeAdd']) =>
-  answered(api.POST('/v1/deliveries/{delivery_id}/takes', { params: { path: { delivery_id: deliveryId } }, body }))
+  post('/v1/deliveries/{delivery_id}/takes', { delivery_id: deliveryId }, body)
 
 /** Send a small file; its take is made by the same request. */
 export const addFile = (
@@ -113,15 +107,13 @@ export const addFile = (
   )
 
 export const addArchive = (deliveryId: string, body: Schemas['ArchiveAdd']) =>
-  answered(api.POST('/v1/deliveries/{delivery_id}/archives', { params: { path: { delivery_id: deliveryId } }, body }))
+  post('/v1/deliveries/{delivery_id}/archives', { delivery_id: deliveryId }, body)
 
 export function useSaveNote(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ deliveryId, note }: { deliveryId: string; note: string }) =>
-      answered(
-        api.PATCH('/v1/deliveries/{delivery_id}', { params: { path: { delivery_id: deliveryId } }, body: { note } }),
-      ),
+      patch('/v1/deliveries/{delivery_id}', { delivery_id: deliveryId }, { note }),
     onSuccess: (saved) => {
       client.setQueryData(openDeliveryQuery(projectId).queryKey, saved)
       void invalidate(client, queryKeys.delivery(saved.id))
@@ -132,8 +124,7 @@ export function useSaveNote(projectId: string) {
 export function useCloseDelivery(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (deliveryId: string) =>
-      answered(api.POST('/v1/deliveries/{delivery_id}/close', { params: { path: { delivery_id: deliveryId } } })),
+    mutationFn: (deliveryId: string) => post('/v1/deliveries/{delivery_id}/close', { delivery_id: deliveryId }),
     onSuccess: () => invalidate(client, queryKeys.deliveries(projectId)),
   })
 }
@@ -147,11 +138,7 @@ export const unmatchedQuery = (projectId: string, count: number) =>
     queryKey: queryKeys.unmatched(projectId, count),
     queryFn: () =>
       everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/takes', {
-            params: { path: { project_id: projectId }, query: { unmatched: true, limit: 200, cursor } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/takes', { project_id: projectId, unmatched: true, limit: 200, cursor }),
       ).then((pages) => pages.flatMap(({ items }) => items)),
   })
 
@@ -164,7 +151,7 @@ export type UndecidedPlace = Schemas['UndecidedPlace']
 export const useUndecidedFiles = (projectId: string) =>
   useQuery({
     queryKey: queryKeys.undecidedFiles(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/takes/undecided', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/takes/undecided', { project_id: projectId }),
   })
 
 export type TrayAction = Schemas['TrayActionRead']
@@ -177,23 +164,11 @@ export type TrayWork =
 const runTrayWork = (projectId: string, work: TrayWork): Promise<TrayAction> => {
   switch (work.what) {
     case 'accept':
-      return answered(
-        api.POST('/v1/projects/{project_id}/takes/accept-sure', {
-          ...inProject(projectId),
-          body: { take_ids: work.takeIds },
-        }),
-      )
+      return post('/v1/projects/{project_id}/takes/accept-sure', { project_id: projectId }, { take_ids: work.takeIds })
     case 'discard':
-      return answered(
-        api.POST('/v1/projects/{project_id}/takes/discard', {
-          ...inProject(projectId),
-          body: { take_ids: work.takeIds },
-        }),
-      )
+      return post('/v1/projects/{project_id}/takes/discard', { project_id: projectId }, { take_ids: work.takeIds })
     case 'move':
-      return answered(
-        api.POST('/v1/projects/{project_id}/takes/move', { ...inProject(projectId), body: { moves: work.moves } }),
-      )
+      return post('/v1/projects/{project_id}/takes/move', { project_id: projectId }, { moves: work.moves })
   }
 }
 
@@ -209,8 +184,7 @@ export function useTrayWork(projectId: string) {
 export function useUndo(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (action: TrayAction) =>
-      answered(api.POST('/v1/tray-actions/{tray_action_id}/undo', { params: { path: { tray_action_id: action.id } } })),
+    mutationFn: (action: TrayAction) => post('/v1/tray-actions/{tray_action_id}/undo', { tray_action_id: action.id }),
     onSettled: () => refresh(client, projectId),
   })
 }
@@ -218,8 +192,7 @@ export function useUndo(projectId: string) {
 export function useRecheck(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (takeId: string) =>
-      answered(api.POST('/v1/takes/{take_id}/recheck', { params: { path: { take_id: takeId } } })),
+    mutationFn: (takeId: string) => post('/v1/takes/{take_id}/recheck', { take_id: takeId }),
     onSettled: () => refresh(client, projectId),
   })
 }
@@ -229,11 +202,10 @@ export function useReply(takeId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: async (said: { text: string; reply_to_id?: string; change_request_id?: string }) =>
-      answered(
-        api.POST('/v1/takes/{take_id}/comments', {
-          params: { path: { take_id: takeId } },
-          body: { ...said, mentions: await mentionsOf(client, takeId, said.text) },
-        }),
+      post(
+        '/v1/takes/{take_id}/comments',
+        { take_id: takeId },
+        { ...said, mentions: await mentionsOf(client, takeId, said.text) },
       ),
     onSuccess: () => invalidate(client, queryKeys.desk.all),
   })
@@ -243,8 +215,7 @@ export function useReply(takeId: string) {
 export function useAcknowledge() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (commentId: string) =>
-      answered(api.POST('/v1/comments/{comment_id}/acknowledgement', { params: { path: { comment_id: commentId } } })),
+    mutationFn: (commentId: string) => post('/v1/comments/{comment_id}/acknowledgement', { comment_id: commentId }),
     onSettled: () => invalidate(client, queryKeys.desk.all),
   })
 }
@@ -253,7 +224,7 @@ export function useAcknowledge() {
 export const useSounds = ({ id, state }: Pick<Take, 'id' | 'state'>) =>
   useQuery({
     queryKey: queryKeys.takeSounds(id),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/sounds', { params: { path: { take_id: id } } })),
+    queryFn: () => get('/v1/takes/{take_id}/sounds', { take_id: id }),
     enabled: state !== 'received',
     refetchInterval: ({ state: { data } }) => (data?.master.state === 'drawing' ? SLOW_POLL_MS : false),
   })
@@ -263,11 +234,7 @@ export const useCues = (projectId: string, enabled = true) =>
     queryKey: queryKeys.soundList(projectId, 'to choose from'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/sound-list', {
-            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
       )
       return pages.flatMap(({ cues }) => cues).filter(({ cut_at }) => cut_at === null)
     },
@@ -279,7 +246,7 @@ export const acceptedFilesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.acceptedFiles(projectId),
     queryFn: async (): Promise<Accepts> => {
-      const { tables } = await answered(api.GET('/v1/projects/{project_id}/spec', inProject(projectId)))
+      const { tables } = await get('/v1/projects/{project_id}/spec', { project_id: projectId })
       return acceptedFiles(tables)
     },
     staleTime: 60_000,
@@ -289,9 +256,7 @@ export function useAsk(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ cueId, text }: { cueId: string; text: string }) =>
-      answered(
-        api.POST('/v1/cues/{cue_id}/questions', { params: { path: { cue_id: cueId } }, body: { text, blocks: false } }),
-      ),
+      post('/v1/cues/{cue_id}/questions', { cue_id: cueId }, { text, blocks: false }),
     onSuccess: () => invalidate(client, queryKeys.desk(projectId), queryKeys.soundList(projectId)),
   })
 }

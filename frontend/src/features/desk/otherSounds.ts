@@ -1,6 +1,6 @@
 import { useInfiniteQuery } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -11,11 +11,7 @@ export const useOtherSounds = (projectId: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.otherSounds(projectId),
     queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/other-sounds', {
-          params: { path: { project_id: projectId }, query: { cursor } },
-        }),
-      ),
+      get('/v1/projects/{project_id}/other-sounds', { project_id: projectId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })

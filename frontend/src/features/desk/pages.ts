@@ -1,7 +1,7 @@
 import { useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
 import { useEffect, useEffectEvent, useState } from 'react'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 
 import type { CameBack, Desk, ToMake } from './api'
@@ -20,16 +20,13 @@ export interface DeskList<T> {
   showMore: () => void
 }
 
-const at = (projectId: string, cursor: string | undefined) => ({
-  params: { path: { project_id: projectId }, query: { cursor } },
-})
 const READS = {
   came_back: (projectId: string, cursor?: string) =>
-    answered(api.GET('/v1/projects/{project_id}/desk/came-back', at(projectId, cursor))),
+    get('/v1/projects/{project_id}/desk/came-back', { project_id: projectId, cursor }),
   to_make: (projectId: string, cursor?: string) =>
-    answered(api.GET('/v1/projects/{project_id}/desk/to-make', at(projectId, cursor))),
+    get('/v1/projects/{project_id}/desk/to-make', { project_id: projectId, cursor }),
   with_approver: (projectId: string, cursor?: string) =>
-    answered(api.GET('/v1/projects/{project_id}/desk/with-approver', at(projectId, cursor))),
+    get('/v1/projects/{project_id}/desk/with-approver', { project_id: projectId, cursor }),
 }
 
 /** The first page comes with the desk; once more is asked for, the list is read page by page. */

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, leaveSession, useMutation } from '@/api'
+import { del, get, leaveSession, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { forgetDrafts } from '@/app/drafts'
@@ -10,14 +10,12 @@ export type Erasure = components['schemas']['ErasureRead']
 /** What is to be erased: the account of who is signed in, or a project or studio by its id. */
 export type Subject = { kind: 'account' } | { kind: 'project' | 'studio'; id: string }
 
-const ofProject = (id: string) => ({ params: { path: { project_id: id } } })
-const ofStudio = (id: string) => ({ params: { path: { studio_id: id } } })
 const idOf = (subject: Subject) => (subject.kind === 'account' ? '' : subject.id)
 
 function read(subject: Subject): Promise<Erasure> {
-  if (subject.kind === 'account') return answered(api.GET('/v1/me/erasure'))
-  if (subject.kind === 'project') return answered(api.GET('/v1/projects/{project_id}/erasure', ofProject(subject.id)))
-  return answered(api.GET('/v1/studios/{studio_id}/erasure', ofStudio(subject.id)))
+  if (subject.kind === 'account') return get('/v1/me/erasure')
+  if (subject.kind === 'project') return get('/v1/projects/{project_id}/erasure', { project_id: subject.id })
+  return get('/v1/studios/{studio_id}/erasure', { studio_id: subject.id })
 }
 
 export const erasureQuery = (subject: Subject) =>
@@ -26,7 +24,7 @@ export const erasureQuery = (subject: Subject) =>
 /** Erase the account, and leave: nothing of it may be shown any more. */
 export function useEraseAccount() {
   return useMutation({
-    mutationFn: (confirmation: string) => answered(api.POST('/v1/me/erasure', { body: { confirmation } })),
+    mutationFn: (confirmation: string) => post('/v1/me/erasure', {}, { confirmation }),
     onSuccess: () => {
       leaveSession()
       forgetDrafts()
@@ -39,8 +37,8 @@ export function useRequestErasure(subject: Exclude<Subject, { kind: 'account' }>
   return useMutation({
     mutationFn: (confirmation: string) =>
       subject.kind === 'project'
-        ? answered(api.POST('/v1/projects/{project_id}/erasure', { ...ofProject(subject.id), body: { confirmation } }))
-        : answered(api.POST('/v1/studios/{studio_id}/erasure', { ...ofStudio(subject.id), body: { confirmation } })),
+        ? post('/v1/projects/{project_id}/erasure', { project_id: subject.id }, { confirmation })
+        : post('/v1/studios/{studio_id}/erasure', { studio_id: subject.id }, { confirmation }),
     onSuccess: () => invalidate(client, queryKeys.erasure(subject.kind, subject.id)),
   })
 }
@@ -50,8 +48,8 @@ export function useCancelErasure(subject: Exclude<Subject, { kind: 'account' }>)
   return useMutation({
     mutationFn: () =>
       subject.kind === 'project'
-        ? answered(api.DELETE('/v1/projects/{project_id}/erasure', ofProject(subject.id)))
-        : answered(api.DELETE('/v1/studios/{studio_id}/erasure', ofStudio(subject.id))),
+        ? del('/v1/projects/{project_id}/erasure', { project_id: subject.id })
+        : del('/v1/studios/{studio_id}/erasure', { studio_id: subject.id }),
     onSuccess: () => invalidate(client, queryKeys.erasure(subject.kind, subject.id)),
   })
 }

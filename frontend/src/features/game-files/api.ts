@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -17,13 +17,12 @@ export type Register = Schemas['PlaceholderRegister']
 export type Placeholder = Schemas['PlaceholderRead']
 
 const POLL_MS = 1_000
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 const open = ({ state }: Batch): boolean => state === 'planning' || state === 'running'
 
 export const targetsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.targets(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/targets', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/targets', { project_id: projectId }),
   })
 
 // Batches
@@ -31,12 +30,7 @@ export const targetsQuery = (projectId: string) =>
 export const useBatches = (projectId: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.batches(projectId),
-    queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/batches', {
-          params: { path: { project_id: projectId }, query: { cursor } },
-        }),
-      ),
+    queryFn: ({ pageParam: cursor }) => get('/v1/projects/{project_id}/batches', { project_id: projectId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     refetchInterval: ({ state: { data } }) => (data?.pages[0]?.items.some(open) ? POLL_MS : false),
@@ -46,7 +40,7 @@ export const useBatches = (projectId: string) =>
 export const useBatch = (batch: Batch) =>
   useQuery({
     queryKey: queryKeys.batch(batch.id, batch.state, batch.waiting),
-    queryFn: () => answered(api.GET('/v1/batches/{batch_id}', { params: { path: { batch_id: batch.id } } })),
+    queryFn: () => get('/v1/batches/{batch_id}', { batch_id: batch.id }),
     staleTime: Infinity,
     placeholderData: (before) => before,
   })
@@ -61,34 +55,24 @@ function useBatchAct<Asked>(projectId: string, act: (asked: Asked) => Promise<un
 
 export const useBeginBatch = (projectId: string) =>
   useBatchAct(projectId, (targets: string[]) =>
-    answered(api.POST('/v1/projects/{project_id}/batches', { ...inProject(projectId), body: { targets } })),
+    post('/v1/projects/{project_id}/batches', { project_id: projectId }, { targets }),
   )
 
 export const useCancelBatch = (projectId: string) =>
-  useBatchAct(projectId, (batchId: string) =>
-    answered(api.POST('/v1/batches/{batch_id}/cancel', { params: { path: { batch_id: batchId } } })),
-  )
+  useBatchAct(projectId, (batchId: string) => post('/v1/batches/{batch_id}/cancel', { batch_id: batchId }))
 
 // Packs
 
 export const packQuery = (projectId: string, target: string) =>
   queryOptions({
     queryKey: queryKeys.packs(projectId, target),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/pack', { params: { path: { project_id: projectId }, query: { target } } }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/pack', { project_id: projectId, target }),
   })
 
 export const useSealedPacks = (projectId: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.sealedPacks(projectId),
-    queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/packs', {
-          params: { path: { project_id: projectId }, query: { cursor } },
-        }),
-      ),
+    queryFn: ({ pageParam: cursor }) => get('/v1/projects/{project_id}/packs', { project_id: projectId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     refetchInterval: ({ state: { data } }) =>
@@ -98,7 +82,7 @@ export const useSealedPacks = (projectId: string) =>
 export const useSealedPack = (packId: string, enabled: boolean) =>
   useQuery({
     queryKey: queryKeys.sealedPack(packId),
-    queryFn: () => answered(api.GET('/v1/packs/{pack_id}', { params: { path: { pack_id: packId } } })),
+    queryFn: () => get('/v1/packs/{pack_id}', { pack_id: packId }),
     enabled,
     staleTime: Infinity,
   })
@@ -106,8 +90,7 @@ export const useSealedPack = (packId: string, enabled: boolean) =>
 export function useSealPack(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['PackAdd']) =>
-      answered(api.POST('/v1/projects/{project_id}/packs', { ...inProject(projectId), body })),
+    mutationFn: (body: Schemas['PackAdd']) => post('/v1/projects/{project_id}/packs', { project_id: projectId }, body),
     onSettled: () => invalidate(client, queryKeys.sealedPacks(projectId), queryKeys.packs(projectId)),
   })
 }
@@ -121,12 +104,7 @@ const toMake = ({ items }: Register): number =>
 export const useRegister = (projectId: string, target: string | undefined, isMaking: boolean) =>
   useQuery({
     queryKey: queryKeys.placeholders(projectId, target),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/placeholders', {
-          params: { path: { project_id: projectId }, query: { target } },
-        }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/placeholders', { project_id: projectId, target }),
     placeholderData: (before) => before,
     refetchInterval: ({ state: { data } }) => (isMaking && data && toMake(data) > 0 ? POLL_MS : false),
     select: (register) => ({ ...register, toMake: toMake(register) }),
@@ -136,7 +114,7 @@ export function useMakePlaceholders(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (target: string) =>
-      answered(api.POST('/v1/projects/{project_id}/placeholders', { ...inProject(projectId), body: { target } })),
+      post('/v1/projects/{project_id}/placeholders', { project_id: projectId }, { target }),
     onSettled: () => invalidate(client, queryKeys.placeholders(projectId)),
   })
 }

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -17,19 +17,17 @@ export type AskedLine = Schemas['AskedLine']
 export type AskedCue = Schemas['AskedCue']
 
 const CHECKED_SOON_MS = 2000
-const at = (postingId: string) => ({ params: { path: { posting_id: postingId } } })
 
 export const postingsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.postings(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/postings', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/postings', { project_id: projectId }),
   })
 
 export const postingQuery = (postingId: string) =>
   queryOptions({
     queryKey: queryKeys.posting(postingId),
-    queryFn: () => answered(api.GET('/v1/postings/{posting_id}', at(postingId))),
+    queryFn: () => get('/v1/postings/{posting_id}', { posting_id: postingId }),
     refetchInterval: ({ state: { data } }) =>
       data?.own_bid?.samples.some(({ state }) => state === 'pending') ? CHECKED_SOON_MS : false,
   })
@@ -38,52 +36,50 @@ export const postingQuery = (postingId: string) =>
 export const studioRecordQuery = (postingId: string) =>
   queryOptions({
     queryKey: queryKeys.studioRecord(postingId),
-    queryFn: () => answered(api.GET('/v1/postings/{posting_id}/studio-record', at(postingId))),
+    queryFn: () => get('/v1/postings/{posting_id}/studio-record', { posting_id: postingId }),
   })
 
 /** The cues that the lines of a posting count. */
 export const askedCuesQuery = (postingId: string) =>
   queryOptions({
     queryKey: queryKeys.askedCues(postingId),
-    queryFn: () => answered(api.GET('/v1/postings/{posting_id}/cues', at(postingId))),
+    queryFn: () => get('/v1/postings/{posting_id}/cues', { posting_id: postingId }),
   })
 
 export const comparisonQuery = (postingId: string) =>
   queryOptions({
     queryKey: queryKeys.bids(postingId),
-    queryFn: () => answered(api.GET('/v1/postings/{posting_id}/bids', at(postingId))),
+    queryFn: () => get('/v1/postings/{posting_id}/bids', { posting_id: postingId }),
   })
 
 export const linkQuery = (secret: string) =>
   queryOptions({
     queryKey: queryKeys.postingLink(secret),
-    queryFn: () => answered(api.GET('/v1/posting-links/{secret}', { params: { path: { secret } } })),
+    queryFn: () => get('/v1/posting-links/{secret}', { secret }),
   })
 
 /** Has a link of one's own mailed, by the link for everyone. */
 export const useAskForLink = (secret: string) =>
   useMutation({
-    mutationFn: (email: string) =>
-      answered(api.POST('/v1/posting-links/{secret}/ask', { params: { path: { secret } }, body: { email } })),
+    mutationFn: (email: string) => post('/v1/posting-links/{secret}/ask', { secret }, { email }),
   })
 
 /** Signs in by a personal link, with an account made now if its address has none. */
 export const useOpenAccount = (secret: string) =>
   useMutation({
     mutationFn: (body: { name: string | null; password: string }) =>
-      answered(api.POST('/v1/posting-links/{secret}/account', { params: { path: { secret } }, body })),
+      post('/v1/posting-links/{secret}/account', { secret }, body),
   })
 
 export const useJoin = (secret: string) =>
   useMutation({
-    mutationFn: () => answered(api.POST('/v1/posting-links/{secret}/join', { params: { path: { secret } } })),
+    mutationFn: () => post('/v1/posting-links/{secret}/join', { secret }),
   })
 
 export function useCreatePosting(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: PostingAdd) =>
-      answered(api.POST('/v1/projects/{project_id}/postings', { params: { path: { project_id: projectId } }, body })),
+    mutationFn: (body: PostingAdd) => post('/v1/projects/{project_id}/postings', { project_id: projectId }, body),
     onSuccess: () => invalidate(client, queryKeys.postings(projectId)),
   })
 }
@@ -102,32 +98,26 @@ function usePostingChange<T>(postingId: string, change: (value: T) => Promise<Po
 
 export const useSavePosting = (postingId: string) =>
   usePostingChange(postingId, (body: PostingAdd & { revision: number }) =>
-    answered(api.PUT('/v1/postings/{posting_id}', { ...at(postingId), body })),
+    put('/v1/postings/{posting_id}', { posting_id: postingId }, body),
   )
 
 export const useMovePosting = (postingId: string) =>
   usePostingChange(postingId, (to: 'open' | 'close') =>
-    answered(
-      to === 'open'
-        ? api.POST('/v1/postings/{posting_id}/open', at(postingId))
-        : api.POST('/v1/postings/{posting_id}/close', at(postingId)),
-    ),
+    to === 'open'
+      ? post('/v1/postings/{posting_id}/open', { posting_id: postingId })
+      : post('/v1/postings/{posting_id}/close', { posting_id: postingId }),
   )
 
 export const useInvite = (postingId: string) =>
   usePostingChange(postingId, (email: string) =>
-    answered(api.POST('/v1/postings/{posting_id}/candidates', { ...at(postingId), body: { email } })),
+    post('/v1/postings/{posting_id}/candidates', { posting_id: postingId }, { email }),
   )
 
 export function useWithdrawCandidate(postingId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (candidateId: string) =>
-      answered(
-        api.DELETE('/v1/postings/{posting_id}/candidates/{candidate_id}', {
-          params: { path: { posting_id: postingId, candidate_id: candidateId } },
-        }),
-      ),
+      del('/v1/postings/{posting_id}/candidates/{candidate_id}', { posting_id: postingId, candidate_id: candidateId }),
     onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
   })
 }
@@ -135,7 +125,7 @@ export function useWithdrawCandidate(postingId: string) {
 export function useMakeLink(postingId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.POST('/v1/postings/{posting_id}/link', at(postingId))),
+    mutationFn: () => post('/v1/postings/{posting_id}/link', { posting_id: postingId }),
     onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
   })
 }
@@ -143,49 +133,46 @@ export function useMakeLink(postingId: string) {
 export function useRevokeLink(postingId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.DELETE('/v1/postings/{posting_id}/link', at(postingId))),
+    mutationFn: () => del('/v1/postings/{posting_id}/link', { posting_id: postingId }),
     onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
   })
 }
 
 export const useAnswer = (postingId: string) =>
   usePostingChange(postingId, ({ id, text, forAll }: { id: string; text: string; forAll: boolean }) =>
-    answered(
-      api.POST('/v1/posting-questions/{posting_question_id}/answer', {
-        params: { path: { posting_question_id: id } },
-        body: { text, is_for_all: forAll },
-      }),
+    post(
+      '/v1/posting-questions/{posting_question_id}/answer',
+      { posting_question_id: id },
+      { text, is_for_all: forAll },
     ),
   )
 
 export const useAsk = (postingId: string) =>
   usePostingChange(postingId, (text: string) =>
-    answered(api.POST('/v1/postings/{posting_id}/questions', { ...at(postingId), body: { text } })),
+    post('/v1/postings/{posting_id}/questions', { posting_id: postingId }, { text }),
   )
 
 export const useAddSample = (postingId: string) =>
   usePostingChange(postingId, (body: Schemas['SampleAdd']) =>
-    answered(api.POST('/v1/postings/{posting_id}/bid/samples', { ...at(postingId), body })),
+    post('/v1/postings/{posting_id}/bid/samples', { posting_id: postingId }, body),
   )
 
 export const useRemoveSample = (postingId: string) =>
-  usePostingChange(postingId, (id: string) =>
-    answered(api.DELETE('/v1/bid-samples/{bid_sample_id}', { params: { path: { bid_sample_id: id } } })),
-  )
+  usePostingChange(postingId, (id: string) => del('/v1/bid-samples/{bid_sample_id}', { bid_sample_id: id }))
 
 export const useSaveBid = (postingId: string) =>
   usePostingChange(postingId, (body: BidContent & { revision: number }) =>
-    answered(api.PUT('/v1/postings/{posting_id}/bid', { ...at(postingId), body })),
+    put('/v1/postings/{posting_id}/bid', { posting_id: postingId }, body),
   )
 
 export const useSendBid = (postingId: string) =>
   usePostingChange(postingId, (revision: number) =>
-    answered(api.POST('/v1/postings/{posting_id}/bid/send', { ...at(postingId), body: { revision } })),
+    post('/v1/postings/{posting_id}/bid/send', { posting_id: postingId }, { revision }),
   )
 
 export const useWithdrawBid = (postingId: string) =>
   usePostingChange<undefined>(postingId, () =>
-    answered(api.POST('/v1/postings/{posting_id}/bid/withdraw', at(postingId))),
+    post('/v1/postings/{posting_id}/bid/withdraw', { posting_id: postingId }),
   )
 
 /** A change of one bid, whose answer is the comparison as it stands. */
@@ -199,21 +186,18 @@ function useBidChange<T>(postingId: string, change: (value: T) => Promise<Compar
 
 export const useShortlist = (postingId: string) =>
   useBidChange(postingId, ({ id, on }: { id: string; on: boolean }) =>
-    answered(
-      api.PUT('/v1/bids/{bid_id}/shortlist', { params: { path: { bid_id: id } }, body: { is_shortlisted: on } }),
-    ),
+    put('/v1/bids/{bid_id}/shortlist', { bid_id: id }, { is_shortlisted: on }),
   )
 
 export const useScore = (postingId: string) =>
   useBidChange(postingId, ({ id, ...body }: { id: string; scores: Record<string, number>; note: string }) =>
-    answered(api.PUT('/v1/bids/{bid_id}/scores', { params: { path: { bid_id: id } }, body })),
+    put('/v1/bids/{bid_id}/scores', { bid_id: id }, body),
   )
 
 export function useAward(postingId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (bidId: string) =>
-      answered(api.POST('/v1/bids/{bid_id}/award', { params: { path: { bid_id: bidId } } })),
+    mutationFn: (bidId: string) => post('/v1/bids/{bid_id}/award', { bid_id: bidId }),
     onSuccess: () =>
       invalidate(
         client,

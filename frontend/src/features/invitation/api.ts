@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -12,14 +12,13 @@ export type Spec = Schemas['ResolvedSpec']
 export const invitationQuery = (secret: string) =>
   queryOptions({
     queryKey: queryKeys.invitation(secret),
-    queryFn: () => answered(api.GET('/v1/invitations/{secret}', { params: { path: { secret } } })),
+    queryFn: () => get('/v1/invitations/{secret}', { secret }),
   })
 
 export function useAccept(secret: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['InvitationAccept']) =>
-      answered(api.POST('/v1/invitations/{secret}/accept', { params: { path: { secret } }, body })),
+    mutationFn: (body: Schemas['InvitationAccept']) => post('/v1/invitations/{secret}/accept', { secret }, body),
     // Another person may be signed in from here on.
     onSuccess: () => client.clear(),
   })

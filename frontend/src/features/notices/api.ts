@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -10,7 +10,7 @@ type Mark = components['schemas']['NoticesMark']
 /** The current person's notices, the newest first. */
 export const noticesQuery = infiniteQueryOptions({
   queryKey: queryKeys.notices('list'),
-  queryFn: ({ pageParam: cursor }) => answered(api.GET('/v1/me/notices', { params: { query: { cursor } } })),
+  queryFn: ({ pageParam: cursor }) => get('/v1/me/notices', { cursor }),
   initialPageParam: undefined as string | undefined,
   getNextPageParam: ({ next }) => next ?? undefined,
   select: ({ pages }) => pages.flatMap(({ items }) => items),
@@ -20,7 +20,7 @@ export const noticesQuery = infiniteQueryOptions({
 export function useMarkRead() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (mark: Partial<Mark>) => answered(api.POST('/v1/me/notices/read', { body: { ids: [], ...mark } })),
+    mutationFn: (mark: Partial<Mark>) => post('/v1/me/notices/read', {}, { ids: [], ...mark }),
     onSettled: () => invalidate(client, queryKeys.notices.all),
   })
 }

@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -21,7 +21,6 @@ const ALIVE_MS = 5000
 const KEPT_FOR_MS = 60_000
 
 const keyOf = (scope: Scope) => (scope === 'server' ? 'server' : scope.studioId)
-const ofStudio = (studioId: string) => ({ params: { path: { studio_id: studioId } } })
 
 /** What both views show of jobs and workers. */
 export interface Operations {
@@ -33,12 +32,12 @@ export interface Operations {
 }
 
 async function readServer(): Promise<Operations> {
-  const { counts, lanes, workers } = await answered(api.GET('/v1/operations'))
+  const { counts, lanes, workers } = await get('/v1/operations')
   return { counts, lanes, workers, alive: workers.filter(({ is_alive }) => is_alive).length }
 }
 
 async function readStudio(studioId: string): Promise<Operations> {
-  const { counts, lanes, workers } = await answered(api.GET('/v1/studios/{studio_id}/operations', ofStudio(studioId)))
+  const { counts, lanes, workers } = await get('/v1/studios/{studio_id}/operations', { studio_id: studioId })
   return { counts, lanes, workers: [], alive: workers }
 }
 
@@ -52,12 +51,12 @@ export interface Kept {
 async function readKept(scope: Scope): Promise<Kept> {
   if (scope !== 'server') {
     return {
-      studios: [await answered(api.GET('/v1/studios/{studio_id}/storage', ofStudio(scope.studioId)))],
+      studios: [await get('/v1/studios/{studio_id}/storage', { studio_id: scope.studioId })],
       freeBytes: null,
       scrub: null,
     }
   }
-  const { studios, free_bytes, scrub } = await answered(api.GET('/v1/operations/storage'))
+  const { studios, free_bytes, scrub } = await get('/v1/operations/storage')
   return { studios, freeBytes: free_bytes, scrub }
 }
 
@@ -81,11 +80,11 @@ async function readLimits(
   cursor: string | undefined,
 ): Promise<{ items: Limits[]; next?: string | null }> {
   if (scope !== 'server') {
-    const quotas = await answered(api.GET('/v1/studios/{studio_id}/quotas', ofStudio(scope.studioId)))
+    const quotas = await get('/v1/studios/{studio_id}/quotas', { studio_id: scope.studioId })
     const nearestFirst = [...quotas].sort((a, b) => share(b) - share(a))
     return { items: [{ studioId: scope.studioId, studioName: '', quotas: nearestFirst }] }
   }
-  const { items, next } = await answered(api.GET('/v1/operations/quotas', { params: { query: { cursor } } }))
+  const { items, next } = await get('/v1/operations/quotas', { cursor })
   return {
     items: items.map(({ studio_id, studio_name, quotas }) => ({
       studioId: studio_id,
@@ -120,12 +119,8 @@ export const jobsQuery = (scope: Scope, state: JobState | undefined) =>
     queryKey: queryKeys.operations(keyOf(scope), 'jobs', state),
     queryFn: ({ pageParam: cursor }) =>
       scope === 'server'
-        ? answered(api.GET('/v1/operations/jobs', { params: { query: { state, cursor } } }))
-        : answered(
-            api.GET('/v1/studios/{studio_id}/jobs', {
-              params: { path: { studio_id: scope.studioId }, query: { state, cursor } },
-            }),
-          ),
+        ? get('/v1/operations/jobs', { state, cursor })
+        : get('/v1/studios/{studio_id}/jobs', { studio_id: scope.studioId, state, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     refetchInterval: ALIVE_MS,
@@ -137,12 +132,8 @@ export function useRetry(scope: Scope) {
   return useMutation({
     mutationFn: (jobId: string) =>
       scope === 'server'
-        ? answered(api.POST('/v1/operations/jobs/{job_id}/retry', { params: { path: { job_id: jobId } } }))
-        : answered(
-            api.POST('/v1/studios/{studio_id}/jobs/{job_id}/retry', {
-              params: { path: { studio_id: scope.studioId, job_id: jobId } },
-            }),
-          ),
+        ? post('/v1/operations/jobs/{job_id}/retry', { job_id: jobId })
+        : post('/v1/studios/{studio_id}/jobs/{job_id}/retry', { studio_id: scope.studioId, job_id: jobId }),
     onSettled: () =>
       invalidate(client, queryKeys.operations(keyOf(scope), 'sums'), queryKeys.operations(keyOf(scope), 'jobs')),
   })

@@ -2,7 +2,7 @@ import { TextInput } from '@mantine/core'
 import { useQueryClient } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { answered, api, useMutation } from '@/api'
+import { put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
@@ -20,8 +20,7 @@ interface Budget {
 function useSetBudget(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Budget) =>
-      answered(api.PUT('/v1/projects/{project_id}/budget', { params: { path: { project_id: projectId } }, body })),
+    mutationFn: (body: Budget) => put('/v1/projects/{project_id}/budget', { project_id: projectId }, body),
     onSuccess: () => invalidate(client, queryKeys.pace(projectId)),
   })
 }

@@ -1,7 +1,7 @@
 import { queryOptions, useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { ButtonLink } from '@/ui/Button'
@@ -18,8 +18,7 @@ const NAMED = 8
 const handoversQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.contracts(projectId, 'handovers'),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/handovers', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/handovers', { project_id: projectId }),
   })
 
 /** Cues of ended contracts that have no designer now: what the next one begins with, and how to hire them. */

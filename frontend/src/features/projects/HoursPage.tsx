@@ -1,7 +1,7 @@
 import { queryOptions, useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useTitle } from '@/app/title'
@@ -23,8 +23,7 @@ type Week = Schemas['WeekHours']
 const hoursQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.hours(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/hours', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/hours', { project_id: projectId }),
   })
 
 const hours = (value: number): string => inHours(value > 0 ? Math.max(1, Math.round(value * 60)) : 0)

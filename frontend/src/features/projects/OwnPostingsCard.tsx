@@ -1,7 +1,7 @@
 import { queryOptions, useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { Card, CardHead } from '@/ui/Card'
@@ -12,7 +12,7 @@ type PostingSummary = components['schemas']['PostingSummary']
 
 const ownPostingsQuery = queryOptions({
   queryKey: queryKeys.ownPostings(),
-  queryFn: () => answered(api.GET('/v1/postings')),
+  queryFn: () => get('/v1/postings'),
 })
 
 /** The postings that the current person may bid on, for a designer without a project too. */

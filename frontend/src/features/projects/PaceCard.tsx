@@ -1,7 +1,7 @@
 import { queryOptions, useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { hours, money } from '@/money/words'
@@ -22,7 +22,7 @@ const HIGH_CHURN = 0.2 // of the ordered cues
 const paceQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.pace(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/pace', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/pace', { project_id: projectId }),
   })
 
 interface Line {

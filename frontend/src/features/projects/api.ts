@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useInfiniteQuery, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, useMutation } from '@/api'
+import { del, everyPage, get, patch, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import type { Severity } from '@/ui/severity'
@@ -36,14 +36,12 @@ export interface ReportFile {
   findings: { code: string; severity: Severity; message: string; fix?: string | null; waived?: boolean }[]
 }
 
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-
 // Projects
 
 export const useProjects = (archived: boolean) =>
   useInfiniteQuery({
     queryKey: queryKeys.projects({ archived }),
-    queryFn: ({ pageParam: cursor }) => answered(api.GET('/v1/projects', { params: { query: { cursor, archived } } })),
+    queryFn: ({ pageParam: cursor }) => get('/v1/projects', { cursor, archived }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })
@@ -52,14 +50,13 @@ export const useProjects = (archived: boolean) =>
 export const playlistsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.playlists(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/playlists', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/playlists', { project_id: projectId }),
   })
 
 export const overviewQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.overview(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/overview', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/overview', { project_id: projectId }),
   })
 
 /** The cues of the list, for the columns next to their names: category and file names. */
@@ -68,11 +65,7 @@ export const cuesQuery = (projectId: string) =>
     queryKey: queryKeys.soundList(projectId, 'of the project'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/sound-list', {
-            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
       )
       return pages.flatMap(({ cues }) => cues)
     },
@@ -81,14 +74,14 @@ export const cuesQuery = (projectId: string) =>
 /** What the server checks: it stays the same as long as the page is open. */
 export const checksQuery = queryOptions({
   queryKey: queryKeys.checks(),
-  queryFn: () => answered(api.GET('/v1/checks')),
+  queryFn: () => get('/v1/checks'),
   staleTime: Infinity,
 })
 
 export function useOpenProject() {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['ProjectAdd']) => answered(api.POST('/v1/projects', { body })),
+    mutationFn: (body: Schemas['ProjectAdd']) => post('/v1/projects', {}, body),
     onSuccess: () => invalidate(client, queryKeys.me(), queryKeys.projects.all),
   })
 }
@@ -96,8 +89,7 @@ export function useOpenProject() {
 export function useChangeProject(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['ProjectChange']) =>
-      answered(api.PATCH('/v1/projects/{project_id}', { ...inProject(projectId), body })),
+    mutationFn: (body: Schemas['ProjectChange']) => patch('/v1/projects/{project_id}', { project_id: projectId }, body),
     onSuccess: (project) => {
       client.setQueryData(queryKeys.project(projectId), project)
       return invalidate(client, queryKeys.me(), queryKeys.projects.all, queryKeys.overview(projectId))
@@ -110,18 +102,13 @@ export function useChangeProject(projectId: string) {
 export const specQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.spec(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/spec', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/spec', { project_id: projectId }),
   })
 
 export const specVersionQuery = (projectId: string, version: number) =>
   queryOptions({
     queryKey: queryKeys.specVersion(projectId, version),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/spec/versions/{version}', {
-          params: { path: { project_id: projectId, version } },
-        }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/spec/versions/{version}', { project_id: projectId, version }),
     staleTime: Infinity,
   })
 
@@ -129,11 +116,7 @@ export const useSpecVersions = (projectId: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.specVersions(projectId),
     queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/spec/versions', {
-          params: { path: { project_id: projectId }, query: { cursor } },
-        }),
-      ),
+      get('/v1/projects/{project_id}/spec/versions', { project_id: projectId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })
@@ -145,8 +128,7 @@ export type Written = { toml: string } | { tables: Record<string, unknown> }
 export const useSpecTry = (projectId: string, written: Written, enabled: boolean) =>
   useQuery({
     queryKey: queryKeys.specDraftCheck(projectId, written),
-    queryFn: () =>
-      answered(api.POST('/v1/projects/{project_id}/spec/check-toml', { ...inProject(projectId), body: written })),
+    queryFn: () => post('/v1/projects/{project_id}/spec/check-toml', { project_id: projectId }, written),
     enabled,
     placeholderData: keepPreviousData,
     staleTime: Infinity,
@@ -160,8 +142,8 @@ export function useSaveSpec(projectId: string) {
   return useMutation({
     mutationFn: (body: SpecToSave) =>
       'toml' in body
-        ? answered(api.PUT('/v1/projects/{project_id}/spec', { ...inProject(projectId), body }))
-        : answered(api.POST('/v1/projects/{project_id}/spec/form', { ...inProject(projectId), body })),
+        ? put('/v1/projects/{project_id}/spec', { project_id: projectId }, body)
+        : post('/v1/projects/{project_id}/spec/form', { project_id: projectId }, body),
     onSuccess: (spec) => {
       client.setQueryData(queryKeys.spec(projectId), spec)
       return invalidate(
@@ -181,12 +163,7 @@ export function useSaveSpec(projectId: string) {
 export const useBuilds = (projectId: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.builds(projectId),
-    queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/builds', {
-          params: { path: { project_id: projectId }, query: { cursor } },
-        }),
-      ),
+    queryFn: ({ pageParam: cursor }) => get('/v1/projects/{project_id}/builds', { project_id: projectId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })
@@ -195,7 +172,7 @@ export const useBuildReport = (buildId: string) =>
   useQuery({
     queryKey: queryKeys.build(buildId),
     queryFn: async () => {
-      const { report } = await answered(api.GET('/v1/builds/{build_id}', { params: { path: { build_id: buildId } } }))
+      const { report } = await get('/v1/builds/{build_id}', { build_id: buildId })
       return report as unknown as BuildReport
     },
     staleTime: Infinity,
@@ -204,13 +181,13 @@ export const useBuildReport = (buildId: string) =>
 export const ciQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.ci(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/ci', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/ci', { project_id: projectId }),
   })
 
 export const useTokens = (projectId: string, enabled: boolean) =>
   useQuery({
     queryKey: queryKeys.tokens(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/tokens', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/tokens', { project_id: projectId }),
     enabled,
   })
 
@@ -218,7 +195,7 @@ export function useMakeToken(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['TokenAdd']) =>
-      answered(api.POST('/v1/projects/{project_id}/tokens', { ...inProject(projectId), body })),
+      post('/v1/projects/{project_id}/tokens', { project_id: projectId }, body),
     onSuccess: () => invalidate(client, queryKeys.tokens(projectId)),
   })
 }
@@ -227,11 +204,7 @@ export function useRevokeToken(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (tokenId: string) =>
-      answered(
-        api.DELETE('/v1/projects/{project_id}/tokens/{token_id}', {
-          params: { path: { project_id: projectId, token_id: tokenId } },
-        }),
-      ),
+      del('/v1/projects/{project_id}/tokens/{token_id}', { project_id: projectId, token_id: tokenId }),
     onSettled: () => invalidate(client, queryKeys.tokens(projectId)),
   })
 }
@@ -240,7 +213,7 @@ export function useRevokeToken(projectId: string) {
 export const countdownQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.placeholders(projectId, 'countdown'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/placeholders/countdown', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/placeholders/countdown', { project_id: projectId }),
   })
 
 /** The approved pack of every target, in the order of the spec. */
@@ -248,10 +221,7 @@ export const packsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.packs(projectId),
     queryFn: async (): Promise<Pack[]> => {
-      const read = (target?: string) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/pack', { params: { path: { project_id: projectId }, query: { target } } }),
-        )
+      const read = (target?: string) => get('/v1/projects/{project_id}/pack', { project_id: projectId, target })
       const first = await read()
       return [first, ...(await Promise.all(first.targets.slice(1).map(read)))]
     },

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -8,12 +8,10 @@ type Schemas = components['schemas']
 export type Credits = Schemas['ProjectCreditsRead']
 export type Credit = Schemas['CreditRead']
 
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-
 export const creditsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.credits(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/credits', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/credits', { project_id: projectId }),
   })
 
 /** A write whose answer is the list of credits as it is then. */
@@ -27,19 +25,18 @@ function useCredits<Body>(projectId: string, send: (body: Body) => Promise<Credi
 
 export const useSaveMyCredit = (projectId: string) =>
   useCredits(projectId, (body: Schemas['CreditNameSave']) =>
-    answered(api.PUT('/v1/projects/{project_id}/credits/me', { ...inProject(projectId), body })),
+    put('/v1/projects/{project_id}/credits/me', { project_id: projectId }, body),
   )
 
 export const useAddCredit = (projectId: string) =>
   useCredits(projectId, (body: Schemas['CreditLineAdd']) =>
-    answered(api.POST('/v1/projects/{project_id}/credits', { ...inProject(projectId), body })),
+    post('/v1/projects/{project_id}/credits', { project_id: projectId }, body),
   )
 
 export function useRemoveCredit(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (lineId: string) =>
-      answered(api.DELETE('/v1/credit-lines/{credit_line_id}', { params: { path: { credit_line_id: lineId } } })),
+    mutationFn: (lineId: string) => del('/v1/credit-lines/{credit_line_id}', { credit_line_id: lineId }),
     onSettled: () => invalidate(client, queryKeys.credits(projectId)),
   })
 }

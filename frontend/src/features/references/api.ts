@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, useMutation } from '@/api'
+import { del, everyPage, get, patch, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -15,11 +15,7 @@ export const cuesQuery = (projectId: string) =>
     queryKey: queryKeys.soundList(projectId, 'to pin to'),
     queryFn: async () => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/sound-list', {
-            params: { path: { project_id: projectId }, query: { cursor, limit: 500 } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
       )
       return pages
         .flatMap(({ cues }) => cues)
@@ -31,8 +27,7 @@ export const cuesQuery = (projectId: string) =>
 export const versionsQuery = (projectId: string, referenceId: string) =>
   queryOptions({
     queryKey: queryKeys.references(projectId, 'versions', referenceId),
-    queryFn: () =>
-      answered(api.GET('/v1/references/{reference_id}/versions', { params: { path: { reference_id: referenceId } } })),
+    queryFn: () => get('/v1/references/{reference_id}/versions', { reference_id: referenceId }),
   })
 
 /** Who opened what: of the whole project, or of one reference. */
@@ -40,27 +35,16 @@ export const useOpenings = (projectId: string, referenceId?: string) =>
   useInfiniteQuery({
     queryKey: queryKeys.references(projectId, 'openings', referenceId),
     queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/reference-openings', {
-          params: { path: { project_id: projectId }, query: { reference: referenceId, cursor } },
-        }),
-      ),
+      get('/v1/projects/{project_id}/reference-openings', { project_id: projectId, reference: referenceId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
   })
 
 export const addReference = (projectId: string, body: ReferenceAdd) =>
-  answered(
-    api.POST('/v1/projects/{project_id}/references', {
-      params: { path: { project_id: projectId } },
-      body: { caption: '', terms: '', ...body },
-    }),
-  )
+  post('/v1/projects/{project_id}/references', { project_id: projectId }, { caption: '', terms: '', ...body })
 
 export const addVersion = (referenceId: string, body: { upload_id: string } | { url: string }) =>
-  answered(
-    api.POST('/v1/references/{reference_id}/versions', { params: { path: { reference_id: referenceId } }, body }),
-  )
+  post('/v1/references/{reference_id}/versions', { reference_id: referenceId }, body)
 
 export function useAddLink(projectId: string) {
   const client = useQueryClient()
@@ -74,12 +58,7 @@ export function useChangeReference(projectId: string, referenceId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: ReferenceChange) =>
-      answered(
-        api.PATCH('/v1/references/{reference_id}', {
-          params: { path: { reference_id: referenceId } },
-          body: body as Schemas['ReferenceChange'],
-        }),
-      ),
+      patch('/v1/references/{reference_id}', { reference_id: referenceId }, body as Schemas['ReferenceChange']),
     onSuccess: () => invalidate(client, queryKeys.references(projectId)),
   })
 }
@@ -87,8 +66,7 @@ export function useChangeReference(projectId: string, referenceId: string) {
 export function useRemoveReference(projectId: string, referenceId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () =>
-      answered(api.DELETE('/v1/references/{reference_id}', { params: { path: { reference_id: referenceId } } })),
+    mutationFn: () => del('/v1/references/{reference_id}', { reference_id: referenceId }),
     onSuccess: () => invalidate(client, queryKeys.references(projectId)),
   })
 }

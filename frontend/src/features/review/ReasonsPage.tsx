@@ -2,7 +2,7 @@ import { infiniteQueryOptions, queryOptions, useInfiniteQuery, useQuery } from '
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { useRef } from 'react'
 
-import { answered, api } from '@/api'
+import { answered, api, get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useHotkeys } from '@/app/keys'
@@ -40,11 +40,13 @@ const versionsQuery = (projectId: string, kind: 'change' | 'pick', reason: strin
   infiniteQueryOptions({
     queryKey: queryKeys.reasons(projectId, 'versions', { kind, reason, ...wantedOf(search) }),
     queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/projects/{project_id}/reasons/versions', {
-          params: { path: { project_id: projectId }, query: { kind, reason, ...wantedOf(search), cursor } },
-        }),
-      ),
+      get('/v1/projects/{project_id}/reasons/versions', {
+        project_id: projectId,
+        kind,
+        reason,
+        ...wantedOf(search),
+        cursor,
+      }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     select: ({ pages }) => pages.flatMap(({ items }) => items),

@@ -1,6 +1,6 @@
 import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, api, get, post, useMutation } from '@/api'
 import { answerOr, isWaitingId, laterWrites, waitingId } from '@/api/laterWrites'
 import { type Me, meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
@@ -19,8 +19,7 @@ export type Judged = Schemas['RecentVerdict']
 export const judgedQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.judged(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/judged-lately', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/judged-lately', { project_id: projectId }),
   })
 
 /** The sounds that new ones are compared with. */
@@ -95,12 +94,7 @@ export function useAnswerNote(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ takeId, note, isDone }: { takeId: string; note: CarriedNote; isDone: boolean }) =>
-      answered(
-        api.POST('/v1/takes/{take_id}/carried-notes/{note_id}', {
-          params: { path: { take_id: takeId, note_id: note.id } },
-          body: { is_done: isDone },
-        }),
-      ),
+      post('/v1/takes/{take_id}/carried-notes/{note_id}', { take_id: takeId, note_id: note.id }, { is_done: isDone }),
     onSuccess: (note) => {
       client.setQueryData<CueReview>(
         queryKeys.cueReview(cueId),
@@ -117,7 +111,7 @@ export function useMarkComment(cueId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ id, as }: { id: string; as: 'resolve' | 'reopen' | 'acknowledgement' }) =>
-      answered(api.POST(`/v1/comments/{comment_id}/${as}`, { params: { path: { comment_id: id } } })),
+      post(`/v1/comments/{comment_id}/${as}`, { comment_id: id }),
     onSettled: () => invalidate(client, queryKeys.cueReview(cueId)),
   })
 }
@@ -126,8 +120,7 @@ export function useMarkComment(cueId: string) {
 export function useCut(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (reason: string) =>
-      answered(api.POST('/v1/cues/{cue_id}/cut', { params: { path: { cue_id: cueId } }, body: { reason } })),
+    mutationFn: (reason: string) => post('/v1/cues/{cue_id}/cut', { cue_id: cueId }, { reason }),
     onSuccess: async () => {
       await Promise.all([refresh(client, projectId), invalidate(client, queryKeys.soundList.all)])
     },
@@ -139,7 +132,7 @@ export function useWaive(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ takeId, reason }: { takeId: string; reason: string }) =>
-      answered(api.POST('/v1/takes/{take_id}/waiver', { params: { path: { take_id: takeId } }, body: { reason } })),
+      post('/v1/takes/{take_id}/waiver', { take_id: takeId }, { reason }),
     onSuccess: async () => {
       await Promise.all([
         refresh(client, projectId),

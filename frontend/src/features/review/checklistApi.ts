@@ -1,6 +1,6 @@
 import { useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 
 /** Check an item of the checklist for a version, or take that back. */
@@ -8,11 +8,10 @@ export function useCheckItem(cueId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ takeId, itemId, isChecked }: { takeId: string; itemId: string; isChecked: boolean }) =>
-      answered(
-        api.PUT('/v1/takes/{take_id}/checklist/{checklist_item_id}', {
-          params: { path: { take_id: takeId, checklist_item_id: itemId } },
-          body: { is_checked: isChecked },
-        }),
+      put(
+        '/v1/takes/{take_id}/checklist/{checklist_item_id}',
+        { take_id: takeId, checklist_item_id: itemId },
+        { is_checked: isChecked },
       ),
     // Awaited: the next press of the key checks the item after this one.
     onSettled: () => invalidate(client, queryKeys.cueReview(cueId)),

@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem, everyPage, useMutation } from '@/api'
+import { answered, api, ApiProblem, everyPage, get, patch, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { useMyProject } from '@/api/me'
 import type { components } from '@/api/schema.gen'
@@ -21,9 +21,6 @@ export type Revision = Schemas['RevisionRead']
 export type Comparison = Schemas['ListComparison']
 export type Difference = Schemas['CueDifference']
 export type FieldChange = Schemas['FieldChange']
-
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-const ofCue = (cueId: string) => ({ params: { path: { cue_id: cueId } } })
 
 /** Cues a page after the first one, which comes with the server's own, shorter length. */
 const AT_ONCE = 500
@@ -79,7 +76,7 @@ export const progressQuery = (projectId: string) =>
 export const countsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.progress(projectId, 'counts'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/counts', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/sound-list/counts', { project_id: projectId }),
   })
 
 export const openQuestionsQuery = (projectId: string) =>
@@ -87,11 +84,7 @@ export const openQuestionsQuery = (projectId: string) =>
     queryKey: queryKeys.soundList(projectId, 'open questions'),
     queryFn: () =>
       everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/questions', {
-            params: { path: { project_id: projectId }, query: { only_open: true, cursor } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/questions', { project_id: projectId, only_open: true, cursor }),
       ).then((pages) => pages.flatMap(({ items }) => items)),
   })
 
@@ -100,13 +93,7 @@ export const unmatchedQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.soundList(projectId, 'unmatched'),
     queryFn: async () =>
-      (
-        await answered(
-          api.GET('/v1/projects/{project_id}/takes', {
-            params: { path: { project_id: projectId }, query: { unmatched: true } },
-          }),
-        )
-      ).items,
+      (await get('/v1/projects/{project_id}/takes', { project_id: projectId, unmatched: true })).items,
   })
 
 export const revisionsQuery = (projectId: string) =>
@@ -118,22 +105,13 @@ export const revisionsQuery = (projectId: string) =>
   })
 
 const readRevisions = (projectId: string, before?: number) =>
-  answered(
-    api.GET('/v1/projects/{project_id}/sound-list/revisions', {
-      params: { path: { project_id: projectId }, query: { cursor: before } },
-    }),
-  )
+  get('/v1/projects/{project_id}/sound-list/revisions', { project_id: projectId, cursor: before })
 
 /** What happened between two revisions; both are kept as they were, so it never changes. */
 export const compareQuery = (projectId: string, from: number, to: number) =>
   queryOptions({
     queryKey: queryKeys.comparedRevisions(projectId, from, to),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/sound-list/revisions/compare', {
-          params: { path: { project_id: projectId }, query: { from, to } },
-        }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/sound-list/revisions/compare', { project_id: projectId, from, to }),
     staleTime: Infinity,
   })
 
@@ -180,7 +158,7 @@ export const cueChangesQuery = (projectId: string, cue: Pick<Cue, 'id' | 'label'
 export const cueQuery = (cueId: string) =>
   queryOptions({
     queryKey: queryKeys.cue(cueId),
-    queryFn: () => answered(api.GET('/v1/cues/{cue_id}', ofCue(cueId))),
+    queryFn: () => get('/v1/cues/{cue_id}', { cue_id: cueId }),
   })
 
 /** One delivered version with what is needed to hear and to read it. */
@@ -198,11 +176,7 @@ export const versionsQuery = (projectId: string, cueId: string) =>
     queryKey: queryKeys.cueTakes(cueId),
     queryFn: async (): Promise<Version[]> => {
       const pages = await everyPage((cursor) =>
-        answered(
-          api.GET('/v1/projects/{project_id}/takes', {
-            params: { path: { project_id: projectId }, query: { cue_id: cueId, cursor } },
-          }),
-        ),
+        get('/v1/projects/{project_id}/takes', { project_id: projectId, cue_id: cueId, cursor }),
       )
       return Promise.all(
         pages
@@ -273,8 +247,7 @@ export const refreshList = (client: QueryClient, projectId: string) =>
 export function useAddCues(projectId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (cues: CueAdd[]) =>
-      answered(api.POST('/v1/projects/{project_id}/cues', { ...inProject(projectId), body: { cues } })),
+    mutationFn: (cues: CueAdd[]) => post('/v1/projects/{project_id}/cues', { project_id: projectId }, { cues }),
     onSuccess: () => refreshList(client, projectId),
   })
 }
@@ -287,13 +260,7 @@ export function useChangeCue(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ cueId, edition, facts }: { cueId: string; edition: number; facts: CueFacts }) =>
-      answered(
-        api.PATCH('/v1/cues/{cue_id}', {
-          ...ofCue(cueId),
-          // The generated type asks for every fact that has a default; the server takes those that are given.
-          body: { edition, ...facts } as Schemas['CuePatch'],
-        }),
-      ),
+      patch('/v1/cues/{cue_id}', { cue_id: cueId }, { edition, ...facts } as Schemas['CuePatch']),
     onSuccess: () => refreshList(client, projectId),
   })
 }
@@ -301,7 +268,7 @@ export function useChangeCue(projectId: string) {
 export function useCut(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (reason: string) => answered(api.POST('/v1/cues/{cue_id}/cut', { ...ofCue(cueId), body: { reason } })),
+    mutationFn: (reason: string) => post('/v1/cues/{cue_id}/cut', { cue_id: cueId }, { reason }),
     onSuccess: () => refreshList(client, projectId),
   })
 }
@@ -309,8 +276,7 @@ export function useCut(projectId: string, cueId: string) {
 export function useAsk(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (body: Schemas['QuestionAdd']) =>
-      answered(api.POST('/v1/cues/{cue_id}/questions', { ...ofCue(cueId), body })),
+    mutationFn: (body: Schemas['QuestionAdd']) => post('/v1/cues/{cue_id}/questions', { cue_id: cueId }, body),
     onSuccess: () => refreshList(client, projectId),
   })
 }
@@ -320,7 +286,7 @@ export function useQuestionChange(projectId: string, questionId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['QuestionPatch']) =>
-      answered(api.PATCH('/v1/questions/{question_id}', { params: { path: { question_id: questionId } }, body })),
+      patch('/v1/questions/{question_id}', { question_id: questionId }, body),
     onSuccess: () => refreshList(client, projectId),
   })
 }
@@ -329,12 +295,7 @@ export function useAnswer(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ questionId, text, joins }: { questionId: string; text: string; joins: boolean }) =>
-      answered(
-        api.POST('/v1/questions/{question_id}/answer', {
-          params: { path: { question_id: questionId } },
-          body: { text, joins },
-        }),
-      ),
+      post('/v1/questions/{question_id}/answer', { question_id: questionId }, { text, joins }),
     onSuccess: () => refreshList(client, projectId),
   })
 }
@@ -352,6 +313,6 @@ export async function readAgain(client: QueryClient, projectId: string, cueId: s
 export const useReel = (cueId: string) =>
   useMade<ReelAdd, Reel>(
     'reel',
-    (body) => answered(api.POST('/v1/cues/{cue_id}/reels', { ...ofCue(cueId), body })),
-    (id) => answered(api.GET('/v1/reels/{reel_id}', { params: { path: { reel_id: id } } })),
+    (body) => post('/v1/cues/{cue_id}/reels', { cue_id: cueId }, body),
+    (id) => get('/v1/reels/{reel_id}', { reel_id: id }),
   )

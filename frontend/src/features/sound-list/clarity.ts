@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -12,21 +12,17 @@ export const clarityQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.soundList(projectId, 'clarity'),
     queryFn: async () => {
-      const { unclear } = await answered(
-        api.GET('/v1/projects/{project_id}/clarity', { params: { path: { project_id: projectId } } }),
-      )
+      const { unclear } = await get('/v1/projects/{project_id}/clarity', { project_id: projectId })
       return new Map(unclear.map(({ cue_id, questions }) => [cue_id, questions]))
     },
   })
-
-const pathOf = (cueId: string, fact: Fact) => ({ params: { path: { cue_id: cueId, fact } } })
 
 /** Write an answer into the description of a cue. */
 export function useAnswerFact(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ fact, text }: { fact: Fact; text: string }) =>
-      answered(api.POST('/v1/cues/{cue_id}/clarity/{fact}/answer', { ...pathOf(cueId, fact), body: { text } })),
+      post('/v1/cues/{cue_id}/clarity/{fact}/answer', { cue_id: cueId, fact }, { text }),
     onSuccess: () => invalidate(client, queryKeys.soundList(projectId), queryKeys.cue(cueId)),
   })
 }
@@ -36,7 +32,7 @@ export function useDismissFact(projectId: string, cueId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ fact, dismissed }: { fact: Fact; dismissed: boolean }) =>
-      answered(api.PUT('/v1/cues/{cue_id}/clarity/{fact}/dismissed', { ...pathOf(cueId, fact), body: { dismissed } })),
+      put('/v1/cues/{cue_id}/clarity/{fact}/dismissed', { cue_id: cueId, fact }, { dismissed }),
     onSuccess: () => invalidate(client, queryKeys.soundList(projectId, 'clarity')),
   })
 }

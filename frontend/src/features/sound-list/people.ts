@@ -1,6 +1,6 @@
 import { queryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -12,8 +12,7 @@ export type CuePerson = components['schemas']['CuePersonRead']
 export const cuePeopleQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.soundList(projectId, 'people'),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/cue-people', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/cue-people', { project_id: projectId }),
   })
 
 export type Task = 'implementer' | 'recorder'

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem, useMutation } from '@/api'
+import { ApiProblem, del, get, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useMade } from '@/api/useMade'
@@ -16,13 +16,12 @@ export type MasterExport = Schemas['MasterExportRead']
 export type Bands = Schemas['BandsRead']
 
 const POLL_MS = 1000
-const ofTake = (takeId: string) => ({ params: { path: { take_id: takeId } } })
 
 /** One delivered file; asked again while it is being checked. */
 export const takeQuery = (takeId: string) =>
   queryOptions({
     queryKey: queryKeys.take(takeId),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}', ofTake(takeId))),
+    queryFn: () => get('/v1/takes/{take_id}', { take_id: takeId }),
     refetchInterval: ({ state: { data } }) => (data?.state === 'received' ? POLL_MS : false),
   })
 
@@ -42,7 +41,7 @@ export const checkQuery = (take: Take) =>
     queryKey: queryKeys.take(take.id, 'check', take.state, take.state_since),
     queryFn: async (): Promise<Check | null> => {
       try {
-        return await answered(api.GET('/v1/takes/{take_id}/check', ofTake(take.id)))
+        return await get('/v1/takes/{take_id}/check', { take_id: take.id })
       } catch (refusal) {
         if (refusal instanceof ApiProblem && refusal.code === 'check-not-found') return null
         throw refusal
@@ -52,12 +51,12 @@ export const checkQuery = (take: Take) =>
 
 /** Give a version its dry stem, which an upload into its delivery brought. */
 export const giveDryStem = (takeId: string, uploadId: string) =>
-  answered(api.PUT('/v1/takes/{take_id}/dry-stem', { ...ofTake(takeId), body: { upload_id: uploadId } }))
+  put('/v1/takes/{take_id}/dry-stem', { take_id: takeId }, { upload_id: uploadId })
 
 export function useWithdrawDryStem(takeId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.DELETE('/v1/takes/{take_id}/dry-stem', ofTake(takeId))),
+    mutationFn: () => del('/v1/takes/{take_id}/dry-stem', { take_id: takeId }),
     onSuccess: () => invalidate(client, queryKeys.take(takeId)),
   })
 }
@@ -66,14 +65,13 @@ export function useWithdrawDryStem(takeId: string) {
 export const fitQuery = (take: Take) =>
   queryOptions({
     queryKey: queryKeys.take(take.id, 'fit', take.state_since),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/fit', ofTake(take.id))),
+    queryFn: () => get('/v1/takes/{take_id}/fit', { take_id: take.id }),
   })
 
 export const deliveryFitQuery = (deliveryId: string) =>
   queryOptions({
     queryKey: queryKeys.deliveryFit(deliveryId),
-    queryFn: () =>
-      answered(api.GET('/v1/deliveries/{delivery_id}/fit', { params: { path: { delivery_id: deliveryId } } })),
+    queryFn: () => get('/v1/deliveries/{delivery_id}/fit', { delivery_id: deliveryId }),
   })
 
 /** The spectrum of a sound, in addition to its waveform; null if an earlier version drew it. */
@@ -93,6 +91,6 @@ export const bandsQuery = (peaksUrl: string | null) =>
 export const useMasterExport = (takeId: string) =>
   useMade<void, MasterExport>(
     'master-export',
-    () => answered(api.POST('/v1/takes/{take_id}/master-exports', ofTake(takeId))),
-    (id) => answered(api.GET('/v1/master-exports/{master_export_id}', { params: { path: { master_export_id: id } } })),
+    () => post('/v1/takes/{take_id}/master-exports', { take_id: takeId }),
+    (id) => get('/v1/master-exports/{master_export_id}', { master_export_id: id }),
   )

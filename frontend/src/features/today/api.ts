@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { refresh } from '@/judging/api'
@@ -11,20 +11,14 @@ export type AskedQuestion = components['schemas']['AskedQuestion']
 export const todayQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.today(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/today', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/today', { project_id: projectId }),
   })
 
 export function useAnswer(projectId: string, questionId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (text: string) =>
-      answered(
-        api.POST('/v1/questions/{question_id}/answer', {
-          params: { path: { question_id: questionId } },
-          body: { text, joins: true },
-        }),
-      ),
+      post('/v1/questions/{question_id}/answer', { question_id: questionId }, { text, joins: true }),
     // Not awaited: the confirmation is shown before the lists are refetched.
     onSettled: () => void refresh(client, projectId),
   })

@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, api, del, patch, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -74,17 +74,12 @@ export const useImportScript = (projectId: string) =>
 
 export const useChangeText = (projectId: string, lineId: string, language: string) =>
   useChange(projectId, (body: Schemas['VoiceTextChange']) =>
-    answered(
-      api.PUT('/v1/voice-lines/{voice_line_id}/texts/{language}', {
-        params: { path: { voice_line_id: lineId, language } },
-        body,
-      }),
-    ),
+    put('/v1/voice-lines/{voice_line_id}/texts/{language}', { voice_line_id: lineId, language }, body),
   )
 
 export const useChangeLine = (projectId: string, lineId: string) =>
   useChange(projectId, (body: { scene: string; direction: string }) =>
-    answered(api.PATCH('/v1/voice-lines/{voice_line_id}', { params: { path: { voice_line_id: lineId } }, body })),
+    patch('/v1/voice-lines/{voice_line_id}', { voice_line_id: lineId }, body),
   )
 
 export const useChangeSettings = (projectId: string) =>
@@ -94,17 +89,14 @@ export const useChangeSettings = (projectId: string) =>
 
 export const useCast = (projectId: string, characterId: string, language: string) =>
   useChange(projectId, (body: Schemas['CastingChange']) =>
-    answered(
-      api.PUT('/v1/voice-characters/{voice_character_id}/castings/{language}', {
-        params: { path: { voice_character_id: characterId, language } },
-        body,
-      }),
+    put(
+      '/v1/voice-characters/{voice_character_id}/castings/{language}',
+      { voice_character_id: characterId, language },
+      body,
     ),
   )
 
 export const useRemoveRelease = (projectId: string) =>
   useChange(projectId, (releaseId: string) =>
-    answered(
-      api.DELETE('/v1/voice-releases/{voice_release_id}', { params: { path: { voice_release_id: releaseId } } }),
-    ),
+    del('/v1/voice-releases/{voice_release_id}', { voice_release_id: releaseId }),
   )

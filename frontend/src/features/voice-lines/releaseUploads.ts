@@ -1,6 +1,6 @@
 import type { QueryClient } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { post } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { ANY_FILE, partsTransport, type Picked, tusTransport, type Upload, UploadQueue } from '@/uploads'
 
@@ -23,11 +23,10 @@ class ReleaseUploads {
       onFinished: async ({ file }, uploadId) => {
         const release = this.#goals.get(file)
         if (release === undefined) return
-        await answered(
-          api.POST('/v1/projects/{project_id}/voice-releases', {
-            params: { path: { project_id: projectId } },
-            body: { ...release, upload_id: uploadId },
-          }),
+        await post(
+          '/v1/projects/{project_id}/voice-releases',
+          { project_id: projectId },
+          { ...release, upload_id: uploadId },
         )
         await invalidate(client, queryKeys.voiceLines(projectId))
       },

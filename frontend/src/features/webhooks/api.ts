@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, patch, post, useMutation } from '@/api'
 import { meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -22,19 +22,14 @@ export function useOwnStudios() {
 export const webhooksQuery = (studioId: string) =>
   queryOptions({
     queryKey: queryKeys.webhooks(studioId),
-    queryFn: () => answered(api.GET('/v1/studios/{studio_id}/webhooks', { params: { path: { studio_id: studioId } } })),
+    queryFn: () => get('/v1/studios/{studio_id}/webhooks', { studio_id: studioId }),
   })
 
 /** The messages to an address, the newest first. */
 export const callsQuery = (webhookId: string) =>
   infiniteQueryOptions({
     queryKey: queryKeys.webhooks('calls', webhookId),
-    queryFn: ({ pageParam: cursor }) =>
-      answered(
-        api.GET('/v1/webhooks/{webhook_id}/calls', {
-          params: { path: { webhook_id: webhookId }, query: { cursor } },
-        }),
-      ),
+    queryFn: ({ pageParam: cursor }) => get('/v1/webhooks/{webhook_id}/calls', { webhook_id: webhookId, cursor }),
     initialPageParam: undefined as string | undefined,
     getNextPageParam: ({ next }) => next ?? undefined,
     select: ({ pages }) => pages.flatMap(({ items }) => items),
@@ -46,25 +41,17 @@ function useWebhookMutation<Given, Got>(send: (given: Given) => Promise<Got>) {
 }
 
 export const useAddWebhook = (studioId: string) =>
-  useWebhookMutation((body: WebhookAdd) =>
-    answered(api.POST('/v1/studios/{studio_id}/webhooks', { params: { path: { studio_id: studioId } }, body })),
-  )
-
-const at = (webhook: Pick<Webhook, 'id'>) => ({ params: { path: { webhook_id: webhook.id } } })
+  useWebhookMutation((body: WebhookAdd) => post('/v1/studios/{studio_id}/webhooks', { studio_id: studioId }, body))
 
 export const useEnable = () =>
   useWebhookMutation(({ id, enabled }: { id: string; enabled: boolean }) =>
-    answered(api.PATCH('/v1/webhooks/{webhook_id}', { ...at({ id }), body: { enabled } })),
+    patch('/v1/webhooks/{webhook_id}', { webhook_id: { id }.id }, { enabled }),
   )
 export const useRotate = () =>
-  useWebhookMutation((webhook: Webhook) => answered(api.POST('/v1/webhooks/{webhook_id}/secret', at(webhook))))
+  useWebhookMutation((webhook: Webhook) => post('/v1/webhooks/{webhook_id}/secret', { webhook_id: webhook.id }))
 export const useTest = () =>
-  useWebhookMutation((webhook: Webhook) => answered(api.POST('/v1/webhooks/{webhook_id}/test', at(webhook))))
+  useWebhookMutation((webhook: Webhook) => post('/v1/webhooks/{webhook_id}/test', { webhook_id: webhook.id }))
 export const useDelete = () =>
-  useWebhookMutation((webhook: Webhook) => answered(api.DELETE('/v1/webhooks/{webhook_id}', at(webhook))))
+  useWebhookMutation((webhook: Webhook) => del('/v1/webhooks/{webhook_id}', { webhook_id: webhook.id }))
 export const useReplay = () =>
-  useWebhookMutation((call: Call) =>
-    answered(
-      api.POST('/v1/webhook-calls/{webhook_call_id}/replay', { params: { path: { webhook_call_id: call.id } } }),
-    ),
-  )
+  useWebhookMutation((call: Call) => post('/v1/webhook-calls/{webhook_call_id}/replay', { webhook_call_id: call.id }))

@@ -1,4 +1,4 @@
-import { answered, api } from '@/api'
+import { post } from '@/api'
 import type { components } from '@/api/schema.gen'
 import type { Picked, UploadQueue } from '@/uploads'
 
@@ -43,11 +43,10 @@ export const precheckOf = (projectId: string, queue: UploadQueue, send: Precheck
   })
 
 const named = (projectId: string, files: readonly Candidate[], proposed: string[]): Promise<Previewed> =>
-  answered(
-    api.POST('/v1/projects/{project_id}/check-preview', {
-      params: { path: { project_id: projectId } },
-      body: { files: files.map(({ picked: { path }, cueId }) => ({ file_name: path, cue_id: cueId })), proposed },
-    }),
+  post(
+    '/v1/projects/{project_id}/check-preview',
+    { project_id: projectId },
+    { files: files.map(({ picked: { path }, cueId }) => ({ file_name: path, cue_id: cueId })), proposed },
   )
 
 /** Judges files before they are sent: what passes goes at once, what would come back waits for a decision. */

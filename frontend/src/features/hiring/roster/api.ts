@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, api, del, get, post, put, useMutation } from '@/api'
 import { type Me, meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -19,7 +19,6 @@ export type RosterImportAsk = Schemas['RosterImportAsk']
 export type PostingChoice = Schemas['PostingChoice']
 export type ReelSound = Schemas['ReelSoundRead']
 
-const at = (entryId: string) => ({ params: { path: { roster_entry_id: entryId } } })
 const of = (studioId: string) => ({ path: { studio_id: studioId } })
 
 type MyStudio = Me['studios'][number]
@@ -54,24 +53,24 @@ export const rosterQuery = (studioId: string, search: RosterSearch) =>
 export const entryQuery = (entryId: string) =>
   queryOptions({
     queryKey: queryKeys.rosterEntry(entryId),
-    queryFn: () => answered(api.GET('/v1/roster/{roster_entry_id}', at(entryId))),
+    queryFn: () => get('/v1/roster/{roster_entry_id}', { roster_entry_id: entryId }),
   })
 
 export const workQuery = (entryId: string) =>
   queryOptions({
     queryKey: queryKeys.rosterEntry(entryId, 'work'),
-    queryFn: () => answered(api.GET('/v1/roster/{roster_entry_id}/work', at(entryId))),
+    queryFn: () => get('/v1/roster/{roster_entry_id}/work', { roster_entry_id: entryId }),
   })
 
 export const ownWorkQuery = queryOptions({
   queryKey: queryKeys.ownWork(),
-  queryFn: () => answered(api.GET('/v1/me/work')),
+  queryFn: () => get('/v1/me/work'),
 })
 
 export const postingsToAskQuery = (entryId: string) =>
   queryOptions({
     queryKey: queryKeys.rosterEntry(entryId, 'postings'),
-    queryFn: () => answered(api.GET('/v1/roster/{roster_entry_id}/postings', at(entryId))),
+    queryFn: () => get('/v1/roster/{roster_entry_id}/postings', { roster_entry_id: entryId }),
   })
 
 export function useAddEntry(studioId: string) {
@@ -100,34 +99,32 @@ function useEntryChange<T>(entryId: string, change: (value: T) => Promise<Entry>
 
 export const useSaveEntry = (entryId: string) =>
   useEntryChange(entryId, (body: EntryWrite & { revision: number }) =>
-    answered(api.PUT('/v1/roster/{roster_entry_id}', { ...at(entryId), body })),
+    put('/v1/roster/{roster_entry_id}', { roster_entry_id: entryId }, body),
   )
 
 export const useSetBusy = (entryId: string) =>
   useEntryChange(entryId, (ranges: Schemas['BusyRangesWrite']['ranges']) =>
-    answered(api.PUT('/v1/roster/{roster_entry_id}/busy', { ...at(entryId), body: { ranges } })),
+    put('/v1/roster/{roster_entry_id}/busy', { roster_entry_id: entryId }, { ranges }),
   )
 
 export const useReadCalendar = (entryId: string) =>
   useEntryChange(entryId, (body: Schemas['CalendarFile']) =>
-    answered(api.PUT('/v1/roster/{roster_entry_id}/calendar', { ...at(entryId), body })),
+    put('/v1/roster/{roster_entry_id}/calendar', { roster_entry_id: entryId }, body),
   )
 
 export const useDropCalendar = (entryId: string) =>
-  useEntryChange<undefined>(entryId, () => answered(api.DELETE('/v1/roster/{roster_entry_id}/calendar', at(entryId))))
+  useEntryChange<undefined>(entryId, () => del('/v1/roster/{roster_entry_id}/calendar', { roster_entry_id: entryId }))
 
 export const useRemoveSound = (entryId: string) =>
-  useEntryChange(entryId, (soundId: string) =>
-    answered(api.DELETE('/v1/reel-sounds/{reel_sound_id}', { params: { path: { reel_sound_id: soundId } } })),
-  )
+  useEntryChange(entryId, (soundId: string) => del('/v1/reel-sounds/{reel_sound_id}', { reel_sound_id: soundId }))
 
 export const addSound = (entryId: string, uploadId: string, title: string): Promise<Entry> =>
-  answered(api.POST('/v1/roster/{roster_entry_id}/reel', { ...at(entryId), body: { upload_id: uploadId, title } }))
+  post('/v1/roster/{roster_entry_id}/reel', { roster_entry_id: entryId }, { upload_id: uploadId, title })
 
 export function useRemoveEntry(entryId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: () => answered(api.DELETE('/v1/roster/{roster_entry_id}', at(entryId))),
+    mutationFn: () => del('/v1/roster/{roster_entry_id}', { roster_entry_id: entryId }),
     onSuccess: () => {
       client.removeQueries({ queryKey: queryKeys.rosterEntry(entryId) })
       return invalidate(client, queryKeys.roster.all)
@@ -140,12 +137,7 @@ export function useAskForBids(postingId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (entryIds: readonly string[]) =>
-      answered(
-        api.POST('/v1/postings/{posting_id}/roster-candidates', {
-          params: { path: { posting_id: postingId } },
-          body: { entry_ids: [...entryIds] },
-        }),
-      ),
+      post('/v1/postings/{posting_id}/roster-candidates', { posting_id: postingId }, { entry_ids: [...entryIds] }),
     onSuccess: (posting) => {
       client.setQueryData(postingQuery(postingId).queryKey, posting)
       return invalidate(client, queryKeys.rosterEntry.all)

@@ -2,7 +2,7 @@ import { Textarea } from '@mantine/core'
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { answered, api, useMutation } from '@/api'
+import { put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
@@ -110,12 +110,7 @@ function useSetReasons(project: Project) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Partial<Record<ReasonKind, string[]>>) =>
-      answered(
-        api.PUT('/v1/studios/{studio_id}/review-reasons', {
-          params: { path: { studio_id: project.studio.id } },
-          body,
-        }),
-      ),
+      put('/v1/studios/{studio_id}/review-reasons', { studio_id: project.studio.id }, body),
     onSuccess: (lists) => client.setQueryData(reasonsQuery(project.id).queryKey, lists),
     onSettled: () => invalidate(client, queryKeys.reviewReasons.all),
   })

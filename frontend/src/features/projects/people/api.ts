@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { answered, api, del, get, patch, post, put, useMutation } from '@/api'
 import { projectQuery } from '@/api/project'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -14,8 +14,6 @@ export type EngagementKind = Schemas['EngagementKind']
 export type Invitation = Schemas['InvitationRead']
 export type ApproverChange = Schemas['ApproverChangeRead']
 export type Deputy = Schemas['DeputyRead']
-
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
 
 function useProjectChange<Asked>(projectId: string, change: (asked: Asked) => Promise<Project>) {
   const client = useQueryClient()
@@ -35,20 +33,20 @@ export const useSetLiaison = (projectId: string) =>
 
 export const useNameApprover = (projectId: string) =>
   useProjectChange(projectId, (body: Schemas['ApproverAdd']) =>
-    answered(api.PUT('/v1/projects/{project_id}/approver', { ...inProject(projectId), body })),
+    put('/v1/projects/{project_id}/approver', { project_id: projectId }, body),
   )
 
 /** Give a category an approver of its own, or with null the project's. */
 export const useNameCategoryApprover = (projectId: string) =>
   useProjectChange(projectId, (body: Schemas['CategoryApproverName']) =>
-    answered(api.PUT('/v1/projects/{project_id}/category-approvers', { ...inProject(projectId), body })),
+    put('/v1/projects/{project_id}/category-approvers', { project_id: projectId }, body),
   )
 
 /** The checklists of a project, and what blocks approval there. */
 export const approvalSettingsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.approvalSettings(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/approval-settings', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/approval-settings', { project_id: projectId }),
   })
 
 function useApprovalSettingsChange<Asked>(
@@ -65,19 +63,19 @@ function useApprovalSettingsChange<Asked>(
 
 export const useSetChecklist = (projectId: string) =>
   useApprovalSettingsChange(projectId, (body: Schemas['ChecklistSet']) =>
-    answered(api.PUT('/v1/projects/{project_id}/checklist', { ...inProject(projectId), body })),
+    put('/v1/projects/{project_id}/checklist', { project_id: projectId }, body),
   )
 
 export const useSetBlockers = (projectId: string) =>
   useApprovalSettingsChange(projectId, (blockers: Schemas['ApprovalBlockers']) =>
-    answered(api.PUT('/v1/projects/{project_id}/approval-blockers', { ...inProject(projectId), body: { blockers } })),
+    put('/v1/projects/{project_id}/approval-blockers', { project_id: projectId }, { blockers }),
   )
 
 /** The deputies of today and of later days. */
 export const deputiesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.deputies(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/deputies', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/deputies', { project_id: projectId }),
   })
 
 function useDeputyChange<Asked, Answer>(projectId: string, change: (asked: Asked) => Promise<Answer>) {
@@ -90,16 +88,12 @@ function useDeputyChange<Asked, Answer>(projectId: string, change: (asked: Asked
 
 export const useNameDeputy = (projectId: string) =>
   useDeputyChange(projectId, (body: Schemas['DeputyAdd']) =>
-    answered(api.POST('/v1/projects/{project_id}/deputies', { ...inProject(projectId), body })),
+    post('/v1/projects/{project_id}/deputies', { project_id: projectId }, body),
   )
 
 export const useWithdrawDeputy = (projectId: string) =>
   useDeputyChange(projectId, (deputyId: string) =>
-    answered(
-      api.DELETE('/v1/projects/{project_id}/deputies/{deputy_id}', {
-        params: { path: { project_id: projectId, deputy_id: deputyId } },
-      }),
-    ),
+    del('/v1/projects/{project_id}/deputies/{deputy_id}', { project_id: projectId, deputy_id: deputyId }),
   )
 
 /** Invite an address as the approver: a member becomes it at once, others when they join. */
@@ -107,9 +101,7 @@ export function useInviteApprover(projectId: string, studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (email: string) =>
-      answered(
-        api.POST('/v1/projects/{project_id}/approver-invitations', { ...inProject(projectId), body: { email } }),
-      ),
+      post('/v1/projects/{project_id}/approver-invitations', { project_id: projectId }, { email }),
     onSuccess: () =>
       invalidate(
         client,
@@ -124,28 +116,27 @@ export function useInviteApprover(projectId: string, studioId: string) {
 export const invitedApproversQuery = (projectId: string, studioId: string) =>
   queryOptions({
     queryKey: queryKeys.studioInvitations(studioId),
-    queryFn: () =>
-      answered(api.GET('/v1/studios/{studio_id}/invitations', { params: { path: { studio_id: studioId } } })),
+    queryFn: () => get('/v1/studios/{studio_id}/invitations', { studio_id: studioId }),
     select: (invitations) => invitations.filter(({ approves_project_id: id }) => id === projectId),
   })
 
 export const approverHistoryQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.approvers(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/approver-history', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/approver-history', { project_id: projectId }),
   })
 
 export const invitationsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.projectInvitations(projectId),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/invitations', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/invitations', { project_id: projectId }),
   })
 
 export function useInviteDesigner(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['InvitationAdd']) =>
-      answered(api.POST('/v1/projects/{project_id}/invitations', { ...inProject(projectId), body })),
+      post('/v1/projects/{project_id}/invitations', { project_id: projectId }, body),
     onSuccess: () => invalidate(client, queryKeys.projectInvitations(projectId), queryKeys.outbox.all),
   })
 }
@@ -154,11 +145,10 @@ export function useRevokeInvitation(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (invitationId: string) =>
-      answered(
-        api.DELETE('/v1/projects/{project_id}/invitations/{invitation_id}', {
-          params: { path: { project_id: projectId, invitation_id: invitationId } },
-        }),
-      ),
+      del('/v1/projects/{project_id}/invitations/{invitation_id}', {
+        project_id: projectId,
+        invitation_id: invitationId,
+      }),
     onSettled: () => invalidate(client, queryKeys.projectInvitations(projectId)),
   })
 }
@@ -167,11 +157,10 @@ export function useChangeEngagement(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: ({ id, ...body }: { id: string } & Schemas['EngagementChange']) =>
-      answered(
-        api.PATCH('/v1/projects/{project_id}/engagements/{engagement_id}', {
-          params: { path: { project_id: projectId, engagement_id: id } },
-          body,
-        }),
+      patch(
+        '/v1/projects/{project_id}/engagements/{engagement_id}',
+        { project_id: projectId, engagement_id: id },
+        body,
       ),
     onSettled: () => invalidate(client, queryKeys.project(projectId), queryKeys.projectInvitations(projectId)),
   })

@@ -1,6 +1,6 @@
 import { useRef, useState } from 'react'
 
-import { answered, api, useMutation } from '@/api'
+import { post, useMutation } from '@/api'
 import { filesOfDrop } from '@/uploads'
 import type { Finding } from '@/precheck/findings'
 import { FindingLine } from '@/precheck/FindingLine'
@@ -31,11 +31,10 @@ export function TryFile({ projectId, makeJudge = judgeInWorker }: TryFileProps) 
   const [isOver, setOver] = useState(false)
   const trial = useMutation({
     mutationFn: async (file: File): Promise<Tried> => {
-      const { files, specs } = await answered(
-        api.POST('/v1/projects/{project_id}/check-preview', {
-          params: { path: { project_id: projectId } },
-          body: { files: [{ file_name: file.name, cue_id: null }], proposed: [] },
-        }),
+      const { files, specs } = await post(
+        '/v1/projects/{project_id}/check-preview',
+        { project_id: projectId },
+        { files: [{ file_name: file.name, cue_id: null }], proposed: [] },
       )
       const preview = files[0]
       const spec = preview && specs[preview.spec]

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import type { Reference } from '@/references'
@@ -14,11 +14,7 @@ export const clipQuery = (projectId: string, referenceId: string) =>
     queryFn: async (): Promise<Reference | null> => {
       let cursor: string | undefined
       do {
-        const page = await answered(
-          api.GET('/v1/projects/{project_id}/references', {
-            params: { path: { project_id: projectId }, query: { cursor } },
-          }),
-        )
+        const page = await get('/v1/projects/{project_id}/references', { project_id: projectId, cursor })
         const found = page.items.find(({ id }) => id === referenceId)
         if (found) return found
         cursor = page.next ?? undefined
@@ -32,23 +28,15 @@ export const guessQuery = (projectId: string, name: string) =>
   queryOptions({
     queryKey: queryKeys.categories(projectId, name),
     queryFn: async () =>
-      (
-        await answered(
-          api.GET('/v1/projects/{project_id}/category-guess', {
-            params: { path: { project_id: projectId }, query: { name } },
-          }),
-        )
-      ).category,
+      (await get('/v1/projects/{project_id}/category-guess', { project_id: projectId, name })).category,
     staleTime: 60_000,
   })
-
-const ofReference = (referenceId: string) => ({ params: { path: { reference_id: referenceId } } })
 
 export function useAddSpottedCues(projectId: string, referenceId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (marks: SpottedMark[]) =>
-      answered(api.POST('/v1/references/{reference_id}/cues', { ...ofReference(referenceId), body: { marks } })),
+      post('/v1/references/{reference_id}/cues', { reference_id: referenceId }, { marks }),
     onSuccess: () => refreshBoth(client, projectId),
   })
 }
@@ -57,12 +45,7 @@ export function useUndoSpottedCues(projectId: string, referenceId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (cueIds: string[]) =>
-      answered(
-        api.POST('/v1/references/{reference_id}/cues/undo', {
-          ...ofReference(referenceId),
-          body: { cue_ids: cueIds },
-        }),
-      ),
+      post('/v1/references/{reference_id}/cues/undo', { reference_id: referenceId }, { cue_ids: cueIds }),
     onSuccess: () => refreshBoth(client, projectId),
   })
 }

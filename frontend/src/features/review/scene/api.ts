@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { del, get, patch, post, put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -20,7 +20,7 @@ const AGAIN_MS = 1_000
 export const sceneQuery = (takeId: string) =>
   queryOptions({
     queryKey: queryKeys.scene(takeId),
-    queryFn: () => answered(api.POST('/v1/takes/{take_id}/scene', { params: { path: { take_id: takeId } } })),
+    queryFn: () => post('/v1/takes/{take_id}/scene', { take_id: takeId }),
     refetchInterval: ({ state }) => (state.data?.is_ready === false ? AGAIN_MS : false),
     placeholderData: keepPreviousData,
   })
@@ -29,10 +29,7 @@ export const sceneQuery = (takeId: string) =>
 export const maskingQuery = (takeId: string, lanes: readonly string[], isReady: boolean) =>
   queryOptions({
     queryKey: queryKeys.masking(takeId, lanes.join(' ')),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/takes/{take_id}/masking', { params: { path: { take_id: takeId }, query: { lane: [...lanes] } } }),
-      ),
+    queryFn: () => get('/v1/takes/{take_id}/masking', { take_id: takeId, lane: [...lanes] }),
     enabled: isReady,
     placeholderData: keepPreviousData,
   })
@@ -40,8 +37,7 @@ export const maskingQuery = (takeId: string, lanes: readonly string[], isReady: 
 export const bedSourcesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.bedSources(projectId),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/bed-sources', { params: { path: { project_id: projectId } } })),
+    queryFn: () => get('/v1/projects/{project_id}/bed-sources', { project_id: projectId }),
   })
 
 /** Put, change and take away what plays under the sounds of a project or of a category. */
@@ -49,17 +45,16 @@ export function useBeds(projectId: string) {
   const client = useQueryClient()
   const onSettled = () => invalidate(client, queryKeys.scene.all)
   const set = useMutation({
-    mutationFn: (bed: Schemas['BedSet']) =>
-      answered(api.PUT('/v1/projects/{project_id}/beds', { params: { path: { project_id: projectId } }, body: bed })),
+    mutationFn: (bed: Schemas['BedSet']) => put('/v1/projects/{project_id}/beds', { project_id: projectId }, bed),
     onSettled,
   })
   const change = useMutation({
     mutationFn: ({ id, ...body }: { id: string } & Schemas['BedChange']) =>
-      answered(api.PATCH('/v1/beds/{bed_id}', { params: { path: { bed_id: id } }, body })),
+      patch('/v1/beds/{bed_id}', { bed_id: id }, body),
     onSettled,
   })
   const remove = useMutation({
-    mutationFn: (id: string) => answered(api.DELETE('/v1/beds/{bed_id}', { params: { path: { bed_id: id } } })),
+    mutationFn: (id: string) => del('/v1/beds/{bed_id}', { bed_id: id }),
     onSettled,
   })
   return { set, change, remove }
@@ -67,11 +62,7 @@ export function useBeds(projectId: string) {
 
 /** Record that the person opens the file of a reference: its sound is sent to those of whom that is known. */
 export const recordOpening = (versionId: string) =>
-  answered(
-    api.POST('/v1/reference-versions/{reference_version_id}/openings', {
-      params: { path: { reference_version_id: versionId } },
-    }),
-  )
+  post('/v1/reference-versions/{reference_version_id}/openings', { reference_version_id: versionId })
 
 /** What a version is compared with. */
 export type Against = Schemas['SoundComparisonAdd']
@@ -80,10 +71,7 @@ export type Against = Schemas['SoundComparisonAdd']
 export const comparisonQuery = (takeId: string, against: Against | null) =>
   queryOptions({
     queryKey: queryKeys.comparison(takeId, against),
-    queryFn: () =>
-      answered(
-        api.POST('/v1/takes/{take_id}/comparisons', { params: { path: { take_id: takeId } }, body: against ?? {} }),
-      ),
+    queryFn: () => post('/v1/takes/{take_id}/comparisons', { take_id: takeId }, against ?? {}),
     enabled: against !== null,
     retry: false,
     refetchInterval: ({ state }) =>

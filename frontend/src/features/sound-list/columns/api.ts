@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, put, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -11,13 +11,11 @@ export type OwnColumn = Schemas['ColumnRead']
 export type ColumnKind = OwnColumn['kind']
 export type ColumnWanted = Schemas['ColumnWanted']
 
-const inProject = (projectId: string) => ({ params: { path: { project_id: projectId } } })
-
 /** The columns of the project's own, in order. */
 export const columnsQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.soundList(projectId, 'columns'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/sound-list/columns', inProject(projectId))),
+    queryFn: () => get('/v1/projects/{project_id}/sound-list/columns', { project_id: projectId }),
   })
 
 /** Set all columns at once; one that is left out is removed, and its values stay with the cues. */
@@ -25,7 +23,7 @@ export function useSetColumns(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: Schemas['ColumnsSet']) =>
-      answered(api.PUT('/v1/projects/{project_id}/sound-list/columns', { ...inProject(projectId), body })),
+      put('/v1/projects/{project_id}/sound-list/columns', { project_id: projectId }, body),
     onSuccess: () => refreshList(client, projectId),
   })
 }

@@ -1,6 +1,6 @@
 import { useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem, useMutation } from '@/api'
+import { ApiProblem, post, useMutation } from '@/api'
 import type { components } from '@/api/schema.gen'
 
 import { type Cue, refreshList } from '../api'
@@ -15,12 +15,7 @@ export type ImportField = ImportRead['columns'][number]['field']
 const SWITCHES = { atomic: false, fill_down: true, keep_hidden: false, use_proposed_names: false }
 
 export const importSheet = (projectId: string, body: ImportAsk): Promise<ImportRead> =>
-  answered(
-    api.POST('/v1/projects/{project_id}/sound-list/import', {
-      params: { path: { project_id: projectId } },
-      body: { ...SWITCHES, ...body },
-    }),
-  )
+  post('/v1/projects/{project_id}/sound-list/import', { project_id: projectId }, { ...SWITCHES, ...body })
 
 /** Import a sheet for good. */
 export function useImport(projectId: string) {

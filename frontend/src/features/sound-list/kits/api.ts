@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, useMutation } from '@/api'
+import { get, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -12,19 +12,14 @@ export type KitRow = components['schemas']['KitRow']
 /** Kinds of game that a list can be started from: part of the product, so they stay as long as the page is open. */
 export const kitsQuery = queryOptions({
   queryKey: queryKeys.kits(),
-  queryFn: () => answered(api.GET('/v1/kits')),
+  queryFn: () => get('/v1/kits'),
   staleTime: Infinity,
 })
 
 export const kitQuery = (projectId: string, key: string) =>
   queryOptions({
     queryKey: queryKeys.kit(projectId, key),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/kits/{kit_key}', {
-          params: { path: { project_id: projectId, kit_key: key } },
-        }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/kits/{kit_key}', { project_id: projectId, kit_key: key }),
   })
 
 /** Removes what was just added, as long as nothing was done with it. */
@@ -32,11 +27,10 @@ export function useUndoAddition(projectId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (cues: readonly Cue[]) =>
-      answered(
-        api.POST('/v1/projects/{project_id}/cues/undo-addition', {
-          params: { path: { project_id: projectId } },
-          body: { cue_ids: cues.map(({ id }) => id) },
-        }),
+      post(
+        '/v1/projects/{project_id}/cues/undo-addition',
+        { project_id: projectId },
+        { cue_ids: cues.map(({ id }) => id) },
       ),
     onSuccess: () => Promise.all([refreshList(client, projectId), invalidate(client, queryKeys.kit(projectId))]),
   })

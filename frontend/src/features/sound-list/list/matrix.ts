@@ -1,6 +1,6 @@
 import { queryOptions } from '@tanstack/react-query'
 
-import { answered, api } from '@/api'
+import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -13,11 +13,6 @@ export const isMatrix = (name: string): boolean => /[×✕*]/.test(name) || (/\s
 export const matrixQuery = (projectId: string, line: string, category: string) =>
   queryOptions({
     queryKey: queryKeys.soundList(projectId, 'matrix', line, category),
-    queryFn: () =>
-      answered(
-        api.GET('/v1/projects/{project_id}/cue-matrix', {
-          params: { path: { project_id: projectId }, query: { line, category } },
-        }),
-      ),
+    queryFn: () => get('/v1/projects/{project_id}/cue-matrix', { project_id: projectId, line, category }),
     retry: false,
   })
