@@ -1,29 +1,21 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
-
-import { get, post } from './endpoint'
-import { invalidate, queryKeys } from './queryKeys'
+import { post, queryById } from './endpoint'
+import { queryKeys } from './queryKeys'
 import { useMutation } from './useMutation'
 
 /** What the answers of the brief ask of the delivery spec and it does not have. */
-export const proposalQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.brief(projectId, 'spec'),
-    queryFn: () => get('/v1/projects/{project_id}/brief/spec', { project_id: projectId }),
-  })
+export const proposalQuery = queryById('/v1/projects/{project_id}/brief/spec', (projectId) =>
+  queryKeys.brief(projectId, 'spec'),
+)
 
 /** Save what the answers ask for as a version of the spec. */
-export function useApplyProposal(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useApplyProposal = (projectId: string) =>
+  useMutation({
     mutationFn: (body: { based_on_version: number; brief_revision: number }) =>
       post('/v1/projects/{project_id}/brief/spec', { project_id: projectId }, body),
-    onSuccess: () =>
-      invalidate(
-        client,
-        queryKeys.brief(projectId, 'spec'),
-        queryKeys.spec(projectId),
-        queryKeys.specVersions(projectId),
-        queryKeys.project(projectId),
-      ),
+    affects: [
+      queryKeys.brief(projectId, 'spec'),
+      queryKeys.spec(projectId),
+      queryKeys.specVersions(projectId),
+      queryKeys.project(projectId),
+    ],
   })
-}

@@ -1,8 +1,8 @@
-import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { get, post, useMutation } from '@/api'
+import { post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { showToast } from '@/app/toast'
@@ -17,12 +17,13 @@ export type RefusedNames = components['schemas']['RefusedNames']
 
 const SHOWN = 5
 
-const refusedNamesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'refused names'),
-    queryFn: () => get('/v1/projects/{project_id}/sound-list/refused-names', { project_id: projectId }),
+const refusedNamesQuery = queryById(
+  '/v1/projects/{project_id}/sound-list/refused-names',
+  (projectId) => queryKeys.soundList(projectId, 'refused names'),
+  {
     retry: false,
-  })
+  },
+)
 
 /** The file names that the delivery spec refuses, each with one that it accepts. */
 export function RefusedNamesList({ refused, children }: { refused: RefusedNames; children?: ReactNode }): ReactNode {

@@ -1,15 +1,10 @@
-import { queryOptions } from '@tanstack/react-query'
+import { queryById } from '@/api'
 
-import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 /** A designer's work in one project: the desk shows it, and its tab counts what came back. */
-export const deskQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.desk(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/desk', { project_id: projectId }),
-  })
+export const deskQuery = queryById('/v1/projects/{project_id}/desk', queryKeys.desk)
 
 type Desk = components['schemas']['Desk']
 

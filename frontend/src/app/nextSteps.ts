@@ -1,6 +1,5 @@
-import { queryOptions } from '@tanstack/react-query'
+import { queryById } from '@/api'
 
-import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { money } from '@/money/words'
@@ -11,11 +10,7 @@ export type NextStep = components['schemas']['NextStep']
 export type Awaited = components['schemas']['Awaited']
 
 /** What the current person is to do in a project, the first thing first, and for whom they wait. */
-export const nextStepsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.nextSteps(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/next-steps', { project_id: projectId }),
-  })
+export const nextStepsQuery = queryById('/v1/projects/{project_id}/next-steps', queryKeys.nextSteps)
 
 type Kind = NextStep['kind']
 

@@ -1,6 +1,6 @@
-import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { get, post, useMutation } from '@/api'
+import { get, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -28,12 +28,9 @@ const TOUCHED = [
 ]
 
 /** What a fix can do, or did, about a take; asked again while it is being made. */
-export const fixQuery = (takeId: string) =>
-  queryOptions({
-    queryKey: queryKeys.fix(takeId),
-    queryFn: () => get('/v1/takes/{take_id}/fix', { take_id: takeId }),
-    refetchInterval: ({ state: { data } }) => (data?.state === 'making' ? POLL_MS : false),
-  })
+export const fixQuery = queryById('/v1/takes/{take_id}/fix', queryKeys.fix, {
+  refetchInterval: ({ state: { data } }) => (data?.state === 'making' ? POLL_MS : false),
+})
 
 export const useFix = (takeId: string) => useQuery(fixQuery(takeId))
 
@@ -47,11 +44,7 @@ export const useSounds = (takeId: string, fix?: Fix) =>
   })
 
 /** The takes of a project of which a fix would be enough. */
-export const fixesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.fixes(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/fixes', { project_id: projectId }),
-  })
+export const fixesQuery = queryById('/v1/projects/{project_id}/fixes', queryKeys.fixes)
 
 /** Have the fixed copy made. */
 export function useAskForFix(takeId: string) {

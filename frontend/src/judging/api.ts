@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, everyPage, get, post, useMutation } from '@/api'
+import { answered, api, del, everyPage, get, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -64,17 +64,9 @@ export const countQuery = (projectId: string, filter: QueueFilter = {}) =>
     queryFn: () => get('/v1/review-queue/count', { project_id: projectId, own: true, ...asked(filter) }),
   })
 
-export const reviewQuery = (cueId: string) =>
-  queryOptions({
-    queryKey: queryKeys.cueReview(cueId),
-    queryFn: () => get('/v1/cues/{cue_id}/review', { cue_id: cueId }),
-  })
+export const reviewQuery = queryById('/v1/cues/{cue_id}/review', queryKeys.cueReview)
 
-export const historyQuery = (takeId: string) =>
-  queryOptions({
-    queryKey: queryKeys.takeHistory(takeId),
-    queryFn: () => get('/v1/takes/{take_id}/history', { take_id: takeId }),
-  })
+export const historyQuery = queryById('/v1/takes/{take_id}/history', queryKeys.takeHistory)
 
 /** Changes that are noted and that do not send themselves. */
 export const draftsQuery = (projectId: string) =>

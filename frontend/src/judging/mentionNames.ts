@@ -1,7 +1,7 @@
-import { type QueryClient, queryOptions } from '@tanstack/react-query'
+import { type QueryClient } from '@tanstack/react-query'
+import { queryById } from '@/api'
 import type { RefObject } from 'react'
 
-import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -17,12 +17,9 @@ export interface MentionsProps {
 }
 
 /** The people who may see a version: those who can be mentioned there. */
-export const mentionableQuery = (takeId: string) =>
-  queryOptions({
-    queryKey: queryKeys.peopleToMention(takeId),
-    queryFn: () => get('/v1/takes/{take_id}/people', { take_id: takeId }),
-    staleTime: 60_000,
-  })
+export const mentionableQuery = queryById('/v1/takes/{take_id}/people', queryKeys.peopleToMention, {
+  staleTime: 60_000,
+})
 
 /** The people whose names stand in a text after an @; of names that begin alike the longer one is meant. */
 export function mentionedIn(text: string, people: readonly Mentionable[]): string[] {

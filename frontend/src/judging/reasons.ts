@@ -1,6 +1,6 @@
-import { queryOptions, useQuery } from '@tanstack/react-query'
+import { useQuery } from '@tanstack/react-query'
 
-import { get } from '@/api'
+import { queryById } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -10,11 +10,7 @@ export type ReasonKind = keyof ReviewReasons
 const NONE: readonly string[] = []
 
 /** The lists of reasons and labels of the studio that a project belongs to. */
-export const reasonsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.reviewReasons(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/review-reasons', { project_id: projectId }),
-  })
+export const reasonsQuery = queryById('/v1/projects/{project_id}/review-reasons', queryKeys.reviewReasons)
 
 /** What the studio says most, each on its digit; nothing until it is here, so that no digit means something else. */
 export function useReasons(projectId: string): Record<ReasonKind, readonly string[]> {

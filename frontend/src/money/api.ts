@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, get, post, put, useMutation } from '@/api'
+import { answered, api, everyPage, get, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -32,23 +32,13 @@ export type WorkedDayAdd = Schemas['WorkedDayAdd']
 export type Hours = Schemas['HoursRead']
 export type WorkLogAdd = Schemas['WorkLogAdd']
 
-export const moneyQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/money', { project_id: projectId }),
-  })
+export const moneyQuery = queryById('/v1/projects/{project_id}/money', queryKeys.money)
 
-export const cueMoneyQuery = (cueId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money('cue', cueId),
-    queryFn: () => get('/v1/cues/{cue_id}/money', { cue_id: cueId }),
-  })
+export const cueMoneyQuery = queryById('/v1/cues/{cue_id}/money', (cueId) => queryKeys.money('cue', cueId))
 
-export const ledgerQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money('ledger', contractId),
-    queryFn: () => get('/v1/contracts/{contract_id}/ledger', { contract_id: contractId }),
-  })
+export const ledgerQuery = queryById('/v1/contracts/{contract_id}/ledger', (contractId) =>
+  queryKeys.money('ledger', contractId),
+)
 
 /** An invoice as PDF with its XML inside. */
 export const electronicInvoice = (invoiceId: string): Promise<Blob> =>
@@ -70,11 +60,9 @@ export function useSayShipped(contractId: string) {
   })
 }
 
-export const invoicesQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money('invoices', contractId),
-    queryFn: () => get('/v1/contracts/{contract_id}/invoices', { contract_id: contractId }),
-  })
+export const invoicesQuery = queryById('/v1/contracts/{contract_id}/invoices', (contractId) =>
+  queryKeys.money('invoices', contractId),
+)
 
 /** The next invoice, under the number that was typed or, without one, the number after the last. */
 export const invoiceDraftQuery = (contractId: string, fullNumber = '') =>
@@ -90,12 +78,13 @@ export const invoiceDraftQuery = (contractId: string, fullNumber = '') =>
     placeholderData: keepPreviousData,
   })
 
-export const estimatesQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money('estimates', contractId),
-    queryFn: () => get('/v1/contracts/{contract_id}/estimates', { contract_id: contractId }),
+export const estimatesQuery = queryById(
+  '/v1/contracts/{contract_id}/estimates',
+  (contractId) => queryKeys.money('estimates', contractId),
+  {
     retry: false,
-  })
+  },
+)
 
 /** Milestones by the due dates and categories of the list, to begin a plan from. */
 export const proposedPlan = (contractId: string, totalMinor: number | null) =>
@@ -111,17 +100,13 @@ export const proposedPlanQuery = (contractId: string, totalMinor: number | null)
     queryFn: () => proposedPlan(contractId, totalMinor),
   })
 
-export const milestoneQuery = (milestoneId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money('milestone', milestoneId),
-    queryFn: () => get('/v1/milestones/{milestone_id}', { milestone_id: milestoneId }),
-  })
+export const milestoneQuery = queryById('/v1/milestones/{milestone_id}', (milestoneId) =>
+  queryKeys.money('milestone', milestoneId),
+)
 
-export const planQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money('plan', contractId),
-    queryFn: () => get('/v1/contracts/{contract_id}/milestones', { contract_id: contractId }),
-  })
+export const planQuery = queryById('/v1/contracts/{contract_id}/milestones', (contractId) =>
+  queryKeys.money('plan', contractId),
+)
 
 /** The errors and warnings of a plan as it is typed. */
 export const planCheckQuery = (contractId: string, plan: PlanSet) =>
@@ -144,11 +129,9 @@ export const plannableQuery = (projectId: string) =>
     },
   })
 
-export const daysQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.money('days', contractId),
-    queryFn: () => get('/v1/contracts/{contract_id}/worked-days', { contract_id: contractId }),
-  })
+export const daysQuery = queryById('/v1/contracts/{contract_id}/worked-days', (contractId) =>
+  queryKeys.money('days', contractId),
+)
 
 function useMoneyChange<Given, Answer>(change: (given: Given) => Promise<Answer>) {
   const client = useQueryClient()

@@ -1,7 +1,7 @@
-import { infiniteQueryOptions, queryOptions, useQueryClient } from '@tanstack/react-query'
+import { infiniteQueryOptions, queryOptions } from '@tanstack/react-query'
 
 import { get, post, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -32,14 +32,12 @@ export const partOf = (versionId: string, part: 'thumb' | 'view' | 'file'): stri
   `/v1/reference-versions/${versionId}/${part}`
 
 /** Record that the person opens a version: its file is sent to those of whom that is known. */
-export function useOpenVersion(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useOpenVersion = (projectId: string) =>
+  useMutation({
     mutationFn: (versionId: string) =>
       post('/v1/reference-versions/{reference_version_id}/openings', { reference_version_id: versionId }),
-    onSuccess: () => invalidate(client, queryKeys.references(projectId, 'openings')),
+    affects: [queryKeys.references(projectId, 'openings')],
   })
-}
 
 /** The whole text of a version that was opened. */
 export const textQuery = (projectId: string, versionId: string) =>

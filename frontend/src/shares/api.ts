@@ -1,7 +1,7 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { queryOptions } from '@tanstack/react-query'
 
 import { del, get, post, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 export type ViewedPage = components['schemas']['ViewedPage']
@@ -14,19 +14,15 @@ export const viewsQuery = (projectId: string, page: ViewedPage) =>
     select: (views) => views.filter((view) => view.page === page),
   })
 
-export function useSaveView(projectId: string, page: ViewedPage) {
-  const client = useQueryClient()
-  return useMutation({
+export const useSaveView = (projectId: string, page: ViewedPage) =>
+  useMutation({
     mutationFn: (view: { name: string; query: string }) =>
       post('/v1/projects/{project_id}/saved-views', { project_id: projectId }, { page, ...view }),
-    onSuccess: () => invalidate(client, queryKeys.savedViews(projectId)),
+    affects: [queryKeys.savedViews(projectId)],
   })
-}
 
-export function useDeleteView(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useDeleteView = (projectId: string) =>
+  useMutation({
     mutationFn: (viewId: string) => del('/v1/saved-views/{saved_view_id}', { saved_view_id: viewId }),
-    onSuccess: () => invalidate(client, queryKeys.savedViews(projectId)),
+    affects: [queryKeys.savedViews(projectId)],
   })
-}

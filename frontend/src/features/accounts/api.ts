@@ -1,6 +1,6 @@
 import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, post, put, useMutation } from '@/api'
+import { answered, api, del, get, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -54,25 +54,20 @@ export const useAskSignUp = () =>
     mutationFn: (body: Schemas['SignUpRequest']) => post('/v1/sign-ups', {}, body),
   })
 
-export const signUpLinkQuery = (secret: string) =>
-  queryOptions({
-    queryKey: queryKeys.signUpLink(secret),
-    queryFn: () => get('/v1/sign-ups/{secret}', { secret }),
-    retry: false,
-  })
+export const signUpLinkQuery = queryById('/v1/sign-ups/{secret}', queryKeys.signUpLink, {
+  retry: false,
+})
 
 export const useFinishSignUp = (secret: string) =>
   useEntrance((body: Schemas['SignUpFinish']) => post('/v1/sign-ups/{secret}', { secret }, body))
 
 export const useAskVerification = () => useMutation({ mutationFn: () => post('/v1/me/email-verifications') })
 
-export function useVerifyEmail(secret: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useVerifyEmail = (secret: string) =>
+  useMutation({
     mutationFn: () => post('/v1/email-verifications/{secret}', { secret }),
-    onSuccess: () => invalidate(client, queryKeys.me()),
+    affects: [queryKeys.me()],
   })
-}
 
 export type SignIn = Schemas['SignInRead']
 
@@ -138,12 +133,9 @@ export function useSaveMailPreferences() {
 }
 
 /** What the link at the end of a mail changes. */
-export const mailChoiceQuery = (secret: string) =>
-  queryOptions({
-    queryKey: queryKeys.mailChoice(secret),
-    queryFn: () => get('/v1/mail-choices/{secret}', { secret }),
-    retry: false,
-  })
+export const mailChoiceQuery = queryById('/v1/mail-choices/{secret}', queryKeys.mailChoice, {
+  retry: false,
+})
 
 export function useChooseMail(secret: string) {
   const client = useQueryClient()
@@ -170,19 +162,13 @@ export const useAskReset = () =>
     mutationFn: (email: string) => post('/v1/password-resets', {}, { email }),
   })
 
-export const studioInvitationQuery = (secret: string) =>
-  queryOptions({
-    queryKey: queryKeys.studioInvitation(secret),
-    queryFn: () => get('/v1/studio-invitations/{secret}', { secret }),
-  })
+export const studioInvitationQuery = queryById('/v1/studio-invitations/{secret}', queryKeys.studioInvitation)
 
-export function useRename() {
-  const client = useQueryClient()
-  return useMutation({
+export const useRename = () =>
+  useMutation({
     mutationFn: (name: string) => put('/v1/me', {}, { name }),
-    onSuccess: () => invalidate(client, queryKeys.me()),
+    affects: [queryKeys.me()],
   })
-}
 
 /** Choose a picture, or with null take it away. */
 export function useSavePicture() {
@@ -202,29 +188,23 @@ export function useSavePicture() {
   })
 }
 
-export function useChangePassword() {
-  const client = useQueryClient()
-  return useMutation({
+export const useChangePassword = () =>
+  useMutation({
     mutationFn: (body: Schemas['PasswordChange']) => put('/v1/me/password', {}, body),
-    onSuccess: () => invalidate(client, queryKeys.deskTokens()),
+    affects: [queryKeys.deskTokens()],
   })
-}
 
-export function useOpenStudio() {
-  const client = useQueryClient()
-  return useMutation({
+export const useOpenStudio = () =>
+  useMutation({
     mutationFn: (name: string) => post('/v1/studios', {}, { name }),
-    onSuccess: () => invalidate(client, queryKeys.me()),
+    affects: [queryKeys.me()],
   })
-}
 
-export function useRenameStudio(studioId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useRenameStudio = (studioId: string) =>
+  useMutation({
     mutationFn: (body: Schemas['StudioChange']) => put('/v1/studios/{studio_id}', { studio_id: studioId }, body),
-    onSuccess: () => invalidate(client, queryKeys.me()),
+    affects: [queryKeys.me()],
   })
-}
 
 export const usePeople = (studioId: string) =>
   useQuery({
@@ -298,14 +278,12 @@ export function useRemoveMember(studioId: string) {
   })
 }
 
-export function useInvite(studioId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useInvite = (studioId: string) =>
+  useMutation({
     mutationFn: (body: Schemas['StudioInvitationAdd']) =>
       post('/v1/studios/{studio_id}/invitations', { studio_id: studioId }, body),
-    onSuccess: () => invalidate(client, queryKeys.studioInvitations(studioId), queryKeys.outbox(studioId)),
+    affects: [queryKeys.studioInvitations(studioId), queryKeys.outbox(studioId)],
   })
-}
 
 export function useWithdraw(studioId: string) {
   const client = useQueryClient()

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { del, get, post, useMutation } from '@/api'
+import { del, get, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 
 export const emailChangeQuery = queryOptions({
@@ -24,20 +24,15 @@ export function useCancelEmailChange() {
   })
 }
 
-export const emailChangeLinkQuery = (secret: string) =>
-  queryOptions({
-    queryKey: queryKeys.emailChangeLink(secret),
-    queryFn: () => get('/v1/email-changes/{secret}', { secret }),
-    retry: false,
-  })
+export const emailChangeLinkQuery = queryById('/v1/email-changes/{secret}', queryKeys.emailChangeLink, {
+  retry: false,
+})
 
-export function useConfirmEmailChange(secret: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useConfirmEmailChange = (secret: string) =>
+  useMutation({
     mutationFn: () => post('/v1/email-changes/{secret}/confirm', { secret }),
-    onSuccess: () => invalidate(client, queryKeys.me(), queryKeys.emailChange(), queryKeys.signIns()),
+    affects: [queryKeys.me(), queryKeys.emailChange(), queryKeys.signIns()],
   })
-}
 
 export const useStopEmailChange = (secret: string) =>
   useMutation({ mutationFn: () => del('/v1/email-changes/{secret}', { secret }) })

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { del, get, post, put, useMutation } from '@/api'
+import { del, get, post, put, queryById, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -58,11 +58,7 @@ export function useProviderSignInCode() {
   })
 }
 
-export const signInProviderQuery = (studioId: string) =>
-  queryOptions({
-    queryKey: queryKeys.signInProvider(studioId),
-    queryFn: () => get('/v1/studios/{studio_id}/sign-in-provider', { studio_id: studioId }),
-  })
+export const signInProviderQuery = queryById('/v1/studios/{studio_id}/sign-in-provider', queryKeys.signInProvider)
 
 export function useSetSignInProvider(studioId: string) {
   const client = useQueryClient()

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { del, get, post, put, useMutation } from '@/api'
+import { del, get, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -15,11 +15,7 @@ export const useBeginTotp = () => useMutation({ mutationFn: () => post('/v1/me/t
 
 export type SecondFactorUse = components['schemas']['SecondFactorUse']
 
-export const requirementQuery = (studioId: string) =>
-  queryOptions({
-    queryKey: queryKeys.secondFactorRequirement(studioId),
-    queryFn: () => get('/v1/studios/{studio_id}/second-factor', { studio_id: studioId }),
-  })
+export const requirementQuery = queryById('/v1/studios/{studio_id}/second-factor', queryKeys.secondFactorRequirement)
 
 export function useSetRequirement(studioId: string) {
   const client = useQueryClient()
@@ -30,13 +26,11 @@ export function useSetRequirement(studioId: string) {
   })
 }
 
-export function useConfirmTotp() {
-  const client = useQueryClient()
-  return useMutation({
+export const useConfirmTotp = () =>
+  useMutation({
     mutationFn: (code: string) => post('/v1/me/totp/confirm', {}, { code }),
-    onSuccess: () => invalidate(client, queryKeys.secondFactors(), queryKeys.signIns(), queryKeys.me()),
+    affects: [queryKeys.secondFactors(), queryKeys.signIns(), queryKeys.me()],
   })
-}
 
 export function useEndTotp() {
   const client = useQueryClient()

@@ -1,6 +1,6 @@
-import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
+import { type QueryClient, useQueryClient } from '@tanstack/react-query'
 
-import { get, post, useMutation } from '@/api'
+import { post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -24,27 +24,18 @@ export const adoptFolder = (adoptionId: string) =>
   post('/v1/adoptions/{adoption_id}/adopt', { adoption_id: adoptionId })
 
 /** The adoptions of a project, the newest first. */
-export const adoptionsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.adoptions(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/adoptions', { project_id: projectId }),
-  })
+export const adoptionsQuery = queryById('/v1/projects/{project_id}/adoptions', queryKeys.adoptions)
 
 /** A folder that was sent by the command line: its plan, and what is still to be uploaded. */
-export const sentPlanQuery = (adoptionId: string) =>
-  queryOptions({
-    queryKey: queryKeys.adoption(adoptionId, 'plan'),
-    queryFn: () => get('/v1/adoptions/{adoption_id}/plan', { adoption_id: adoptionId }),
-  })
+export const sentPlanQuery = queryById('/v1/adoptions/{adoption_id}/plan', (adoptionId) =>
+  queryKeys.adoption(adoptionId, 'plan'),
+)
 
 /** How far the checks are; asked for again until every adopted sound is checked and rendered. */
-export const progressQuery = (adoptionId: string) =>
-  queryOptions({
-    queryKey: queryKeys.adoption(adoptionId),
-    queryFn: () => get('/v1/adoptions/{adoption_id}', { adoption_id: adoptionId }),
-    refetchInterval: ({ state: { data } }) =>
-      data && data.adopted_at !== null && data.undone_at === null && data.rendered < data.takes ? POLL_MS : false,
-  })
+export const progressQuery = queryById('/v1/adoptions/{adoption_id}', queryKeys.adoption, {
+  refetchInterval: ({ state: { data } }) =>
+    data && data.adopted_at !== null && data.undone_at === null && data.rendered < data.takes ? POLL_MS : false,
+})
 
 /** Refetch what an adoption, or its undo, changes on any page. */
 export const refreshAdopted = (client: QueryClient, projectId: string) =>

@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
 
-import { everyPage, get, patch, post, put, useMutation } from '@/api'
+import { everyPage, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -17,17 +17,9 @@ export interface AnswerWrite {
   note: string
 }
 
-export const briefQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.brief(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/brief', { project_id: projectId }),
-  })
+export const briefQuery = queryById('/v1/projects/{project_id}/brief', queryKeys.brief)
 
-export const readsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.briefReads(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/brief/reads', { project_id: projectId }),
-  })
+export const readsQuery = queryById('/v1/projects/{project_id}/brief/reads', queryKeys.briefReads)
 
 export const useBriefVersions = (projectId: string) =>
   useInfiniteQuery({
@@ -73,20 +65,12 @@ export function useSaveAnswers(projectId: string) {
   })
 }
 
-export function usePublishBrief(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const usePublishBrief = (projectId: string) =>
+  useMutation({
     mutationFn: (body: { revision: number; note: string }) =>
       post('/v1/projects/{project_id}/brief/versions', { project_id: projectId }, body),
-    onSuccess: () =>
-      invalidate(
-        client,
-        queryKeys.brief(projectId),
-        queryKeys.briefVersions(projectId),
-        queryKeys.briefReads(projectId),
-      ),
+    affects: [queryKeys.brief(projectId), queryKeys.briefVersions(projectId), queryKeys.briefReads(projectId)],
   })
-}
 
 export const useRecordRead = (projectId: string) =>
   useMutation({
@@ -94,20 +78,16 @@ export const useRecordRead = (projectId: string) =>
       put('/v1/projects/{project_id}/brief/versions/{version}/read', { project_id: projectId, version }),
   })
 
-export function useAskFollowUp(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAskFollowUp = (projectId: string) =>
+  useMutation({
     mutationFn: (body: { question: string; text: string }) =>
       post('/v1/projects/{project_id}/brief/follow-ups', { project_id: projectId }, body),
-    onSuccess: () => invalidate(client, queryKeys.brief(projectId)),
+    affects: [queryKeys.brief(projectId)],
   })
-}
 
-export function useAnswerFollowUp(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAnswerFollowUp = (projectId: string) =>
+  useMutation({
     mutationFn: ({ id, text }: { id: string; text: string }) =>
       post('/v1/brief-follow-ups/{follow_up_id}/answer', { follow_up_id: id }, { text }),
-    onSuccess: () => invalidate(client, queryKeys.brief(projectId)),
+    affects: [queryKeys.brief(projectId)],
   })
-}

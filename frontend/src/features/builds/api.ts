@@ -1,6 +1,6 @@
-import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
+import { useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { del, everyPage, get, post, put, useMutation } from '@/api'
+import { del, everyPage, get, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -19,11 +19,7 @@ export type NoteAdd = Schemas['ListeningNoteAdd']
 export type HeardAs = Schemas['HeardAs']
 export type CueMark = Schemas['CueMark']
 
-export const auditsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.audits(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/audits', { project_id: projectId }),
-  })
+export const auditsQuery = queryById('/v1/projects/{project_id}/audits', queryKeys.audits)
 
 export const useAudit = (projectId: string, auditId: string | undefined) =>
   useQuery({
@@ -81,17 +77,11 @@ function useChange<T>(projectId: string, change: (of: T) => Promise<unknown>) {
   })
 }
 
-export const ciQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.ci(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/ci', { project_id: projectId }),
-  })
+export const ciQuery = queryById('/v1/projects/{project_id}/ci', queryKeys.ci)
 
-export const gameStatesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.listening(projectId, 'states'),
-    queryFn: () => get('/v1/projects/{project_id}/game-states', { project_id: projectId }),
-  })
+export const gameStatesQuery = queryById('/v1/projects/{project_id}/game-states', (projectId) =>
+  queryKeys.listening(projectId, 'states'),
+)
 
 export const useMarkCue = (projectId: string) =>
   useChange(projectId, ({ cueId, mark, isSet }: { cueId: string; mark: CueMark; isSet: boolean }) =>
@@ -114,11 +104,9 @@ export const useChangeTask = (projectId: string) =>
     put('/v1/game-tasks/{game_task_id}', { game_task_id: id }, { is_done: isDone }),
   )
 
-export const listeningQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.listening(projectId, 'pass'),
-    queryFn: () => get('/v1/projects/{project_id}/listening-pass', { project_id: projectId }),
-  })
+export const listeningQuery = queryById('/v1/projects/{project_id}/listening-pass', (projectId) =>
+  queryKeys.listening(projectId, 'pass'),
+)
 
 export const useStartPass = (projectId: string) =>
   useChange(projectId, () => post('/v1/projects/{project_id}/listening-passes', { project_id: projectId }))

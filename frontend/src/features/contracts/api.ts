@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, patch, post, put, useMutation } from '@/api'
+import { answered, api, del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -32,11 +32,9 @@ export type MasterRetention = Schemas['MasterRetentionRead']
 export type Template = Schemas['TemplateBrief']
 
 const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
-export const versionsQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.contract(contractId, 'versions'),
-    queryFn: () => get('/v1/contracts/{contract_id}/versions', { contract_id: contractId }),
-  })
+export const versionsQuery = queryById('/v1/contracts/{contract_id}/versions', (contractId) =>
+  queryKeys.contract(contractId, 'versions'),
+)
 
 export const versionQuery = (contractId: string, version: number) =>
   queryOptions({
@@ -45,11 +43,9 @@ export const versionQuery = (contractId: string, version: number) =>
     staleTime: Infinity,
   })
 
-export const masterRetentionQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.contract(contractId, 'masters'),
-    queryFn: () => get('/v1/contracts/{contract_id}/master-retention', { contract_id: contractId }),
-  })
+export const masterRetentionQuery = queryById('/v1/contracts/{contract_id}/master-retention', (contractId) =>
+  queryKeys.contract(contractId, 'masters'),
+)
 
 /** Keep masters longer than the contract asks, or no longer. */
 export function useKeepMasters(contractId: string) {
@@ -71,23 +67,17 @@ export const comparisonQuery = (contractId: string, from: number, to: number) =>
       get('/v1/contracts/{contract_id}/comparison', { contract_id: contractId, from_version: from, to_version: to }),
   })
 
-export const recordQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.contract(contractId, 'record'),
-    queryFn: () => get('/v1/contracts/{contract_id}/record', { contract_id: contractId }),
-  })
+export const recordQuery = queryById('/v1/contracts/{contract_id}/record', (contractId) =>
+  queryKeys.contract(contractId, 'record'),
+)
 
-export const endingQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.contract(contractId, 'ending'),
-    queryFn: () => get('/v1/contracts/{contract_id}/ending', { contract_id: contractId }),
-  })
+export const endingQuery = queryById('/v1/contracts/{contract_id}/ending', (contractId) =>
+  queryKeys.contract(contractId, 'ending'),
+)
 
-export const changeOrdersQuery = (contractId: string) =>
-  queryOptions({
-    queryKey: queryKeys.contract(contractId, 'change-orders'),
-    queryFn: () => get('/v1/contracts/{contract_id}/change-orders', { contract_id: contractId }),
-  })
+export const changeOrdersQuery = queryById('/v1/contracts/{contract_id}/change-orders', (contractId) =>
+  queryKeys.contract(contractId, 'change-orders'),
+)
 
 export const changePreviewQuery = (contractId: string, changes: Change[]) =>
   queryOptions({
@@ -103,11 +93,7 @@ export const libraryQuery = (kind: ContractKind) =>
     staleTime: Infinity,
   })
 
-export const templatesQuery = (studioId: string) =>
-  queryOptions({
-    queryKey: queryKeys.contractTemplates(studioId),
-    queryFn: () => get('/v1/studios/{studio_id}/contract-templates', { studio_id: studioId }),
-  })
+export const templatesQuery = queryById('/v1/studios/{studio_id}/contract-templates', queryKeys.contractTemplates)
 
 /** The contract that a new one can begin like: the last of its kind with this designer, else the studio's last. */
 export const lastContractQuery = (projectId: string, engagementId: string, kind: ContractKind) =>
@@ -131,14 +117,12 @@ export const previewQuery = (contractId: string, draft: Draft) =>
     gcTime: 60_000,
   })
 
-export function useBeginContract(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useBeginContract = (projectId: string) =>
+  useMutation({
     mutationFn: (body: Schemas['ContractAdd']) =>
       post('/v1/projects/{project_id}/contracts', { project_id: projectId }, body),
-    onSuccess: () => invalidate(client, queryKeys.contracts(projectId)),
+    affects: [queryKeys.contracts(projectId)],
   })
-}
 
 export function useAskForNda(projectId: string) {
   const client = useQueryClient()
@@ -165,12 +149,11 @@ const signatureOf = ({ name, textSha256, code, drawing }: Signature) => ({
 })
 
 /** Have a code mailed to the person who is about to sign a text. */
-export function useSigningCode(contractId: string) {
-  return useMutation({
+export const useSigningCode = (contractId: string) =>
+  useMutation({
     mutationFn: (textSha256: string) =>
       post('/v1/contracts/{contract_id}/signing-codes', { contract_id: contractId }, { text_sha256: textSha256 }),
   })
-}
 
 /** Compare a PDF with the contracts that were sealed here. */
 export const verifyPdf = (file: File) =>
@@ -320,28 +303,22 @@ export function useChangeOrder(contractId: string) {
   })
 }
 
-export function useKeepAsTemplate(contractId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useKeepAsTemplate = (contractId: string) =>
+  useMutation({
     mutationFn: (name: string) => post('/v1/contracts/{contract_id}/template', { contract_id: contractId }, { name }),
-    onSuccess: () => invalidate(client, queryKeys.contractTemplates.all),
+    affects: [queryKeys.contractTemplates.all],
   })
-}
 
-export function useImportTemplate(studioId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useImportTemplate = (studioId: string) =>
+  useMutation({
     mutationFn: (toml: string) =>
       post('/v1/studios/{studio_id}/contract-templates/import', { studio_id: studioId }, { toml }),
-    onSuccess: () => invalidate(client, queryKeys.contractTemplates(studioId)),
+    affects: [queryKeys.contractTemplates(studioId)],
   })
-}
 
-export function useDropTemplate(studioId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useDropTemplate = (studioId: string) =>
+  useMutation({
     mutationFn: (templateId: string) =>
       del('/v1/studios/{studio_id}/contract-templates/{template_id}', { studio_id: studioId, template_id: templateId }),
-    onSuccess: () => invalidate(client, queryKeys.contractTemplates(studioId)),
+    affects: [queryKeys.contractTemplates(studioId)],
   })
-}

@@ -1,6 +1,6 @@
-import { queryOptions, useInfiniteQuery } from '@tanstack/react-query'
+import { useInfiniteQuery } from '@tanstack/react-query'
 
-import { get } from '@/api'
+import { get, queryById } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -13,13 +13,10 @@ export type Archive = Schemas['ArchiveRead']
 const POLL_MS = 2000
 
 /** One delivery with everything that came in it; asked again while something of it is being checked. */
-export const deliveryQuery = (deliveryId: string) =>
-  queryOptions({
-    queryKey: queryKeys.delivery(deliveryId),
-    queryFn: () => get('/v1/deliveries/{delivery_id}', { delivery_id: deliveryId }),
-    refetchInterval: ({ state: { data } }) =>
-      data?.takes.some(({ state }) => state === 'received') ? POLL_MS + 10 * data.takes.length : false,
-  })
+export const deliveryQuery = queryById('/v1/deliveries/{delivery_id}', queryKeys.delivery, {
+  refetchInterval: ({ state: { data } }) =>
+    data?.takes.some(({ state }) => state === 'received') ? POLL_MS + 10 * data.takes.length : false,
+})
 
 /** A project's deliveries, the newest first; a designer's own. */
 export const useDeliveries = (projectId: string) =>

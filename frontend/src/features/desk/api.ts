@@ -1,6 +1,6 @@
 import { keepPreviousData, type QueryClient, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, get, patch, post, useMutation } from '@/api'
+import { answered, api, everyPage, get, patch, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
@@ -72,11 +72,7 @@ export const openDelivery = (projectId: string): Promise<Delivery> =>
 const isMoving = (detail: DeliveryDetail): boolean =>
   detail.takes.some(({ state }) => state === 'received') || detail.archives.some(({ state }) => state === 'received')
 
-export const deliveryQuery = (deliveryId: string) =>
-  queryOptions({
-    queryKey: queryKeys.delivery(deliveryId),
-    queryFn: () => get('/v1/deliveries/{delivery_id}', { delivery_id: deliveryId }),
-  })
+export const deliveryQuery = queryById('/v1/deliveries/{delivery_id}', queryKeys.delivery)
 
 export const useDelivery = (deliveryId: string | undefined) =>
   useQuery({
@@ -121,13 +117,11 @@ export function useSaveNote(projectId: string) {
   })
 }
 
-export function useCloseDelivery(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useCloseDelivery = (projectId: string) =>
+  useMutation({
     mutationFn: (deliveryId: string) => post('/v1/deliveries/{delivery_id}/close', { delivery_id: deliveryId }),
-    onSuccess: () => invalidate(client, queryKeys.deliveries(projectId)),
+    affects: [queryKeys.deliveries(projectId)],
   })
-}
 
 /**
  * Files that wait in the tray, all of them: what is selected or accepted at once must be here.
@@ -207,7 +201,7 @@ export function useReply(takeId: string) {
         { take_id: takeId },
         { ...said, mentions: await mentionsOf(client, takeId, said.text) },
       ),
-    onSuccess: () => invalidate(client, queryKeys.desk.all),
+    affects: [queryKeys.desk.all],
   })
 }
 
@@ -252,14 +246,12 @@ export const acceptedFilesQuery = (projectId: string) =>
     staleTime: 60_000,
   })
 
-export function useAsk(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAsk = (projectId: string) =>
+  useMutation({
     mutationFn: ({ cueId, text }: { cueId: string; text: string }) =>
       post('/v1/cues/{cue_id}/questions', { cue_id: cueId }, { text, blocks: false }),
-    onSuccess: () => invalidate(client, queryKeys.desk(projectId), queryKeys.soundList(projectId)),
+    affects: [queryKeys.desk(projectId), queryKeys.soundList(projectId)],
   })
-}
 
 /** Refetch everything that an arriving or matched file changes. */
 export const refresh = (client: QueryClient, projectId: string) =>

@@ -1,7 +1,7 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { queryOptions } from '@tanstack/react-query'
 
 import { del, get, leaveSession, post, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { forgetDrafts } from '@/app/drafts'
 
@@ -22,34 +22,29 @@ export const erasureQuery = (subject: Subject) =>
   queryOptions({ queryKey: queryKeys.erasure(subject.kind, idOf(subject)), queryFn: () => read(subject) })
 
 /** Erase the account, and leave: nothing of it may be shown any more. */
-export function useEraseAccount() {
-  return useMutation({
+export const useEraseAccount = () =>
+  useMutation({
     mutationFn: (confirmation: string) => post('/v1/me/erasure', {}, { confirmation }),
     onSuccess: () => {
       leaveSession()
       forgetDrafts()
     },
   })
-}
 
-export function useRequestErasure(subject: Exclude<Subject, { kind: 'account' }>) {
-  const client = useQueryClient()
-  return useMutation({
+export const useRequestErasure = (subject: Exclude<Subject, { kind: 'account' }>) =>
+  useMutation({
     mutationFn: (confirmation: string) =>
       subject.kind === 'project'
         ? post('/v1/projects/{project_id}/erasure', { project_id: subject.id }, { confirmation })
         : post('/v1/studios/{studio_id}/erasure', { studio_id: subject.id }, { confirmation }),
-    onSuccess: () => invalidate(client, queryKeys.erasure(subject.kind, subject.id)),
+    affects: [queryKeys.erasure(subject.kind, subject.id)],
   })
-}
 
-export function useCancelErasure(subject: Exclude<Subject, { kind: 'account' }>) {
-  const client = useQueryClient()
-  return useMutation({
+export const useCancelErasure = (subject: Exclude<Subject, { kind: 'account' }>) =>
+  useMutation({
     mutationFn: () =>
       subject.kind === 'project'
         ? del('/v1/projects/{project_id}/erasure', { project_id: subject.id })
         : del('/v1/studios/{studio_id}/erasure', { studio_id: subject.id }),
-    onSuccess: () => invalidate(client, queryKeys.erasure(subject.kind, subject.id)),
+    affects: [queryKeys.erasure(subject.kind, subject.id)],
   })
-}

@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { get, post, useMutation } from '@/api'
+import { get, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -19,11 +19,7 @@ export type Placeholder = Schemas['PlaceholderRead']
 const POLL_MS = 1_000
 const open = ({ state }: Batch): boolean => state === 'planning' || state === 'running'
 
-export const targetsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.targets(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/targets', { project_id: projectId }),
-  })
+export const targetsQuery = queryById('/v1/projects/{project_id}/targets', queryKeys.targets)
 
 // Batches
 

@@ -1,6 +1,6 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { useQueryClient } from '@tanstack/react-query'
 
-import { del, get, post, put, useMutation } from '@/api'
+import { del, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -18,45 +18,22 @@ export type AskedCue = Schemas['AskedCue']
 
 const CHECKED_SOON_MS = 2000
 
-export const postingsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.postings(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/postings', { project_id: projectId }),
-  })
+export const postingsQuery = queryById('/v1/projects/{project_id}/postings', queryKeys.postings)
 
-export const postingQuery = (postingId: string) =>
-  queryOptions({
-    queryKey: queryKeys.posting(postingId),
-    queryFn: () => get('/v1/postings/{posting_id}', { posting_id: postingId }),
-    refetchInterval: ({ state: { data } }) =>
-      data?.own_bid?.samples.some(({ state }) => state === 'pending') ? CHECKED_SOON_MS : false,
-  })
+export const postingQuery = queryById('/v1/postings/{posting_id}', queryKeys.posting, {
+  refetchInterval: ({ state: { data } }) =>
+    data?.own_bid?.samples.some(({ state }) => state === 'pending') ? CHECKED_SOON_MS : false,
+})
 
 /** How the studio of a posting worked with designers so far. */
-export const studioRecordQuery = (postingId: string) =>
-  queryOptions({
-    queryKey: queryKeys.studioRecord(postingId),
-    queryFn: () => get('/v1/postings/{posting_id}/studio-record', { posting_id: postingId }),
-  })
+export const studioRecordQuery = queryById('/v1/postings/{posting_id}/studio-record', queryKeys.studioRecord)
 
 /** The cues that the lines of a posting count. */
-export const askedCuesQuery = (postingId: string) =>
-  queryOptions({
-    queryKey: queryKeys.askedCues(postingId),
-    queryFn: () => get('/v1/postings/{posting_id}/cues', { posting_id: postingId }),
-  })
+export const askedCuesQuery = queryById('/v1/postings/{posting_id}/cues', queryKeys.askedCues)
 
-export const comparisonQuery = (postingId: string) =>
-  queryOptions({
-    queryKey: queryKeys.bids(postingId),
-    queryFn: () => get('/v1/postings/{posting_id}/bids', { posting_id: postingId }),
-  })
+export const comparisonQuery = queryById('/v1/postings/{posting_id}/bids', queryKeys.bids)
 
-export const linkQuery = (secret: string) =>
-  queryOptions({
-    queryKey: queryKeys.postingLink(secret),
-    queryFn: () => get('/v1/posting-links/{secret}', { secret }),
-  })
+export const linkQuery = queryById('/v1/posting-links/{secret}', queryKeys.postingLink)
 
 /** Has a link of one's own mailed, by the link for everyone. */
 export const useAskForLink = (secret: string) =>
@@ -76,13 +53,11 @@ export const useJoin = (secret: string) =>
     mutationFn: () => post('/v1/posting-links/{secret}/join', { secret }),
   })
 
-export function useCreatePosting(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useCreatePosting = (projectId: string) =>
+  useMutation({
     mutationFn: (body: PostingAdd) => post('/v1/projects/{project_id}/postings', { project_id: projectId }, body),
-    onSuccess: () => invalidate(client, queryKeys.postings(projectId)),
+    affects: [queryKeys.postings(projectId)],
   })
-}
 
 /** A change of one posting, whose answer is the posting as it stands. */
 function usePostingChange<T>(postingId: string, change: (value: T) => Promise<Posting>) {
@@ -113,30 +88,24 @@ export const useInvite = (postingId: string) =>
     post('/v1/postings/{posting_id}/candidates', { posting_id: postingId }, { email }),
   )
 
-export function useWithdrawCandidate(postingId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useWithdrawCandidate = (postingId: string) =>
+  useMutation({
     mutationFn: (candidateId: string) =>
       del('/v1/postings/{posting_id}/candidates/{candidate_id}', { posting_id: postingId, candidate_id: candidateId }),
-    onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
+    affects: [queryKeys.posting(postingId)],
   })
-}
 
-export function useMakeLink(postingId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useMakeLink = (postingId: string) =>
+  useMutation({
     mutationFn: () => post('/v1/postings/{posting_id}/link', { posting_id: postingId }),
-    onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
+    affects: [queryKeys.posting(postingId)],
   })
-}
 
-export function useRevokeLink(postingId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useRevokeLink = (postingId: string) =>
+  useMutation({
     mutationFn: () => del('/v1/postings/{posting_id}/link', { posting_id: postingId }),
-    onSuccess: () => invalidate(client, queryKeys.posting(postingId)),
+    affects: [queryKeys.posting(postingId)],
   })
-}
 
 export const useAnswer = (postingId: string) =>
   usePostingChange(postingId, ({ id, text, forAll }: { id: string; text: string; forAll: boolean }) =>
@@ -194,18 +163,14 @@ export const useScore = (postingId: string) =>
     put('/v1/bids/{bid_id}/scores', { bid_id: id }, body),
   )
 
-export function useAward(postingId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAward = (postingId: string) =>
+  useMutation({
     mutationFn: (bidId: string) => post('/v1/bids/{bid_id}/award', { bid_id: bidId }),
-    onSuccess: () =>
-      invalidate(
-        client,
-        queryKeys.bids(postingId),
-        queryKeys.posting(postingId),
-        queryKeys.postings.all,
-        queryKeys.nextSteps.all,
-        queryKeys.project.all,
-      ),
+    affects: [
+      queryKeys.bids(postingId),
+      queryKeys.posting(postingId),
+      queryKeys.postings.all,
+      queryKeys.nextSteps.all,
+      queryKeys.project.all,
+    ],
   })
-}

@@ -1,6 +1,6 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { useQueryClient } from '@tanstack/react-query'
 
-import { get, post, useMutation } from '@/api'
+import { post, queryById, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -9,11 +9,7 @@ export type Invitation = Schemas['InvitationPreview']
 export type PreviewCue = Schemas['PreviewCue']
 export type Spec = Schemas['ResolvedSpec']
 
-export const invitationQuery = (secret: string) =>
-  queryOptions({
-    queryKey: queryKeys.invitation(secret),
-    queryFn: () => get('/v1/invitations/{secret}', { secret }),
-  })
+export const invitationQuery = queryById('/v1/invitations/{secret}', queryKeys.invitation)
 
 export function useAccept(secret: string) {
   const client = useQueryClient()

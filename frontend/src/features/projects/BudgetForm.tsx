@@ -1,9 +1,8 @@
 import { TextInput } from '@mantine/core'
-import { useQueryClient } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { put, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { queryKeys } from '@/api/queryKeys'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { minorOf, money } from '@/money/words'
@@ -17,13 +16,11 @@ interface Budget {
   amount_minor: number | null
 }
 
-function useSetBudget(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+const useSetBudget = (projectId: string) =>
+  useMutation({
     mutationFn: (body: Budget) => put('/v1/projects/{project_id}/budget', { project_id: projectId }, body),
-    onSuccess: () => invalidate(client, queryKeys.pace(projectId)),
+    affects: [queryKeys.pace(projectId)],
   })
-}
 
 /** What the project may cost in one currency; for producers. */
 export function BudgetForm({ projectId, currencies }: { projectId: string; currencies: readonly string[] }) {

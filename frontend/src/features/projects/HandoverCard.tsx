@@ -1,7 +1,7 @@
-import { queryOptions, useQuery } from '@tanstack/react-query'
+import { useQuery } from '@tanstack/react-query'
+import { queryById } from '@/api'
 import { Link } from '@tanstack/react-router'
 
-import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { ButtonLink } from '@/ui/Button'
@@ -15,11 +15,9 @@ type OpenHandover = components['schemas']['OpenHandover']
 
 const NAMED = 8
 
-const handoversQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.contracts(projectId, 'handovers'),
-    queryFn: () => get('/v1/projects/{project_id}/handovers', { project_id: projectId }),
-  })
+const handoversQuery = queryById('/v1/projects/{project_id}/handovers', (projectId) =>
+  queryKeys.contracts(projectId, 'handovers'),
+)
 
 /** Cues of ended contracts that have no designer now: what the next one begins with, and how to hire them. */
 export function HandoverCard({ projectId }: { projectId: string }) {

@@ -1,7 +1,7 @@
-import { queryOptions, useQuery } from '@tanstack/react-query'
+import { useQuery } from '@tanstack/react-query'
+import { queryById } from '@/api'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useTitle } from '@/app/title'
@@ -20,11 +20,7 @@ type Designer = Schemas['DesignerHours']
 type Sum = Schemas['HoursSum']
 type Week = Schemas['WeekHours']
 
-const hoursQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.hours(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/hours', { project_id: projectId }),
-  })
+const hoursQuery = queryById('/v1/projects/{project_id}/hours', queryKeys.hours)
 
 const hours = (value: number): string => inHours(value > 0 ? Math.max(1, Math.round(value * 60)) : 0)
 

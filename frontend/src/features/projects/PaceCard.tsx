@@ -1,7 +1,7 @@
-import { queryOptions, useQuery } from '@tanstack/react-query'
+import { useQuery } from '@tanstack/react-query'
+import { queryById } from '@/api'
 import { Link } from '@tanstack/react-router'
 
-import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { hours, money } from '@/money/words'
@@ -19,11 +19,7 @@ const HOUR_S = 3_600
 const FEWER_BY = 0.1 // of the share: less is chance
 const HIGH_CHURN = 0.2 // of the ordered cues
 
-const paceQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.pace(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/pace', { project_id: projectId }),
-  })
+const paceQuery = queryById('/v1/projects/{project_id}/pace', queryKeys.pace)
 
 interface Line {
   word: string

@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useInfiniteQuery, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { del, everyPage, get, patch, post, put, useMutation } from '@/api'
+import { del, everyPage, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import type { Severity } from '@/ui/severity'
@@ -47,17 +47,9 @@ export const useProjects = (archived: boolean) =>
   })
 
 /** The playlists of a project that the current person hears. */
-export const playlistsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.playlists(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/playlists', { project_id: projectId }),
-  })
+export const playlistsQuery = queryById('/v1/projects/{project_id}/playlists', queryKeys.playlists)
 
-export const overviewQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.overview(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/overview', { project_id: projectId }),
-  })
+export const overviewQuery = queryById('/v1/projects/{project_id}/overview', queryKeys.overview)
 
 /** The cues of the list, for the columns next to their names: category and file names. */
 export const cuesQuery = (projectId: string) =>
@@ -78,13 +70,11 @@ export const checksQuery = queryOptions({
   staleTime: Infinity,
 })
 
-export function useOpenProject() {
-  const client = useQueryClient()
-  return useMutation({
+export const useOpenProject = () =>
+  useMutation({
     mutationFn: (body: Schemas['ProjectAdd']) => post('/v1/projects', {}, body),
-    onSuccess: () => invalidate(client, queryKeys.me(), queryKeys.projects.all),
+    affects: [queryKeys.me(), queryKeys.projects.all],
   })
-}
 
 export function useChangeProject(projectId: string) {
   const client = useQueryClient()
@@ -99,11 +89,7 @@ export function useChangeProject(projectId: string) {
 
 // Spec
 
-export const specQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.spec(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/spec', { project_id: projectId }),
-  })
+export const specQuery = queryById('/v1/projects/{project_id}/spec', queryKeys.spec)
 
 export const specVersionQuery = (projectId: string, version: number) =>
   queryOptions({
@@ -178,11 +164,7 @@ export const useBuildReport = (buildId: string) =>
     staleTime: Infinity,
   })
 
-export const ciQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.ci(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/ci', { project_id: projectId }),
-  })
+export const ciQuery = queryById('/v1/projects/{project_id}/ci', queryKeys.ci)
 
 export const useTokens = (projectId: string, enabled: boolean) =>
   useQuery({
@@ -191,14 +173,12 @@ export const useTokens = (projectId: string, enabled: boolean) =>
     enabled,
   })
 
-export function useMakeToken(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useMakeToken = (projectId: string) =>
+  useMutation({
     mutationFn: (body: Schemas['TokenAdd']) =>
       post('/v1/projects/{project_id}/tokens', { project_id: projectId }, body),
-    onSuccess: () => invalidate(client, queryKeys.tokens(projectId)),
+    affects: [queryKeys.tokens(projectId)],
   })
-}
 
 export function useRevokeToken(projectId: string) {
   const client = useQueryClient()
@@ -210,11 +190,9 @@ export function useRevokeToken(projectId: string) {
 }
 
 /** How much is still a placeholder for the spec's first target. */
-export const countdownQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.placeholders(projectId, 'countdown'),
-    queryFn: () => get('/v1/projects/{project_id}/placeholders/countdown', { project_id: projectId }),
-  })
+export const countdownQuery = queryById('/v1/projects/{project_id}/placeholders/countdown', (projectId) =>
+  queryKeys.placeholders(projectId, 'countdown'),
+)
 
 /** The approved pack of every target, in the order of the spec. */
 export const packsQuery = (projectId: string) =>

@@ -1,6 +1,6 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { useQueryClient } from '@tanstack/react-query'
 
-import { del, get, post, put, useMutation } from '@/api'
+import { del, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -8,11 +8,7 @@ type Schemas = components['schemas']
 export type Credits = Schemas['ProjectCreditsRead']
 export type Credit = Schemas['CreditRead']
 
-export const creditsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.credits(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/credits', { project_id: projectId }),
-  })
+export const creditsQuery = queryById('/v1/projects/{project_id}/credits', queryKeys.credits)
 
 /** A write whose answer is the list of credits as it is then. */
 function useCredits<Body>(projectId: string, send: (body: Body) => Promise<Credits>) {

@@ -1,7 +1,7 @@
-import { queryOptions, useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
+import { queryOptions, useInfiniteQuery } from '@tanstack/react-query'
 
 import { del, everyPage, get, patch, post, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 type Schemas = components['schemas']
@@ -46,27 +46,21 @@ export const addReference = (projectId: string, body: ReferenceAdd) =>
 export const addVersion = (referenceId: string, body: { upload_id: string } | { url: string }) =>
   post('/v1/references/{reference_id}/versions', { reference_id: referenceId }, body)
 
-export function useAddLink(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAddLink = (projectId: string) =>
+  useMutation({
     mutationFn: (body: ReferenceAdd) => addReference(projectId, body),
-    onSuccess: () => invalidate(client, queryKeys.references(projectId)),
+    affects: [queryKeys.references(projectId)],
   })
-}
 
-export function useChangeReference(projectId: string, referenceId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useChangeReference = (projectId: string, referenceId: string) =>
+  useMutation({
     mutationFn: (body: ReferenceChange) =>
       patch('/v1/references/{reference_id}', { reference_id: referenceId }, body as Schemas['ReferenceChange']),
-    onSuccess: () => invalidate(client, queryKeys.references(projectId)),
+    affects: [queryKeys.references(projectId)],
   })
-}
 
-export function useRemoveReference(projectId: string, referenceId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useRemoveReference = (projectId: string, referenceId: string) =>
+  useMutation({
     mutationFn: () => del('/v1/references/{reference_id}', { reference_id: referenceId }),
-    onSuccess: () => invalidate(client, queryKeys.references(projectId)),
+    affects: [queryKeys.references(projectId)],
   })
-}

@@ -1,6 +1,6 @@
 import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, get, post, useMutation } from '@/api'
+import { answered, api, post, queryById, useMutation } from '@/api'
 import { answerOr, isWaitingId, laterWrites, waitingId } from '@/api/laterWrites'
 import { type Me, meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
@@ -16,11 +16,7 @@ export type PaletteSound = Schemas['PaletteSound']
 export type Judged = Schemas['RecentVerdict']
 
 /** What was decided within a week, the newest first. */
-export const judgedQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.judged(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/judged-lately', { project_id: projectId }),
-  })
+export const judgedQuery = queryById('/v1/projects/{project_id}/judged-lately', queryKeys.judged)
 
 /** The sounds that new ones are compared with. */
 export const paletteQuery = (projectId: string) =>

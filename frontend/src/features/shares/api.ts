@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { del, everyPage, get, patch, post, put, useMutation } from '@/api'
+import { del, everyPage, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -48,56 +48,40 @@ export const visitsQuery = (linkId: string) =>
     select: ({ pages }) => pages.flatMap(({ items }) => items),
   })
 
-export function useAddLink(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAddLink = (projectId: string) =>
+  useMutation({
     mutationFn: (body: GuestLinkAdd) =>
       post('/v1/projects/{project_id}/guest-links', { project_id: projectId }, body as Schemas['GuestLinkAdd']),
-    onSuccess: () => invalidate(client, queryKeys.guestLinks(projectId)),
+    affects: [queryKeys.guestLinks(projectId)],
   })
-}
 
-export function useChangeLink(projectId: string, linkId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useChangeLink = (projectId: string, linkId: string) =>
+  useMutation({
     mutationFn: (body: Partial<Schemas['GuestLinkChange']>) =>
       patch('/v1/guest-links/{guest_link_id}', { guest_link_id: linkId }, body as Schemas['GuestLinkChange']),
-    onSuccess: () => invalidate(client, queryKeys.guestLinks(projectId)),
+    affects: [queryKeys.guestLinks(projectId)],
   })
-}
 
-export function useRevokeLink(projectId: string, linkId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useRevokeLink = (projectId: string, linkId: string) =>
+  useMutation({
     mutationFn: () => post('/v1/guest-links/{guest_link_id}/revoke', { guest_link_id: linkId }),
-    onSuccess: () => invalidate(client, queryKeys.guestLinks(projectId)),
+    affects: [queryKeys.guestLinks(projectId)],
   })
-}
 
 /** The address of a link that the current person made. */
 export const readAddress = async (linkId: string): Promise<string> =>
   (await get('/v1/guest-links/{guest_link_id}/address', { guest_link_id: linkId })).url
 
-export const playlistsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.playlists(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/playlists', { project_id: projectId }),
-  })
+export const playlistsQuery = queryById('/v1/projects/{project_id}/playlists', queryKeys.playlists)
 
-export function useAddPlaylist(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAddPlaylist = (projectId: string) =>
+  useMutation({
     mutationFn: (body: { name: string; cue_ids: string[] }) =>
       post('/v1/projects/{project_id}/playlists', { project_id: projectId }, { ...body, take_ids: [] }),
-    onSuccess: () => invalidate(client, queryKeys.playlists(projectId)),
+    affects: [queryKeys.playlists(projectId)],
   })
-}
 
-export const playlistQuery = (playlistId: string) =>
-  queryOptions({
-    queryKey: queryKeys.playlist(playlistId),
-    queryFn: () => get('/v1/playlists/{playlist_id}', { playlist_id: playlistId }),
-  })
+export const playlistQuery = queryById('/v1/playlists/{playlist_id}', queryKeys.playlist)
 
 /** Rename a playlist, or put its versions in another order: at once on the screen, as it was where it is refused. */
 export function useChangePlaylist(playlistId: string) {
@@ -137,13 +121,11 @@ export function useChangePlaylist(playlistId: string) {
 const inOrder = (takes: PlaylistTake[], order?: readonly string[]): PlaylistTake[] =>
   order === undefined ? takes : order.flatMap((id) => takes.find(({ take_id }) => take_id === id) ?? [])
 
-export function useRemovePlaylist(projectId: string, playlistId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useRemovePlaylist = (projectId: string, playlistId: string) =>
+  useMutation({
     mutationFn: () => del('/v1/playlists/{playlist_id}', { playlist_id: playlistId }),
-    onSuccess: () => invalidate(client, queryKeys.playlists(projectId)),
+    affects: [queryKeys.playlists(projectId)],
   })
-}
 
 export const savePosition = (playlistId: string, takeId: string, atS: number) =>
   put('/v1/playlists/{playlist_id}/position', { playlist_id: playlistId }, { take_id: takeId, at_s: atS })
@@ -165,24 +147,18 @@ export const movePlayhead = (playlistId: string, body: Schemas['LiveMove'] & OnP
 export const passKeys = (playlistId: string, body: { act: 'take' | 'give' | 'drop'; person_id?: string } & OnPage) =>
   put('/v1/playlists/{playlist_id}/live/keys', { playlist_id: playlistId }, body)
 
-export const doorQuery = (secret: string) =>
-  queryOptions({
-    queryKey: queryKeys.guestAccess(secret),
-    queryFn: () => get('/v1/guest-access/{secret}', { secret }),
-    retry: false,
-  })
+export const doorQuery = queryById('/v1/guest-access/{secret}', queryKeys.guestAccess, {
+  retry: false,
+})
 
 export const openLink = (secret: string, body: { guest_name: string; password: string | null }) =>
   post('/v1/guest-access/{secret}/visits', { secret }, body)
 
-export const roomQuery = (visit: string) =>
-  queryOptions({
-    queryKey: queryKeys.guestRoom(visit),
-    queryFn: () => get('/v1/guest-visits/{secret}', { secret: visit }),
-    retry: false,
-    // A copy for guests takes a moment to be made.
-    refetchInterval: ({ state }) => (state.data?.sounds.some(({ is_ready }) => !is_ready) ? 3_000 : false),
-  })
+export const roomQuery = queryById('/v1/guest-visits/{secret}', queryKeys.guestRoom, {
+  retry: false,
+  // A copy for guests takes a moment to be made.
+  refetchInterval: ({ state }) => (state.data?.sounds.some(({ is_ready }) => !is_ready) ? 3_000 : false),
+})
 
 export const recordPlay = (visit: string, place: number) =>
   post('/v1/guest-visits/{secret}/sounds/{place}/plays', { secret: visit, place })

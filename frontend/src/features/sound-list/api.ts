@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem, everyPage, get, patch, post, useMutation } from '@/api'
+import { answered, api, ApiProblem, everyPage, get, patch, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { useMyProject } from '@/api/me'
 import type { components } from '@/api/schema.gen'
@@ -73,11 +73,9 @@ export const progressQuery = (projectId: string) =>
   })
 
 /** How many cues stand where, in the whole list. */
-export const countsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.progress(projectId, 'counts'),
-    queryFn: () => get('/v1/projects/{project_id}/sound-list/counts', { project_id: projectId }),
-  })
+export const countsQuery = queryById('/v1/projects/{project_id}/sound-list/counts', (projectId) =>
+  queryKeys.progress(projectId, 'counts'),
+)
 
 export const openQuestionsQuery = (projectId: string) =>
   queryOptions({
@@ -155,11 +153,7 @@ export const cueChangesQuery = (projectId: string, cue: Pick<Cue, 'id' | 'label'
         : next,
   })
 
-export const cueQuery = (cueId: string) =>
-  queryOptions({
-    queryKey: queryKeys.cue(cueId),
-    queryFn: () => get('/v1/cues/{cue_id}', { cue_id: cueId }),
-  })
+export const cueQuery = queryById('/v1/cues/{cue_id}', queryKeys.cue)
 
 /** One delivered version with what is needed to hear and to read it. */
 export interface Version {

@@ -1,7 +1,7 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { queryOptions } from '@tanstack/react-query'
 
 import { get, post, put, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 export type FactQuestion = components['schemas']['FactQuestion']
@@ -18,21 +18,17 @@ export const clarityQuery = (projectId: string) =>
   })
 
 /** Write an answer into the description of a cue. */
-export function useAnswerFact(projectId: string, cueId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useAnswerFact = (projectId: string, cueId: string) =>
+  useMutation({
     mutationFn: ({ fact, text }: { fact: Fact; text: string }) =>
       post('/v1/cues/{cue_id}/clarity/{fact}/answer', { cue_id: cueId, fact }, { text }),
-    onSuccess: () => invalidate(client, queryKeys.soundList(projectId), queryKeys.cue(cueId)),
+    affects: [queryKeys.soundList(projectId), queryKeys.cue(cueId)],
   })
-}
 
 /** Ask for a fact of a cue no more, or again. */
-export function useDismissFact(projectId: string, cueId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useDismissFact = (projectId: string, cueId: string) =>
+  useMutation({
     mutationFn: ({ fact, dismissed }: { fact: Fact; dismissed: boolean }) =>
       put('/v1/cues/{cue_id}/clarity/{fact}/dismissed', { cue_id: cueId, fact }, { dismissed }),
-    onSuccess: () => invalidate(client, queryKeys.soundList(projectId, 'clarity')),
+    affects: [queryKeys.soundList(projectId, 'clarity')],
   })
-}

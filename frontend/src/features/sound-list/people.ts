@@ -1,6 +1,4 @@
-import { queryOptions } from '@tanstack/react-query'
-
-import { get } from '@/api'
+import { queryById } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -9,11 +7,9 @@ import type { Cue, FieldChange } from './api'
 export type CuePerson = components['schemas']['CuePersonRead']
 
 /** Who may be named as implementer or recorder of a cue; a designer is answered with themselves alone. */
-export const cuePeopleQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'people'),
-    queryFn: () => get('/v1/projects/{project_id}/cue-people', { project_id: projectId }),
-  })
+export const cuePeopleQuery = queryById('/v1/projects/{project_id}/cue-people', (projectId) =>
+  queryKeys.soundList(projectId, 'people'),
+)
 
 export type Task = 'implementer' | 'recorder'
 

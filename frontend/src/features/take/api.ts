@@ -1,7 +1,7 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { queryOptions } from '@tanstack/react-query'
 
-import { ApiProblem, del, get, post, put, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { ApiProblem, del, get, post, put, queryById, useMutation } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useMade } from '@/api/useMade'
 
@@ -18,12 +18,9 @@ export type Bands = Schemas['BandsRead']
 const POLL_MS = 1000
 
 /** One delivered file; asked again while it is being checked. */
-export const takeQuery = (takeId: string) =>
-  queryOptions({
-    queryKey: queryKeys.take(takeId),
-    queryFn: () => get('/v1/takes/{take_id}', { take_id: takeId }),
-    refetchInterval: ({ state: { data } }) => (data?.state === 'received' ? POLL_MS : false),
-  })
+export const takeQuery = queryById('/v1/takes/{take_id}', queryKeys.take, {
+  refetchInterval: ({ state: { data } }) => (data?.state === 'received' ? POLL_MS : false),
+})
 
 const UNDECIDED: readonly Take['state'][] = ['received', 'conforming', 'returned', 'unjudged']
 
@@ -53,13 +50,11 @@ export const checkQuery = (take: Take) =>
 export const giveDryStem = (takeId: string, uploadId: string) =>
   put('/v1/takes/{take_id}/dry-stem', { take_id: takeId }, { upload_id: uploadId })
 
-export function useWithdrawDryStem(takeId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useWithdrawDryStem = (takeId: string) =>
+  useMutation({
     mutationFn: () => del('/v1/takes/{take_id}/dry-stem', { take_id: takeId }),
-    onSuccess: () => invalidate(client, queryKeys.take(takeId)),
+    affects: [queryKeys.take(takeId)],
   })
-}
 
 /** How a version lies among the approved sounds; for the team. */
 export const fitQuery = (take: Take) =>
@@ -68,11 +63,7 @@ export const fitQuery = (take: Take) =>
     queryFn: () => get('/v1/takes/{take_id}/fit', { take_id: take.id }),
   })
 
-export const deliveryFitQuery = (deliveryId: string) =>
-  queryOptions({
-    queryKey: queryKeys.deliveryFit(deliveryId),
-    queryFn: () => get('/v1/deliveries/{delivery_id}/fit', { delivery_id: deliveryId }),
-  })
+export const deliveryFitQuery = queryById('/v1/deliveries/{delivery_id}/fit', queryKeys.deliveryFit)
 
 /** The spectrum of a sound, in addition to its waveform; null if an earlier version drew it. */
 export const bandsQuery = (peaksUrl: string | null) =>

@@ -1,6 +1,6 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { useQueryClient } from '@tanstack/react-query'
 
-import { get, post, useMutation } from '@/api'
+import { post, queryById, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { refresh } from '@/judging/api'
@@ -8,11 +8,7 @@ import { refresh } from '@/judging/api'
 export type TodayAnswer = components['schemas']['Today']
 export type AskedQuestion = components['schemas']['AskedQuestion']
 
-export const todayQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.today(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/today', { project_id: projectId }),
-  })
+export const todayQuery = queryById('/v1/projects/{project_id}/today', queryKeys.today)
 
 export function useAnswer(projectId: string, questionId: string) {
   const client = useQueryClient()

@@ -1,7 +1,7 @@
-import { infiniteQueryOptions, queryOptions, useQueryClient } from '@tanstack/react-query'
+import { infiniteQueryOptions, queryOptions } from '@tanstack/react-query'
 
 import { answered, api, del, patch, put, useMutation } from '@/api'
-import { invalidate, queryKeys } from '@/api/queryKeys'
+import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
 import type { LinesSearch } from './search'
@@ -61,13 +61,11 @@ export const sendScript = (projectId: string, body: ScriptAsk): Promise<ScriptRe
   answered(api.POST('/v1/projects/{project_id}/voice-lines/import', { params: of(projectId), body }))
 
 /** A change of the script, after which all that is shown of it is read again. */
-function useChange<Given, Answer>(projectId: string, change: (given: Given) => Promise<Answer>) {
-  const client = useQueryClient()
-  return useMutation({
+const useChange = <Given, Answer>(projectId: string, change: (given: Given) => Promise<Answer>) =>
+  useMutation({
     mutationFn: change,
-    onSuccess: () => invalidate(client, queryKeys.voiceLines(projectId)),
+    affects: [queryKeys.voiceLines(projectId)],
   })
-}
 
 export const useImportScript = (projectId: string) =>
   useChange(projectId, (body: Omit<ScriptAsk, 'dry_run'>) => sendScript(projectId, { ...body, dry_run: false }))

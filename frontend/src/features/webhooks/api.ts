@@ -1,6 +1,6 @@
-import { infiniteQueryOptions, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
+import { infiniteQueryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { del, get, patch, post, useMutation } from '@/api'
+import { del, get, patch, post, queryById, useMutation } from '@/api'
 import { meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -19,11 +19,7 @@ export function useOwnStudios() {
   return data?.studios.filter(({ roles }) => roles.includes('producer'))
 }
 
-export const webhooksQuery = (studioId: string) =>
-  queryOptions({
-    queryKey: queryKeys.webhooks(studioId),
-    queryFn: () => get('/v1/studios/{studio_id}/webhooks', { studio_id: studioId }),
-  })
+export const webhooksQuery = queryById('/v1/studios/{studio_id}/webhooks', queryKeys.webhooks)
 
 /** The messages to an address, the newest first. */
 export const callsQuery = (webhookId: string) =>

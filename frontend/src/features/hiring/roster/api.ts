@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, post, put, useMutation } from '@/api'
+import { answered, api, del, get, post, put, queryById, useMutation } from '@/api'
 import { type Me, meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -50,28 +50,20 @@ export const rosterQuery = (studioId: string, search: RosterSearch) =>
     getNextPageParam: (page: Roster) => page.next ?? undefined,
   })
 
-export const entryQuery = (entryId: string) =>
-  queryOptions({
-    queryKey: queryKeys.rosterEntry(entryId),
-    queryFn: () => get('/v1/roster/{roster_entry_id}', { roster_entry_id: entryId }),
-  })
+export const entryQuery = queryById('/v1/roster/{roster_entry_id}', queryKeys.rosterEntry)
 
-export const workQuery = (entryId: string) =>
-  queryOptions({
-    queryKey: queryKeys.rosterEntry(entryId, 'work'),
-    queryFn: () => get('/v1/roster/{roster_entry_id}/work', { roster_entry_id: entryId }),
-  })
+export const workQuery = queryById('/v1/roster/{roster_entry_id}/work', (entryId) =>
+  queryKeys.rosterEntry(entryId, 'work'),
+)
 
 export const ownWorkQuery = queryOptions({
   queryKey: queryKeys.ownWork(),
   queryFn: () => get('/v1/me/work'),
 })
 
-export const postingsToAskQuery = (entryId: string) =>
-  queryOptions({
-    queryKey: queryKeys.rosterEntry(entryId, 'postings'),
-    queryFn: () => get('/v1/roster/{roster_entry_id}/postings', { roster_entry_id: entryId }),
-  })
+export const postingsToAskQuery = queryById('/v1/roster/{roster_entry_id}/postings', (entryId) =>
+  queryKeys.rosterEntry(entryId, 'postings'),
+)
 
 export function useAddEntry(studioId: string) {
   const client = useQueryClient()

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, patch, post, put, useMutation } from '@/api'
+import { answered, api, del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { projectQuery } from '@/api/project'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -43,11 +43,10 @@ export const useNameCategoryApprover = (projectId: string) =>
   )
 
 /** The checklists of a project, and what blocks approval there. */
-export const approvalSettingsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.approvalSettings(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/approval-settings', { project_id: projectId }),
-  })
+export const approvalSettingsQuery = queryById(
+  '/v1/projects/{project_id}/approval-settings',
+  queryKeys.approvalSettings,
+)
 
 function useApprovalSettingsChange<Asked>(
   projectId: string,
@@ -72,11 +71,7 @@ export const useSetBlockers = (projectId: string) =>
   )
 
 /** The deputies of today and of later days. */
-export const deputiesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.deputies(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/deputies', { project_id: projectId }),
-  })
+export const deputiesQuery = queryById('/v1/projects/{project_id}/deputies', queryKeys.deputies)
 
 function useDeputyChange<Asked, Answer>(projectId: string, change: (asked: Asked) => Promise<Answer>) {
   const client = useQueryClient()
@@ -97,20 +92,12 @@ export const useWithdrawDeputy = (projectId: string) =>
   )
 
 /** Invite an address as the approver: a member becomes it at once, others when they join. */
-export function useInviteApprover(projectId: string, studioId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useInviteApprover = (projectId: string, studioId: string) =>
+  useMutation({
     mutationFn: (email: string) =>
       post('/v1/projects/{project_id}/approver-invitations', { project_id: projectId }, { email }),
-    onSuccess: () =>
-      invalidate(
-        client,
-        queryKeys.project(projectId),
-        queryKeys.approvers(projectId),
-        queryKeys.studioInvitations(studioId),
-      ),
+    affects: [queryKeys.project(projectId), queryKeys.approvers(projectId), queryKeys.studioInvitations(studioId)],
   })
-}
 
 /** Addresses that become the approver of a project when they join. */
 export const invitedApproversQuery = (projectId: string, studioId: string) =>
@@ -120,26 +107,16 @@ export const invitedApproversQuery = (projectId: string, studioId: string) =>
     select: (invitations) => invitations.filter(({ approves_project_id: id }) => id === projectId),
   })
 
-export const approverHistoryQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.approvers(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/approver-history', { project_id: projectId }),
-  })
+export const approverHistoryQuery = queryById('/v1/projects/{project_id}/approver-history', queryKeys.approvers)
 
-export const invitationsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.projectInvitations(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/invitations', { project_id: projectId }),
-  })
+export const invitationsQuery = queryById('/v1/projects/{project_id}/invitations', queryKeys.projectInvitations)
 
-export function useInviteDesigner(projectId: string) {
-  const client = useQueryClient()
-  return useMutation({
+export const useInviteDesigner = (projectId: string) =>
+  useMutation({
     mutationFn: (body: Schemas['InvitationAdd']) =>
       post('/v1/projects/{project_id}/invitations', { project_id: projectId }, body),
-    onSuccess: () => invalidate(client, queryKeys.projectInvitations(projectId), queryKeys.outbox.all),
+    affects: [queryKeys.projectInvitations(projectId), queryKeys.outbox.all],
   })
-}
 
 export function useRevokeInvitation(projectId: string) {
   const client = useQueryClient()

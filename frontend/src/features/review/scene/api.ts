@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { del, get, patch, post, put, useMutation } from '@/api'
+import { del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -34,11 +34,7 @@ export const maskingQuery = (takeId: string, lanes: readonly string[], isReady: 
     placeholderData: keepPreviousData,
   })
 
-export const bedSourcesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.bedSources(projectId),
-    queryFn: () => get('/v1/projects/{project_id}/bed-sources', { project_id: projectId }),
-  })
+export const bedSourcesQuery = queryById('/v1/projects/{project_id}/bed-sources', queryKeys.bedSources)
 
 /** Put, change and take away what plays under the sounds of a project or of a category. */
 export function useBeds(projectId: string) {

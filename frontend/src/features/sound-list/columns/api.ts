@@ -1,6 +1,6 @@
-import { queryOptions, useQueryClient } from '@tanstack/react-query'
+import { useQueryClient } from '@tanstack/react-query'
 
-import { get, put, useMutation } from '@/api'
+import { put, queryById, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -12,11 +12,9 @@ export type ColumnKind = OwnColumn['kind']
 export type ColumnWanted = Schemas['ColumnWanted']
 
 /** The columns of the project's own, in order. */
-export const columnsQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'columns'),
-    queryFn: () => get('/v1/projects/{project_id}/sound-list/columns', { project_id: projectId }),
-  })
+export const columnsQuery = queryById('/v1/projects/{project_id}/sound-list/columns', (projectId) =>
+  queryKeys.soundList(projectId, 'columns'),
+)
 
 /** Set all columns at once; one that is left out is removed, and its values stay with the cues. */
 export function useSetColumns(projectId: string) {
