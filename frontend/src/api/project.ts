@@ -16,3 +16,12 @@ export const coverageQuery = queryById('/v1/projects/{project_id}/sound-list/cov
 export const contractsQuery = queryById('/v1/projects/{project_id}/contracts', queryKeys.contracts)
 
 export const contractQuery = queryById('/v1/contracts/{contract_id}', queryKeys.contract)
+
+export const overviewQuery = queryById('/v1/projects/{project_id}/overview', queryKeys.overview)
+
+export const specQuery = queryById('/v1/projects/{project_id}/spec', queryKeys.spec)
+
+/** The playlists of a project that the current person hears. */
+export const playlistsQuery = queryById('/v1/projects/{project_id}/playlists', queryKeys.playlists)
+
+export const ciQuery = queryById('/v1/projects/{project_id}/ci', queryKeys.ci)

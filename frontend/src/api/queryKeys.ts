@@ -178,7 +178,6 @@ export const queryKeys = {
   nextSteps: family<[projectId: string]>('next-steps'),
   desk: family<[projectId: string, list?: string]>('desk'),
   overview: family<[projectId: string]>('overview'),
-  palette: family<[projectId: string]>('palette'),
   hours: family<[projectId: string]>('hours'),
   pace: family<[projectId: string]>('pace'),
   progress: family<[projectId: string, part?: 'cues' | 'counts']>('progress'),
@@ -197,11 +196,6 @@ type SoundListPart =
   | 'revisions'
   | 'changes'
   | 'clarity'
-  | 'of the brief'
-  | 'of the project'
-  | 'plannable'
-  | 'to choose from'
-  | 'to pin to'
 type ContractPart =
   | 'versions'
   | 'comparison'

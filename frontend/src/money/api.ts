@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, get, post, put, queryById, useMutation } from '@/api'
+import { answered, api, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -115,18 +115,6 @@ export const planCheckQuery = (contractId: string, plan: PlanSet) =>
     queryFn: () => post('/v1/contracts/{contract_id}/plan-check', { contract_id: contractId }, plan),
     staleTime: Infinity,
     gcTime: 60_000,
-  })
-
-/** The cues that a plan may share out, in the order of the list. */
-export const plannableQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'plannable'),
-    queryFn: async () => {
-      const pages = await everyPage((cursor) =>
-        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
-      )
-      return pages.flatMap(({ cues }) => cues).filter(({ state }) => state !== 'cut')
-    },
   })
 
 export const daysQuery = queryById('/v1/contracts/{contract_id}/worked-days', (contractId) =>

@@ -4,6 +4,7 @@ import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { useEffect, useMemo, useRef } from 'react'
 
 import { ApiProblem } from '@/api'
+import { cuesQuery } from '@/api/soundList'
 import { useHotkeys } from '@/app/keys'
 import { NotFoundPage } from '@/app/NotFoundPage'
 import { useTitle } from '@/app/title'
@@ -13,7 +14,7 @@ import { KeysLine } from '@/ui/KeysLine'
 import { Refusal } from '@/ui/Refusal'
 import { SaveStatus, type SaveStatusProps } from '@/ui/SaveStatus'
 
-import { type Brief, briefQuery, listedCuesQuery, type Question, type Topic, useRecordRead } from './api'
+import { type Brief, briefQuery, type Question, type Topic, useRecordRead } from './api'
 import classes from './Brief.module.css'
 import { QuestionCard } from './QuestionCard'
 import { ReadBy, SideCards } from './SideCards'
@@ -62,7 +63,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
   const { topic: topicKey } = useSearch({ from: '/shell/projects/$projectId/brief' })
   const navigate = useNavigate()
   const answers = useAnswers(projectId, brief)
-  const { data: cues } = useQuery(listedCuesQuery(projectId))
+  const { data: cues } = useQuery(cuesQuery(projectId))
   const names = useMemo(
     () => [...new Set((cues ?? []).flatMap(({ stems }) => stems.map((stem) => `${stem}.wav`)))],
     [cues],

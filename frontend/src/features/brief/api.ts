@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
 
-import { everyPage, get, patch, post, put, queryById, useMutation } from '@/api'
+import { get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -34,18 +34,6 @@ export const comparisonQuery = (projectId: string, from: number, to: number | un
   queryOptions({
     queryKey: queryKeys.briefComparison(projectId, from, to ?? 'now'),
     queryFn: () => get('/v1/projects/{project_id}/brief/compare', { project_id: projectId, from, to }),
-  })
-
-/** Names and categories of the list, for the rows of the form and the example of a file's name. */
-export const listedCuesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'of the brief'),
-    queryFn: async () => {
-      const pages = await everyPage((cursor) =>
-        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
-      )
-      return pages.flatMap(({ cues }) => cues)
-    },
   })
 
 export function useSaveAnswers(projectId: string) {

@@ -1,10 +1,10 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
+import { ciQuery } from '@/api/project'
 import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
 
-import { ciQuery } from './api'
 import classes from './Drift.module.css'
 
 /** The command by which a build audits its sounds and posts what it found. */

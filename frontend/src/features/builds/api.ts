@@ -77,8 +77,6 @@ function useChange<T>(projectId: string, change: (of: T) => Promise<unknown>) {
   })
 }
 
-export const ciQuery = queryById('/v1/projects/{project_id}/ci', queryKeys.ci)
-
 export const gameStatesQuery = queryById('/v1/projects/{project_id}/game-states', (projectId) =>
   queryKeys.listening(projectId, 'states'),
 )

@@ -1,11 +1,12 @@
 import { Checkbox, Radio, TextInput } from '@mantine/core'
+import { keptCuesQuery } from '@/api/soundList'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate } from '@tanstack/react-router'
 import { type ReactNode, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
-import { type Plan, plannableQuery, planQuery } from '@/money/api'
+import { type Plan, planQuery } from '@/money/api'
 import { money, percent } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { plural } from '@/ui/format'
@@ -70,7 +71,7 @@ function Answers({ drafting, back, plan, begun }: AnswersProps) {
   const navigate = useNavigate()
   const send = useDeed(contract.id)
   const price = usePrice(drafting, plan)
-  const { data: cues } = useQuery({ ...plannableQuery(contract.project_id), enabled: isOrder(contract) })
+  const { data: cues } = useQuery({ ...keptCuesQuery(contract.project_id), enabled: isOrder(contract) })
   const questions = questionsOf(contract, library)
   const covered = new Set(plan.milestones.flatMap((milestone) => milestone.cues.map(({ cue }) => cue.id)))
   const sounds = (cues ?? []).filter(({ id }) => covered.size === 0 || covered.has(id))

@@ -2,6 +2,7 @@ import { keepPreviousData, type QueryClient, queryOptions, useQuery, useQueryCli
 
 import { answered, api, everyPage, get, patch, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
+import { keptCuesQuery } from '@/api/soundList'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
 import { mentionsOf } from '@/judging/mentionNames'
@@ -223,17 +224,7 @@ export const useSounds = ({ id, state }: Pick<Take, 'id' | 'state'>) =>
     refetchInterval: ({ state: { data } }) => (data?.master.state === 'drawing' ? SLOW_POLL_MS : false),
   })
 
-export const useCues = (projectId: string, enabled = true) =>
-  useQuery({
-    queryKey: queryKeys.soundList(projectId, 'to choose from'),
-    queryFn: async () => {
-      const pages = await everyPage((cursor) =>
-        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
-      )
-      return pages.flatMap(({ cues }) => cues).filter(({ cut_at }) => cut_at === null)
-    },
-    enabled,
-  })
+export const useCues = (projectId: string, enabled = true) => useQuery({ ...keptCuesQuery(projectId), enabled })
 
 /** What kinds of file some category of the spec takes: only what none takes is stopped in the browser. */
 export const acceptedFilesQuery = (projectId: string) =>

@@ -1,9 +1,10 @@
 import { NativeSelect, TextInput } from '@mantine/core'
+import { keptCuesQuery } from '@/api/soundList'
 import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { useDraft } from '@/app/drafts'
-import { type ContractMoney, plannableQuery, useLogHours, type WorkedDay } from '@/money/api'
+import { type ContractMoney, useLogHours, type WorkedDay } from '@/money/api'
 import { hours, minutesOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
@@ -26,7 +27,7 @@ const NO_CUE = { value: '', label: 'No cue' }
 export function HoursForm({ contract, projectId, corrected, onDone }: HoursFormProps) {
   const key = `hours:${corrected?.id ?? contract.contract_id}`
   const log = useLogHours(contract.contract_id, corrected?.id)
-  const { data: cues = [] } = useQuery(plannableQuery(projectId))
+  const { data: cues = [] } = useQuery(keptCuesQuery(projectId))
   const [typed, setTyped, draft] = useDraft(key, {
     on: corrected?.worked_on ?? today(),
     cue: corrected?.cue?.id ?? '',

@@ -3,6 +3,7 @@ import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { useMemo } from 'react'
 
 import { contractQuery } from '@/api/project'
+import { keptCuesQuery } from '@/api/soundList'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
@@ -14,7 +15,6 @@ import {
   type ListedCue,
   type Plan,
   type PlanChecked,
-  plannableQuery,
   useSavePlan,
 } from '@/money/api'
 import { conceptWords, money } from '@/money/words'
@@ -47,7 +47,7 @@ export function PlanPage() {
   const { projectId, contractId } = useParams({ from: '/shell/projects/$projectId/contracts/$contractId/plan' })
   const { data: contract, error } = useQuery(contractQuery(contractId))
   const { data: plan, error: noPlan } = useQuery({ ...planQuery(contractId), staleTime: Infinity })
-  const { data: cues, error: noCues } = useQuery(plannableQuery(projectId))
+  const { data: cues, error: noCues } = useQuery(keptCuesQuery(projectId))
   useTitle(contract ? `Plan: ${contract.title}` : 'Plan')
   const problem = error ?? noPlan ?? noCues
   if (contract && !contract.may.change) return <Fixed contract={contract} projectId={projectId} />

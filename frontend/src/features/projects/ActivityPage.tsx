@@ -1,11 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 
+import { overviewQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { Refusal } from '@/ui/Refusal'
 import { PageSkeleton } from '@/ui/Skeleton'
 
-import { overviewQuery } from './api'
 import { RecentActivityCard } from './RecentActivityCard'
 
 /** The last events of a project, the newest first. */

@@ -1,12 +1,13 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
+import { ciQuery } from '@/api/project'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 
-import { type BuildBrief, ciQuery, type Project } from './api'
+import { type BuildBrief, type Project } from './api'
 import { BuildLine, BuildReasons } from './BuildLines'
 import classes from './Builds.module.css'
 import { CopyLines } from './CiLines'

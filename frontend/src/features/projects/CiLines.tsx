@@ -1,11 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 
+import { ciQuery } from '@/api/project'
 import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 
-import { ciQuery } from './api'
 import classes from './Builds.module.css'
 
 export function CopyLines({ lines, label }: { lines: readonly string[]; label: string }) {

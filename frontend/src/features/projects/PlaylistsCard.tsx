@@ -1,12 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
+import { playlistsQuery } from '@/api/project'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-
-import { playlistsQuery } from './api'
 
 /** The playlists in which a designer's sounds are; nothing where the team made none with them. */
 export function PlaylistsCard({ projectId }: { projectId: string }) {

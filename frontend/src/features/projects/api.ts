@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useInfiniteQuery, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { del, everyPage, get, patch, post, put, queryById, useMutation } from '@/api'
+import { del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import type { Severity } from '@/ui/severity'
@@ -46,23 +46,6 @@ export const useProjects = (archived: boolean) =>
     getNextPageParam: ({ next }) => next ?? undefined,
   })
 
-/** The playlists of a project that the current person hears. */
-export const playlistsQuery = queryById('/v1/projects/{project_id}/playlists', queryKeys.playlists)
-
-export const overviewQuery = queryById('/v1/projects/{project_id}/overview', queryKeys.overview)
-
-/** The cues of the list, for the columns next to their names: category and file names. */
-export const cuesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'of the project'),
-    queryFn: async () => {
-      const pages = await everyPage((cursor) =>
-        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
-      )
-      return pages.flatMap(({ cues }) => cues)
-    },
-  })
-
 /** What the server checks: it stays the same as long as the page is open. */
 export const checksQuery = queryOptions({
   queryKey: queryKeys.checks(),
@@ -88,8 +71,6 @@ export function useChangeProject(projectId: string) {
 }
 
 // Spec
-
-export const specQuery = queryById('/v1/projects/{project_id}/spec', queryKeys.spec)
 
 export const specVersionQuery = (projectId: string, version: number) =>
   queryOptions({
@@ -163,8 +144,6 @@ export const useBuildReport = (buildId: string) =>
     },
     staleTime: Infinity,
   })
-
-export const ciQuery = queryById('/v1/projects/{project_id}/ci', queryKeys.ci)
 
 export const useTokens = (projectId: string, enabled: boolean) =>
   useQuery({

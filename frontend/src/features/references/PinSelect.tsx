@@ -1,8 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
+import { keptCuesQuery } from '@/api/soundList'
 
 import { Select } from '@/ui/Select'
 
-import { cuesQuery } from './api'
 import type { Pin } from './pins'
 
 interface PinSelectProps {
@@ -13,7 +13,7 @@ interface PinSelectProps {
 
 /** What a reference is for: the whole project, a category of the list, or one cue. */
 export function PinSelect({ projectId, pin, onPin }: PinSelectProps) {
-  const { data: cues } = useQuery(cuesQuery(projectId))
+  const { data: cues } = useQuery(keptCuesQuery(projectId))
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].toSorted()
   return (
     <Select label="Pin to" value={pin} onChange={(event) => onPin(event.currentTarget.value)}>

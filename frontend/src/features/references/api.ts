@@ -1,6 +1,6 @@
 import { queryOptions, useInfiniteQuery } from '@tanstack/react-query'
 
-import { del, everyPage, get, patch, post, useMutation } from '@/api'
+import { del, get, patch, post, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -8,21 +8,6 @@ type Schemas = components['schemas']
 export type Opening = Schemas['ReferenceOpeningRead']
 export type ReferenceAdd = Partial<Schemas['ReferenceAdd']>
 export type ReferenceChange = Partial<Schemas['ReferenceChange']>
-
-/** The cues that a reference can be pinned to. */
-export const cuesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'to pin to'),
-    queryFn: async () => {
-      const pages = await everyPage((cursor) =>
-        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
-      )
-      return pages
-        .flatMap(({ cues }) => cues)
-        .filter(({ state }) => state !== 'cut')
-        .map(({ id, label, name, category }) => ({ id, label, name, category }))
-    },
-  })
 
 export const versionsQuery = (projectId: string, referenceId: string) =>
   queryOptions({

@@ -3,6 +3,7 @@ import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-
 import { answered, api, post, queryById, useMutation } from '@/api'
 import { answerOr, isWaitingId, laterWrites, waitingId } from '@/api/laterWrites'
 import { type Me, meQuery } from '@/api/me'
+import { overviewQuery } from '@/api/project'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { type CarriedNote, type CueReview, refresh } from '@/judging/api'
@@ -20,14 +21,7 @@ export const judgedQuery = queryById('/v1/projects/{project_id}/judged-lately', 
 
 /** The sounds that new ones are compared with. */
 export const paletteQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.palette(projectId),
-    queryFn: async (): Promise<PaletteSound[]> => {
-      const params = { params: { path: { project_id: projectId } } }
-      return (await answered(api.GET('/v1/projects/{project_id}/overview', params))).palette
-    },
-    staleTime: 60_000,
-  })
+  queryOptions({ ...overviewQuery(projectId), select: ({ palette }) => palette, staleTime: 60_000 })
 
 export interface CommentSaid {
   takeId: string

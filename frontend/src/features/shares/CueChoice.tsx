@@ -1,10 +1,10 @@
 import { TextInput } from '@mantine/core'
+import { keptCuesQuery } from '@/api/soundList'
 import { useQuery } from '@tanstack/react-query'
 
 import { plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
-import { cuesQuery } from './api'
 import { chosenCues, type CueFilter } from './choice'
 import classes from './Shares.module.css'
 
@@ -18,7 +18,7 @@ interface CueChoiceProps {
 
 /** A filter of the list: words of the name, a category, one cue. It says what it gives now. */
 export function CueChoice({ projectId, filter, onFilter, problem }: CueChoiceProps) {
-  const { data: cues } = useQuery(cuesQuery(projectId))
+  const { data: cues } = useQuery(keptCuesQuery(projectId))
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].sort()
   const found = chosenCues(cues ?? [], filter)
   const only = cues?.find(({ id }) => id === filter.cueId)

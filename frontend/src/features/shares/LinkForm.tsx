@@ -3,6 +3,8 @@ import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { playlistsQuery } from '@/api/project'
+import { keptCuesQuery } from '@/api/soundList'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { sentence } from '@/ui/sentence'
 import { Button } from '@/ui/Button'
@@ -11,7 +13,7 @@ import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
-import { cuesQuery, type GuestLinkAdd, playlistsQuery, useAddLink } from './api'
+import { type GuestLinkAdd, useAddLink } from './api'
 import { chosenCues, type CueFilter, NO_FILTER } from './choice'
 import { CopyAddress } from './CopyAddress'
 import { CueChoice } from './CueChoice'
@@ -57,7 +59,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
     hasBeeps: false,
   }))
   const [password, setPassword] = useState('')
-  const { data: cues } = useQuery(cuesQuery(projectId))
+  const { data: cues } = useQuery(keptCuesQuery(projectId))
   const { data: playlists } = useQuery(playlistsQuery(projectId))
   const add = useAddLink(projectId)
   const refusal = add.error instanceof ApiProblem ? add.error : null

@@ -4,6 +4,8 @@ import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { type FormEvent, type ReactNode, useState } from 'react'
 
 import { useMyProject } from '@/api/me'
+import { playlistsQuery } from '@/api/project'
+import { keptCuesQuery } from '@/api/soundList'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
@@ -12,7 +14,7 @@ import { Refusal } from '@/ui/Refusal'
 import { ago, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
-import { cuesQuery, linksQuery, playlistsQuery, useAddPlaylist } from './api'
+import { linksQuery, useAddPlaylist } from './api'
 import { chosenCues, NO_FILTER } from './choice'
 import { CueChoice } from './CueChoice'
 import { LinkForm } from './LinkForm'
@@ -114,7 +116,7 @@ function Playlists({ projectId }: { projectId: string }) {
 
 function NewPlaylist({ projectId }: { projectId: string }) {
   const [typed, setTyped, draft] = useDraft(`playlist:${projectId}`, { name: '', filter: NO_FILTER })
-  const { data: cues } = useQuery(cuesQuery(projectId))
+  const { data: cues } = useQuery(keptCuesQuery(projectId))
   const add = useAddPlaylist(projectId)
   const navigate = useNavigate()
   const send = (event: FormEvent) => {

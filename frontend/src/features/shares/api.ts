@@ -1,6 +1,6 @@
-import { infiniteQueryOptions, queryOptions, useQueryClient } from '@tanstack/react-query'
+import { infiniteQueryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { del, everyPage, get, patch, post, put, queryById, useMutation } from '@/api'
+import { del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -13,21 +13,6 @@ export type GuestSound = Schemas['GuestSoundRead']
 export type Playlist = Schemas['PlaylistRead']
 export type PlaylistTake = Schemas['PlaylistTake']
 export type Live = Schemas['LiveRead']
-
-/** The cues that can be shared or put in a playlist. */
-export const cuesQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'to choose from', 'to share'),
-    queryFn: async () => {
-      const pages = await everyPage((cursor) =>
-        get('/v1/projects/{project_id}/sound-list', { project_id: projectId, cursor, limit: 500 }),
-      )
-      return pages
-        .flatMap(({ cues }) => cues)
-        .filter(({ state }) => state !== 'cut')
-        .map(({ id, label, name, category }) => ({ id, label, name, category }))
-    },
-  })
 
 export const linksQuery = (projectId: string) =>
   infiniteQueryOptions({
@@ -71,8 +56,6 @@ export const useRevokeLink = (projectId: string, linkId: string) =>
 /** The address of a link that the current person made. */
 export const readAddress = async (linkId: string): Promise<string> =>
   (await get('/v1/guest-links/{guest_link_id}/address', { guest_link_id: linkId })).url
-
-export const playlistsQuery = queryById('/v1/projects/{project_id}/playlists', queryKeys.playlists)
 
 export const useAddPlaylist = (projectId: string) =>
   useMutation({

@@ -4,6 +4,7 @@ import { answered, api, ApiProblem, everyPage, get, patch, post, queryById, useM
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { useMyProject } from '@/api/me'
 import type { components } from '@/api/schema.gen'
+import { CUES_A_PAGE, readAll } from '@/api/soundList'
 import { useMade } from '@/api/useMade'
 
 type Schemas = components['schemas']
@@ -22,39 +23,6 @@ export type Comparison = Schemas['ListComparison']
 export type Difference = Schemas['CueDifference']
 export type FieldChange = Schemas['FieldChange']
 
-/** Cues a page after the first one, which comes with the server's own, shorter length. */
-const AT_ONCE = 500
-
-const pageOf = (projectId: string, cursor: string | undefined) => ({
-  params: { path: { project_id: projectId }, query: cursor === undefined ? {} : { cursor, limit: AT_ONCE } },
-})
-
-/** Read every page; while nothing was here before, what has come is shown already. */
-async function readAll<P extends { next: string | null }, T>(
-  client: QueryClient,
-  queryKey: readonly unknown[],
-  read: (cursor: string | undefined) => Promise<P>,
-  joined: (pages: readonly P[]) => T,
-): Promise<T> {
-  const isNew = client.getQueryData(queryKey) === undefined
-  const pages = await everyPage(read, (sofar) => {
-    if (isNew) client.setQueryData(queryKey, joined(sofar))
-  })
-  return joined(pages)
-}
-
-export const listQuery = (projectId: string) =>
-  queryOptions({
-    queryKey: queryKeys.soundList(projectId, 'list'),
-    queryFn: ({ client, queryKey }) =>
-      readAll(
-        client,
-        queryKey,
-        (cursor) => answered(api.GET('/v1/projects/{project_id}/sound-list', pageOf(projectId, cursor))),
-        (pages) => ({ revision: pages[0]?.revision ?? 0, cues: pages.flatMap(({ cues }) => cues) }),
-      ),
-  })
-
 const SOON_MS = 3000
 
 /** Where every cue stands; asked again soon while something is being checked, the longer the list the later. */
@@ -65,11 +33,11 @@ export const progressQuery = (projectId: string) =>
       readAll(
         client,
         queryKey,
-        (cursor) => answered(api.GET('/v1/projects/{project_id}/sound-list/progress', pageOf(projectId, cursor))),
+        (page) => get('/v1/projects/{project_id}/sound-list/progress', { project_id: projectId, ...page }),
         (pages) => pages.flatMap(({ cues }) => cues),
       ),
     refetchInterval: ({ state: { data } }) =>
-      data?.some(({ status }) => status === 'checking') ? SOON_MS * Math.ceil(data.length / AT_ONCE) : false,
+      data?.some(({ status }) => status === 'checking') ? SOON_MS * Math.ceil(data.length / CUES_A_PAGE) : false,
   })
 
 /** How many cues stand where, in the whole list. */

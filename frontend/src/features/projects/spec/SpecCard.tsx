@@ -1,4 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
+import { specQuery } from '@/api/project'
+import { cuesQuery } from '@/api/soundList'
 import { Link } from '@tanstack/react-router'
 
 import { ButtonLink } from '@/ui/Button'
@@ -9,7 +11,7 @@ import { countOf, figure, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Table } from '@/ui/Table'
 
-import { packsQuery, cuesQuery, type Pack, type Project, type Spec, specQuery } from '../api'
+import { packsQuery, type Pack, type Project, type Spec } from '../api'
 import { listed, speaks } from '../words'
 import { useChecks } from './checks'
 import { targetLines, acceptLines, differences, kindOf, type Line, limitLines } from './say'

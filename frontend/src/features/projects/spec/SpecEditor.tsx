@@ -1,4 +1,5 @@
 import { useQuery } from '@tanstack/react-query'
+import { cuesQuery } from '@/api/soundList'
 import { Link, useNavigate, useSearch } from '@tanstack/react-router'
 
 import { useHotkeys } from '@/app/keys'
@@ -8,7 +9,7 @@ import { shortDay } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { Segmented } from '@/ui/Segmented'
 
-import { cuesQuery, type Project, type Spec } from '../api'
+import { type Project, type Spec } from '../api'
 import { Writing } from './fields'
 import { MovedOn } from './MovedOn'
 import { SaveCard } from './SaveCard'

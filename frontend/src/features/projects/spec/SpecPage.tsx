@@ -1,13 +1,13 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { projectQuery } from '@/api/project'
+import { projectQuery, specQuery } from '@/api/project'
 import { RefusedNamesNote } from '@/app/RefusedNames'
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 
-import { checksQuery, specQuery } from '../api'
+import { checksQuery } from '../api'
 import { speaks } from '../words'
 import { SpecEditor } from './SpecEditor'
 

@@ -3,6 +3,7 @@ import { useNavigate } from '@tanstack/react-router'
 import { useEffect, useRef, useState } from 'react'
 
 import { ApiProblem } from '@/api'
+import { keptCuesQuery } from '@/api/soundList'
 import { DraftNote, keepDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
@@ -15,7 +16,6 @@ import { plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 
-import { cuesQuery } from '../api'
 import { guessQuery, useAddSpottedCues, useUndoSpottedCues } from './api'
 import { ClipControls } from './ClipControls'
 import { FRAME_RATES, nameOf, neighbour, USUAL_RATE, withChange, withoutMark, withShift } from './marks'
@@ -91,7 +91,7 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
     { keys: 'Escape', label: 'Select no mark', group: GROUP, run: () => setSelected(null), disabled: none },
     { keys: 'mod+Enter', label: 'Make the cues', group: GROUP, run: () => void making.send() },
   ])
-  const { data: cues } = useQuery(cuesQuery(projectId))
+  const { data: cues } = useQuery(keptCuesQuery(projectId))
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].toSorted()
   return (
     <>

@@ -1,4 +1,5 @@
 import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
+import { listQuery } from '@/api/soundList'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
@@ -12,7 +13,7 @@ import { clock, day, plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
 import { ShowMore } from '@/ui/ShowMore'
 
-import { compareQuery, type Difference, listQuery, problemIn, type Revision, revisionsQuery } from '../api'
+import { compareQuery, type Difference, problemIn, type Revision, revisionsQuery } from '../api'
 import { Changes } from '../Changes'
 import classes from './Compare.module.css'
 

@@ -1,4 +1,5 @@
 import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
+import { listQuery } from '@/api/soundList'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { type ReactNode, useCallback, useEffect, useMemo, useState } from 'react'
 
@@ -19,7 +20,6 @@ import {
   cueChangesQuery,
   type CueDetail,
   cueQuery,
-  listQuery,
   problemIn,
   progressQuery,
   type Version,

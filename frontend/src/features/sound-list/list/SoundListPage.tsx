@@ -1,4 +1,5 @@
 import { useQuery } from '@tanstack/react-query'
+import { listQuery } from '@/api/soundList'
 import { useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { type ReactNode, useCallback, useDeferredValue, useMemo, useRef, useState } from 'react'
 
@@ -12,7 +13,6 @@ import { ErrorBanner } from '@/ui/ErrorBanner'
 import {
   countsQuery,
   type Cue,
-  listQuery,
   openQuestionsQuery,
   problemIn,
   progressQuery,
