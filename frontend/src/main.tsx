@@ -10,12 +10,12 @@ import { createRoot } from 'react-dom/client'
 import { queryClient } from './api/queryClient'
 import { App } from './app/App'
 import { router } from './app/router'
-import { startEarly } from './app/startEarly'
+import { prefetchPage } from './app/prefetchPage'
 
 const place = document.getElementById('root')
 if (place === null) throw new Error('index.html has no #root')
 
-startEarly(router, queryClient, router.options.context.session)
+prefetchPage(router, queryClient, router.options.context.session)
 createRoot(place).render(
   <StrictMode>
     <App />

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { refusal } from '@/test/server'
 
-import { answered, api, ApiProblem, connection, newIdempotencyKey, onSessionEnd, problemOf } from './index'
+import { unwrap, api, ApiProblem, connection, newIdempotencyKey, onSessionEnd, problemOf } from './index'
 import { worthAskingAgain } from './queryClient'
 
 /** Any path will do here: which paths there are is the schema's business. */
@@ -57,7 +57,7 @@ describe('requests', () => {
 
 describe('answers', () => {
   test('data comes through', async () => {
-    await expect(answered(anyApi.GET('/v1/me'))).resolves.toEqual({ ok: true })
+    await expect(unwrap(anyApi.GET('/v1/me'))).resolves.toEqual({ ok: true })
   })
 
   test('a refusal is thrown with its code, its fix and what stands against each field', async () => {
@@ -74,7 +74,7 @@ describe('answers', () => {
         }),
         { status: 422, headers: { 'content-type': 'application/problem+json' } },
       )
-    const refusal = await answered(anyApi.POST('/v1/projects', { body: {} })).catch((error: unknown) => error)
+    const refusal = await unwrap(anyApi.POST('/v1/projects', { body: {} })).catch((error: unknown) => error)
     expect(refusal).toBeInstanceOf(ApiProblem)
     const problem = refusal as ApiProblem
     expect([problem.status, problem.code, problem.message, problem.fix]).toEqual([
@@ -90,7 +90,7 @@ describe('answers', () => {
 
   test('a write that nobody answers is refused at once', async () => {
     vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')))
-    await expect(answered(anyApi.POST('/v1/sign-out'))).rejects.toMatchObject({ status: 0, code: 'line-lost' })
+    await expect(unwrap(anyApi.POST('/v1/sign-out'))).rejects.toMatchObject({ status: 0, code: 'line-lost' })
     vi.stubGlobal('fetch', () => Promise.resolve(new Response('{}')))
     await vi.waitFor(() => expect(connection.isAway()).toBe(false), 5_000)
   })
@@ -102,7 +102,7 @@ describe('answers', () => {
         ? Promise.resolve(Response.json({ name: 'Ada' }))
         : Promise.resolve(new Response('Bad Gateway', { status: 502 })),
     )
-    const read = answered(anyApi.GET('/v1/me'))
+    const read = unwrap(anyApi.GET('/v1/me'))
     await vi.waitFor(() => expect(connection.isAway()).toBe(true))
     isThere = true
     expect(await read).toEqual({ name: 'Ada' })
@@ -112,7 +112,7 @@ describe('answers', () => {
   test('a server that is too busy is there', async () => {
     const { body } = refusal(503, 'overloaded', 'busy')
     vi.stubGlobal('fetch', () => Promise.resolve(Response.json(body, { status: 503 })))
-    await expect(answered(anyApi.GET('/v1/me'))).rejects.toMatchObject({ code: 'overloaded' })
+    await expect(unwrap(anyApi.GET('/v1/me'))).rejects.toMatchObject({ code: 'overloaded' })
     expect(connection.isAway()).toBe(false)
   })
 
@@ -132,8 +132,8 @@ describe('answers', () => {
     })
     const forget = onSessionEnd(ask)
     const answers = await Promise.all([
-      answered(anyApi.POST('/v1/projects', { body: { name: 'Typed' } })),
-      answered(anyApi.GET('/v1/me')),
+      unwrap(anyApi.POST('/v1/projects', { body: { name: 'Typed' } })),
+      unwrap(anyApi.GET('/v1/me')),
     ])
     forget()
     expect(answers).toEqual([{ kept: true }, { kept: true }])
@@ -146,14 +146,14 @@ describe('answers', () => {
     vi.stubGlobal('fetch', () => Promise.resolve(Response.json(body, { status: 401 })))
     const ask = vi.fn(() => Promise.resolve(true))
     const forget = onSessionEnd(ask)
-    await expect(answered(anyApi.POST('/v1/sign-in'))).rejects.toMatchObject({ code: 'wrong-sign-in' })
+    await expect(unwrap(anyApi.POST('/v1/sign-in'))).rejects.toMatchObject({ code: 'wrong-sign-in' })
     expect(ask).not.toHaveBeenCalled()
     forget()
   })
 
   test('a question that was taken back is not a problem of the line', async () => {
     vi.stubGlobal('fetch', () => Promise.reject(new DOMException('aborted', 'AbortError')))
-    await expect(answered(anyApi.GET('/v1/me'))).rejects.toMatchObject({ name: 'AbortError' })
+    await expect(unwrap(anyApi.GET('/v1/me'))).rejects.toMatchObject({ name: 'AbortError' })
   })
 
   test.each([

@@ -1,8 +1,8 @@
 import createClient, { type Middleware } from 'openapi-fetch'
 
 import { serverReturns } from './connection'
-import { earlyAnswer } from './early'
-import { ApiProblem, lineLost, problemOf } from './problem'
+import { prefetchedAnswer } from './early'
+import { ApiProblem, networkError, problemOf } from './problem'
 import type { paths } from './schema.gen'
 import { whileSending } from './sending'
 import { signedInAgain, type SignInReason, signInsSoFar } from './signIn'
@@ -34,12 +34,12 @@ const ourHeaders: Middleware = {
 }
 
 /** Whether no server was reached: a proxy answers with a status of its own. */
-const isAway = ({ status }: Response) => status === 502 || status === 503 || status === 504
+const isUnreachable = ({ status }: Response) => status === 502 || status === 503 || status === 504
 
 async function fetchOnce(request: Request): Promise<Response | null> {
   try {
-    const response = await (earlyAnswer(request) ?? globalThis.fetch(request))
-    return isAway(response) && !(await isBusy(response)) ? null : response
+    const response = await (prefetchedAnswer(request) ?? globalThis.fetch(request))
+    return isUnreachable(response) && !(await isBusy(response)) ? null : response
   } catch (error) {
     if (error instanceof DOMException && error.name === 'AbortError') throw error
     return null
@@ -81,7 +81,7 @@ async function deliver(request: Request): Promise<Response> {
     const reason = response && (await reasonToSignIn(response))
     if (response === null) {
       const back = serverReturns()
-      if (!SAFE.has(request.method)) throw lineLost()
+      if (!SAFE.has(request.method)) throw networkError()
       await back
     } else if (reason !== null && (await signedInAgain(sentAfter, reason))) {
       const token = csrfToken()
@@ -101,13 +101,13 @@ api.use(ourHeaders)
 type Answer<T> = { data?: T; error?: unknown; response: Response }
 
 /** The data of an answer; a refusal is thrown as an ApiProblem, so that queries and mutations see it as their error. */
-export async function answered<T>(asking: Promise<Answer<T>>): Promise<T> {
+export async function unwrap<T>(asking: Promise<Answer<T>>): Promise<T> {
   let answer: Answer<T>
   try {
     answer = await asking
   } catch (error) {
     if (error instanceof ApiProblem || (error instanceof DOMException && error.name === 'AbortError')) throw error
-    throw lineLost()
+    throw networkError()
   }
   if (!answer.response.ok) throw problemOf(answer.response.status, answer.error)
   return answer.data as T

@@ -7,7 +7,7 @@ interface Early {
 }
 
 /** The answer to what was asked for while the page's script was on its way (scripts/early.ts); it is taken once. */
-export function earlyAnswer({ method, url }: Request): Promise<Response> | undefined {
+export function prefetchedAnswer({ method, url }: Request): Promise<Response> | undefined {
   const { soundlistEarly: early } = globalThis as { soundlistEarly?: Early }
   if (early === undefined || method !== 'GET' || performance.now() - early.atMs > FRESH_MS) return undefined
   const answer = early.answers.get(url)

@@ -1,6 +1,6 @@
 import { queryOptions, type QueryKey, type UseQueryOptions } from '@tanstack/react-query'
 
-import { answered, api } from './client'
+import { unwrap, api } from './client'
 import type { paths } from './schema.gen'
 
 type Method = 'get' | 'post' | 'put' | 'patch' | 'delete'
@@ -33,7 +33,7 @@ const endpoint =
     const inPath: Record<string, unknown> = {}
     const query: Record<string, unknown> = {}
     for (const [name, value] of Object.entries(params)) (path.includes(`{${name}}`) ? inPath : query)[name] = value
-    return answered(api.request(method, path as never, { params: { path: inPath, query }, body } as never))
+    return unwrap(api.request(method, path as never, { params: { path: inPath, query }, body } as never))
   }
 
 /** Ask an endpoint by its path in the API's schema, `get('/v1/takes/{take_id}', { take_id: id })`; a refusal is thrown. */

@@ -75,7 +75,7 @@ export function problemOf(status: number, body: unknown): ApiProblem {
 }
 
 /** The line dropped, or the server does not run: nothing was answered. */
-export const lineLost = (): ApiProblem =>
+export const networkError = (): ApiProblem =>
   new ApiProblem(0, {
     code: 'line-lost',
     detail: 'Can’t reach Soundlist.',

@@ -2,7 +2,7 @@ import { type ComponentType, useCallback } from 'react'
 
 import { useLazy } from '@/ui/useLazy'
 
-import { useFirstInteraction } from './firstSign'
+import { useFirstInteraction } from './firstInteraction'
 import { KeyScope } from './keys'
 
 export interface OpenedProps {

@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { queryKeys } from '@/api/queryKeys'
 
-import { concerns, followChanges, Refresher } from './liveChanges'
+import { isAffected, followChanges, Refresher } from './liveChanges'
 
 const [HERE, THERE] = ['p1', 'p2']
 const projects = new Set([HERE, THERE])
@@ -11,17 +11,17 @@ const projects = new Set([HERE, THERE])
 describe('what a change concerns', () => {
   test('is what a page shows of its project', () => {
     const hint = { project_id: HERE, rooms: ['deliveries'] }
-    expect(concerns(queryKeys.desk(HERE), hint, projects)).toBe(true)
-    expect(concerns(queryKeys.take('t1'), hint, projects)).toBe(true)
-    expect(concerns(queryKeys.desk(THERE), hint, projects)).toBe(false)
-    expect(concerns(queryKeys.contractLibrary('single'), hint, projects)).toBe(false)
+    expect(isAffected(queryKeys.desk(HERE), hint, projects)).toBe(true)
+    expect(isAffected(queryKeys.take('t1'), hint, projects)).toBe(true)
+    expect(isAffected(queryKeys.desk(THERE), hint, projects)).toBe(false)
+    expect(isAffected(queryKeys.contractLibrary('single'), hint, projects)).toBe(false)
   })
 
   test('of mails or people is little', () => {
-    expect(concerns(queryKeys.desk(HERE), { project_id: null, rooms: ['notifications'] }, projects)).toBe(false)
-    expect(concerns(queryKeys.outbox('s1'), { project_id: null, rooms: ['notifications'] }, projects)).toBe(true)
-    expect(concerns(queryKeys.me(), { project_id: null, rooms: ['accounts'] }, projects)).toBe(true)
-    expect(concerns(queryKeys.desk(HERE), { project_id: null, rooms: ['accounts'] }, projects)).toBe(false)
+    expect(isAffected(queryKeys.desk(HERE), { project_id: null, rooms: ['notifications'] }, projects)).toBe(false)
+    expect(isAffected(queryKeys.outbox('s1'), { project_id: null, rooms: ['notifications'] }, projects)).toBe(true)
+    expect(isAffected(queryKeys.me(), { project_id: null, rooms: ['accounts'] }, projects)).toBe(true)
+    expect(isAffected(queryKeys.desk(HERE), { project_id: null, rooms: ['accounts'] }, projects)).toBe(false)
   })
 })
 

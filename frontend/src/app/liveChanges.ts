@@ -4,12 +4,12 @@ import { checkServer, connection } from '@/api'
 import { AFFECTED_BY, FIXED } from '@/api/queryKeys'
 
 /** What the server says of a change: where, and in which of its parts; never what. */
-export interface Hint {
+export interface ChangeEvent {
   project_id: string | null
   rooms: readonly string[]
 }
 
-type Message = { kind: 'change'; hint: Hint } | { kind: 'all' } | { kind: 'beat' }
+type Message = { kind: 'change'; hint: ChangeEvent } | { kind: 'all' } | { kind: 'beat' }
 
 const SILENT_MS = 40_000 // the server sends something every 15 s
 const LOOK_MS = 5_000
@@ -21,7 +21,11 @@ const GAP_MS = [1_000, 2_000, 4_000]
 const CALM_MS = 5_000
 
 /** Whether what a query asks for may have become another by a change. */
-export function concerns(queryKey: readonly unknown[], { project_id, rooms }: Hint, projectIds: ReadonlySet<string>) {
+export function isAffected(
+  queryKey: readonly unknown[],
+  { project_id, rooms }: ChangeEvent,
+  projectIds: ReadonlySet<string>,
+) {
   const family = String(queryKey[0])
   if (FIXED.has(family)) return false
   const isOfAnother = queryKey.some((part) => typeof part === 'string' && part !== project_id && projectIds.has(part))
@@ -31,7 +35,7 @@ export function concerns(queryKey: readonly unknown[], { project_id, rooms }: Hi
 
 /** Asks again for what is on the screen when something changed, at once after a calm and less often in a burst. */
 export class Refresher {
-  #hints: Hint[] = []
+  #hints: ChangeEvent[] = []
   #all = false
   #timer: ReturnType<typeof setTimeout> | undefined
   #lastMs = -Infinity
@@ -44,7 +48,7 @@ export class Refresher {
     this.#projectIds = projectIds
   }
 
-  add(hint: Hint | 'all'): void {
+  add(hint: ChangeEvent | 'all'): void {
     if (hint === 'all') this.#all = true
     else this.#hints.push(hint)
     if (this.#timer !== undefined) return
@@ -67,7 +71,7 @@ export class Refresher {
     this.#lastMs = performance.now()
     this.#round += 1
     const predicate = ({ queryKey }: Query) =>
-      all ? !FIXED.has(String(queryKey[0])) : hints.some((hint) => concerns(queryKey, hint, projectIds))
+      all ? !FIXED.has(String(queryKey[0])) : hints.some((hint) => isAffected(queryKey, hint, projectIds))
     // Queries without a mounted page are fetched when one mounts.
     const refetchType = document.visibilityState === 'hidden' ? 'none' : 'active'
     void this.#client.invalidateQueries({ predicate, refetchType }, { cancelRefetch: false })
@@ -97,7 +101,7 @@ function listen(send: (message: Message) => void): () => void {
       wasOpen = true
       send({ kind: 'beat' })
     })
-    on('change', (hint) => send({ kind: 'change', hint: hint as Hint }))
+    on('change', (hint) => send({ kind: 'change', hint: hint as ChangeEvent }))
     on('beat', () => send({ kind: 'beat' }))
     opened.addEventListener('error', () => {
       void checkServer()

@@ -35,7 +35,7 @@ import { ErrorPage } from './ErrorPage'
 import { NotFoundPage } from './NotFoundPage'
 import { guestRoute, notFoundRoute, rootRoute, shellRoute } from './roots'
 import type { Session } from './session'
-import type { Code } from './startEarly'
+import type { Code } from './prefetchPage'
 
 const pages = [
   guestRoute.addChildren([
@@ -99,8 +99,8 @@ declare module '@tanstack/react-router' {
     /** Moving between two addresses of this route leaves the focus where it is, as when stepping through a queue. */
     keepsFocus?: boolean
     /** Asks for what the page shows first, as soon as the address is known. What is refused is asked for again by the page. */
-    early?: (client: QueryClient, params: Record<string, string>, session: Session) => void
+    prefetch?: (client: QueryClient, params: Record<string, string>, session: Session) => void
     /** The page that this one opens at once. */
-    leadsTo?: Code
+    preloads?: Code
   }
 }

@@ -43,7 +43,7 @@ export function TakeCard({ letter, keys, peaks, inHand, setAside, blind, facts =
         {blind ? (
           <span className={classes.hidden} />
         ) : (
-          <WaveThumb peaks={peaks} lit={inHand} faded={setAside} heightPx={30} />
+          <WaveThumb peaks={peaks} highlighted={inHand} faded={setAside} heightPx={30} />
         )}
         <span className={`flex between gap-2 ${classes.facts}`}>
           {setAside ? (

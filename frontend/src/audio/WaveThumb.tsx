@@ -9,21 +9,21 @@ interface WaveThumbProps {
   /** null: nothing was delivered yet. */
   peaks: Peaks | null
   /** Selected. */
-  lit?: boolean
+  highlighted?: boolean
   /** Set aside: drawn at 55 %. */
   faded?: boolean
   heightPx?: number
 }
 
 /** A sound's shape in a row. Full scale is the full height, so that quiet looks quiet. */
-export function WaveThumb({ peaks, lit = false, faded = false, heightPx = 20 }: WaveThumbProps) {
+export function WaveThumb({ peaks, highlighted = false, faded = false, heightPx = 20 }: WaveThumbProps) {
   const draw = useCallback(
     (surface: Surface) => {
       if (peaks === null) return
       drawAxis(surface)
-      drawWave(surface, peaks, { lit })
+      drawWave(surface, peaks, { highlighted })
     },
-    [peaks, lit],
+    [peaks, highlighted],
   )
   if (peaks === null) return <span className={classes.nothing} aria-hidden="true" />
   return (

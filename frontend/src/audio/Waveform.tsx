@@ -54,7 +54,7 @@ export interface WaveformProps {
   /** What a fix takes away. */
   cuts?: readonly TimeRange[]
   /** All of it is highlighted, not only the played part. */
-  lit?: boolean
+  highlighted?: boolean
   /** Height of the wave; without it, it fills its place. */
   heightPx?: number
   /** Without grid, ruler and figures, as in a card. */
@@ -141,27 +141,27 @@ function spanStyle({ startS, endS }: TimeRange, durationS: number): CSSPropertie
   return { left: `${(startS / durationS) * 100}%`, width: `${((endS - startS) / durationS) * 100}%` }
 }
 
-function Shape({ peaks, durationS, limitDbfs, cuts, lit = false, stepS }: WaveformProps & { stepS?: number }) {
+function Shape({ peaks, durationS, limitDbfs, cuts, highlighted = false, stepS }: WaveformProps & { stepS?: number }) {
   const drawBase = useCallback(
     (surface: Surface) => {
       if (stepS !== undefined) drawGrid(surface, durationS, stepS, PAD_PX)
       if (cuts) drawCuts(surface, cuts, durationS)
       drawAxis(surface)
-      if (peaks) drawWave(surface, peaks, { lit, limitDbfs, pad: PAD_PX })
+      if (peaks) drawWave(surface, peaks, { highlighted, limitDbfs, pad: PAD_PX })
       if (limitDbfs !== undefined) drawLimit(surface, limitDbfs, PAD_PX)
     },
-    [peaks, durationS, stepS, cuts, limitDbfs, lit],
+    [peaks, durationS, stepS, cuts, limitDbfs, highlighted],
   )
   const drawPlayed = useCallback(
     (surface: Surface) => {
-      if (peaks) drawWave(surface, peaks, { lit: true, limitDbfs, pad: PAD_PX })
+      if (peaks) drawWave(surface, peaks, { highlighted: true, limitDbfs, pad: PAD_PX })
     },
     [peaks, limitDbfs],
   )
   return (
     <>
       <Drawing draw={drawBase} />
-      {!lit && <Drawing draw={drawPlayed} className={classes.played} />}
+      {!highlighted && <Drawing draw={drawPlayed} className={classes.played} />}
     </>
   )
 }

@@ -9,7 +9,7 @@ const one = (min: number, max: number, rms: number) => finePeaks({ points: 1, mi
 
 test('full scale is the height: half an amplitude is half of it, and nothing fills up', () => {
   const { surface, rects } = rememberingSurface(1, 102)
-  drawWave(surface, one(-0.5, 0.5, 0.25), { lit: false, pad: 1 })
+  drawWave(surface, one(-0.5, 0.5, 0.25), { highlighted: false, pad: 1 })
   expect(rects).toEqual([
     { fill: 'wave-peak', x: 0, y: 26, w: 1, h: 50 },
     { fill: 'wave-rms', x: 0, y: 38.5, w: 1, h: 25 },
@@ -18,7 +18,7 @@ test('full scale is the height: half an amplitude is half of it, and nothing fil
 
 test('silence is a line, not nothing', () => {
   const { surface, rects } = rememberingSurface(1, 100)
-  drawWave(surface, one(0, 0, 0), { lit: true })
+  drawWave(surface, one(0, 0, 0), { highlighted: true })
   expect(rects.map(({ fill, h }) => [fill, h])).toEqual([
     ['wave-peak-on', 1],
     ['wave-rms-on', 1],
@@ -28,7 +28,7 @@ test('silence is a line, not nothing', () => {
 test('only what exceeds the limit is coloured as over it', () => {
   const { surface, rects } = rememberingSurface(1, 200)
   // −6.0206 dB is half: a crest at 1 exceeds it by half the reach of 100 px, a trough at −0.4 does not.
-  drawWave(surface, one(-0.4, 1, 0.3), { lit: false, limitDbfs: -6.0206, pad: 0 })
+  drawWave(surface, one(-0.4, 1, 0.3), { highlighted: false, limitDbfs: -6.0206, pad: 0 })
   const over = rects.filter(({ fill }) => fill === 'wave-over')
   expect(over).toHaveLength(1)
   expect(over[0]?.y).toBeCloseTo(0, 2)
@@ -37,7 +37,7 @@ test('only what exceeds the limit is coloured as over it', () => {
 
 test('the core stays inside the peaks of a one-sided sound', () => {
   const { surface, rects } = rememberingSurface(1, 200)
-  drawWave(surface, one(0.2, 0.6, 0.4), { lit: false, pad: 0 })
+  drawWave(surface, one(0.2, 0.6, 0.4), { highlighted: false, pad: 0 })
   const core = rects.find(({ fill }) => fill === 'wave-rms')
   expect(core?.y).toBeCloseTo(60, 5)
   expect((core?.y ?? 0) + (core?.h ?? 0)).toBeCloseTo(80, 5)

@@ -18,7 +18,7 @@ export interface TimeRange {
 
 export interface WaveLook {
   /** Played, or selected. */
-  lit: boolean
+  highlighted: boolean
   /** What exceeds this is coloured as over the limit. */
   limitDbfs?: number
   /** CSS pixels left free above and below full scale. */
@@ -29,7 +29,7 @@ const middleOf = ({ height }: Surface): number => height / 2
 const reachOf = (surface: Surface, pad: number): number => surface.height / 2 - pad * surface.scale
 
 /** The shape itself: peaks with the RMS as a darker core. */
-export function drawWave(surface: Surface, peaks: Peaks, { lit, limitDbfs, pad = 1 }: WaveLook): void {
+export function drawWave(surface: Surface, peaks: Peaks, { highlighted, limitDbfs, pad = 1 }: WaveLook): void {
   const { context, width, colour, scale } = surface
   const columns = columnsOf(peaks, width)
   const middle = middleOf(surface)
@@ -43,12 +43,12 @@ export function drawWave(surface: Surface, peaks: Peaks, { lit, limitDbfs, pad =
   }
   const core = coreOf(columns)
   fill(
-    lit ? 'wave-peak-on' : 'wave-peak',
+    highlighted ? 'wave-peak-on' : 'wave-peak',
     (column) => columns.max[column] ?? 0,
     (column) => columns.min[column] ?? 0,
   )
   fill(
-    lit ? 'wave-rms-on' : 'wave-rms',
+    highlighted ? 'wave-rms-on' : 'wave-rms',
     (column) => core.top[column] ?? 0,
     (column) => core.bottom[column] ?? 0,
   )

@@ -282,7 +282,7 @@ describe('as the game does', () => {
   test('variations follow one another until let go, each from its start when the one before is over', async () => {
     const made = hand.player()
     await made.playRandomized([A, B, C])
-    expect(made.getState()).toMatchObject({ status: 'playing', asGame: true, sourceId: 'a' })
+    expect(made.getState()).toMatchObject({ status: 'playing', isRandomized: true, sourceId: 'a' })
     // 1 s of the first, then 0.5 s of the second: what begins within 1.5 s is handed to the context at once.
     expect(context.started.map(({ atS, fromS }) => [atS, fromS])).toEqual([
       [0, 0],
@@ -293,7 +293,7 @@ describe('as the game does', () => {
     expect(made.getState()).toMatchObject({ sourceId: 'b', durationS: 0.5 })
     expect(made.positionS()).toBeCloseTo(0.2, 9)
     made.pause()
-    expect(made.getState()).toMatchObject({ status: 'paused', asGame: false })
+    expect(made.getState()).toMatchObject({ status: 'paused', isRandomized: false })
     expect(context.started.every(({ stoppedAtS }) => stoppedAtS !== null)).toBe(true)
   })
 
@@ -317,7 +317,7 @@ describe('as the game does', () => {
     made.pause()
     await starting
     expect(context.started).toEqual([])
-    expect(made.getState().asGame).toBe(false)
+    expect(made.getState().isRandomized).toBe(false)
   })
 })
 

@@ -1,4 +1,4 @@
-import { Accompaniment } from './accompaniment'
+import { BackingTracks } from './backingTracks'
 import type { Clock } from './clock'
 import type { TimeRange } from './draw'
 import { Mix } from './mix'
@@ -9,7 +9,7 @@ import { type Company, type PlayerParts, type PlayerState, type Source, StateSto
 import { Previews, type Wanted } from './previews'
 import { heardTimeS, soonS } from './schedule'
 import { SetPlayback } from './setPlayback'
-import { ONE_AFTER_ANOTHER, type SetWay } from './setSchedule'
+import { IN_ORDER, type SetPlaybackMode } from './setSchedule'
 import { FADE_S, Voice } from './voice'
 
 /** Plays one sound at a time from decoded previews, and only when asked to. Switching keeps the position to the sample. */
@@ -24,7 +24,7 @@ export class Player implements Clock {
   #asked = 0
   #set: { sources: readonly Source[]; playback: SetPlayback } | null = null
   readonly #mix = new Mix()
-  readonly #company = new Accompaniment()
+  readonly #backingTracks = new BackingTracks()
   #hushed = false
   readonly #createContext: () => AudioContext
   readonly #random: () => number
@@ -54,7 +54,7 @@ export class Player implements Clock {
    * same moment lies later in it.
    */
   async select(source: Source, laterS = 0): Promise<void> {
-    this.#leaveSet()
+    this.#stopSet()
     const known = this.#source
     if (known?.id === source.id && known.url === source.url && known.place === source.place) {
       this.#source = source
@@ -81,7 +81,7 @@ export class Player implements Clock {
   async play(fromS?: number): Promise<void> {
     const source = this.#source
     if (source === null) return
-    this.#leaveSet()
+    this.#stopSet()
     const asked = ++this.#asked
     // Within the press itself, or the browser keeps it silent.
     const context = this.#contextNow()
@@ -99,7 +99,7 @@ export class Player implements Clock {
 
   pause(): void {
     this.#asked += 1
-    this.#leaveSet()
+    this.#stopSet()
     const positionS = this.positionS()
     this.#silence()
     this.#notify({ status: this.#source === null ? 'silent' : 'paused' })
@@ -112,7 +112,7 @@ export class Player implements Clock {
   }
 
   seek(s: number): void {
-    this.#leaveSet()
+    this.#stopSet()
     const positionS = Math.max(0, this.#store.state.durationS > 0 ? Math.min(s, this.#store.state.durationS) : s)
     this.#notify({ fromStart: positionS === 0 })
     this.#soundOrMove(this.#voice?.buffer, positionS)
@@ -136,7 +136,7 @@ export class Player implements Clock {
 
   setReversed(reversed: boolean): void {
     if (reversed === this.#store.state.reversed) return
-    this.#leaveSet()
+    this.#stopSet()
     const positionS = this.positionS()
     const { buffer } = this.#voice ?? {}
     this.#silence()
@@ -151,10 +151,10 @@ export class Player implements Clock {
   }
 
   /** Hear others beside the source, on the same clock; null for the source alone. */
-  setCompany(sounds: Company | null): void {
-    if (this.#company.has(sounds)) return
+  setBackingTracks(sounds: Company | null): void {
+    if (this.#backingTracks.has(sounds)) return
     this.#endCompany()
-    this.#company.set(sounds, () => this.#contextNow().createGain())
+    this.#backingTracks.set(sounds, () => this.#contextNow().createGain())
     if (this.#voice !== null && this.#set === null) this.#beginCompany(this.#voice)
   }
 
@@ -184,12 +184,12 @@ export class Player implements Clock {
   }
 
   /** Play variations at random, never the same twice running, as often and as evenly as `way` says, until `pause`. */
-  async playRandomized(sources: readonly Source[], way: SetWay = ONE_AFTER_ANOTHER): Promise<void> {
+  async playRandomized(sources: readonly Source[], way: SetPlaybackMode = IN_ORDER): Promise<void> {
     if (sources.length === 0) return
     const asked = ++this.#asked
     const context = this.#contextNow()
     if (context.state === 'suspended') void context.resume()
-    this.#leaveSet()
+    this.#stopSet()
     this.#silence()
     this.#notify({ status: 'loading', error: null })
     const read = await Promise.all(sources.map((source) => this.#read(source, asked, 'get')))
@@ -206,7 +206,7 @@ export class Player implements Clock {
     })
     this.#set = { sources, playback }
     this.#mix.announce('begins')
-    this.#notify({ asGame: true, status: 'playing' })
+    this.#notify({ isRandomized: true, status: 'playing' })
     this.#followSet()
     this.#tick()
   }
@@ -256,7 +256,7 @@ export class Player implements Clock {
   }
 
   /** Wait where it is for more of the sound. */
-  #starve(positionS: number): void {
+  #onBufferUnderrun(positionS: number): void {
     const { fromStart } = this.#store.state
     this.#silence()
     this.#moved(positionS)
@@ -294,7 +294,7 @@ export class Player implements Clock {
     const { reversed } = this.#store.state
     const untilS = this.previews.untilS(given)
     if (this.previews.isBeginning(given) && (reversed || positionS >= untilS)) {
-      this.#starve(positionS)
+      this.#onBufferUnderrun(positionS)
       return
     }
     const buffer = reversed ? this.previews.reversed(given, context) : given
@@ -313,7 +313,7 @@ export class Player implements Clock {
     this.#mix.announce('begins')
     voice.onEnded(() => {
       if (this.#voice !== voice) return
-      if (this.previews.isBeginning(buffer)) this.#starve(untilS)
+      if (this.previews.isBeginning(buffer)) this.#onBufferUnderrun(untilS)
       else this.#ended()
     })
     this.#voice = voice
@@ -325,11 +325,11 @@ export class Player implements Clock {
   /** Have the others sound from where the source is at a time of the context. */
   #beginCompany(voice: Voice, atS = this.#contextNow().currentTime): void {
     const [context, loop] = [this.#contextNow(), loopOf(this.#store.state, voice.buffer.duration)]
-    this.#company.begin(this.#mix.input(context), { context, atS, fromS: voice.positionS(atS), loop })
+    this.#backingTracks.begin(this.#mix.input(context), { context, atS, fromS: voice.positionS(atS), loop })
   }
 
   #endCompany(): void {
-    this.#company.end((this.#context?.currentTime ?? 0) + FADE_S)
+    this.#backingTracks.end((this.#context?.currentTime ?? 0) + FADE_S)
   }
 
   #ended(): void {
@@ -383,12 +383,12 @@ export class Player implements Clock {
     this.#beginCompany(voice)
   }
 
-  #leaveSet(): void {
+  #stopSet(): void {
     if (this.#set === null) return
     this.#set.playback.stop()
     this.#set = null
     this.#silence()
-    this.#notify({ asGame: false })
+    this.#notify({ isRandomized: false })
   }
 
   #moved(positionS: number): void {

@@ -53,7 +53,7 @@ export interface PlayerState {
   /** What is heard began at its start, and nothing of it was left out since. */
   fromStart: boolean
   /** A set is being played as the game does. */
-  asGame: boolean
+  isRandomized: boolean
   error: string | null
   /** What is heard is a light preview; the exact sound takes its place once it is here. */
   isLight: boolean
@@ -69,7 +69,7 @@ export const SILENT: PlayerState = {
   reversed: false,
   matched: true,
   fromStart: true,
-  asGame: false,
+  isRandomized: false,
   error: null,
   isLight: false,
 }

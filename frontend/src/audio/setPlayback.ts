@@ -1,4 +1,4 @@
-import { type Hit, hitsOf, type SetWay } from './setSchedule'
+import { type Hit, hitsOf, type SetPlaybackMode } from './setSchedule'
 
 /** So far ahead times are handed to the context: a page in the background is woken once a second. */
 const AHEAD_S = 1.5
@@ -17,7 +17,7 @@ interface Played {
   context: AudioContext
   to: AudioNode
   buffers: readonly AudioBuffer[]
-  way: SetWay
+  way: SetPlaybackMode
   random: () => number
   /** How loud a variation is, before the game strays from it. */
   gainOf: (index: number) => number

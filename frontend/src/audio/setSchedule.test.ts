@@ -1,9 +1,9 @@
 import { expect, test } from 'vitest'
 
 import { seeded } from './random'
-import { type Hit, hitsOf, nextInSet, ONE_AFTER_ANOTHER, type SetWay } from './setSchedule'
+import { type Hit, hitsOf, nextInSet, IN_ORDER, type SetPlaybackMode } from './setSchedule'
 
-function first(count: number, durationsS: number[], way: SetWay, seed = 1): Hit[] {
+function first(count: number, durationsS: number[], way: SetPlaybackMode, seed = 1): Hit[] {
   const hits = hitsOf(durationsS, way, seeded(seed))
   return Array.from({ length: count }, () => hits.next().value)
 }
@@ -11,8 +11,7 @@ function first(count: number, durationsS: number[], way: SetWay, seed = 1): Hit[
 const STEPS = [0.3, 0.4, 0.5, 0.6]
 
 test('two steps a second start every 0.5 s, 600 rounds a minute every 0.1 s', () => {
-  const at = (intervalS: number) =>
-    first(5, STEPS, { ...ONE_AFTER_ANOTHER, intervalS }).map(({ atS }) => Number(atS.toFixed(9)))
+  const at = (intervalS: number) => first(5, STEPS, { ...IN_ORDER, intervalS }).map(({ atS }) => Number(atS.toFixed(9)))
   expect(at(0.5)).toEqual([0, 0.5, 1, 1.5, 2])
   expect(at(0.1)).toEqual([0, 0.1, 0.2, 0.3, 0.4])
 })
@@ -26,7 +25,7 @@ test('free, each starts when the one before is over, at the pitch it was played'
 })
 
 test('never the same twice running, and all of them about as often', () => {
-  const indexes = first(4_000, STEPS, ONE_AFTER_ANOTHER).map(({ index }) => index)
+  const indexes = first(4_000, STEPS, IN_ORDER).map(({ index }) => index)
   expect(indexes.filter((index, at) => index === indexes[at - 1])).toEqual([])
   for (const wanted of [0, 1, 2, 3]) {
     const share = indexes.filter((index) => index === wanted).length / indexes.length
@@ -39,7 +38,7 @@ test('from any one each of the others is reached, and one alone repeats', () => 
     const reached = new Set([0, 0.34, 0.67, 0.999].map((value) => nextInSet(last, 4, () => value)))
     expect(reached).toEqual(new Set([0, 1, 2, 3].filter((index) => index !== last)))
   }
-  expect(first(3, [0.5], ONE_AFTER_ANOTHER).map(({ index }) => index)).toEqual([0, 0, 0])
+  expect(first(3, [0.5], IN_ORDER).map(({ index }) => index)).toEqual([0, 0, 0])
 })
 
 test('pitch and level stray as far as stated and no farther, and none is louder than the sound itself', () => {

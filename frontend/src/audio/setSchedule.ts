@@ -1,5 +1,5 @@
 /** How a game plays a set: how often, and how far pitch and level stray from one time to the next. */
-export interface SetWay {
+export interface SetPlaybackMode {
   /** From one start to the next; null: each starts when the one before is over. */
   intervalS: number | null
   /** Up or down by at most so much. */
@@ -8,7 +8,7 @@ export interface SetWay {
   levelDb: number
 }
 
-export const ONE_AFTER_ANOTHER: SetWay = { intervalS: null, pitchSemitones: 0, levelDb: 0 }
+export const IN_ORDER: SetPlaybackMode = { intervalS: null, pitchSemitones: 0, levelDb: 0 }
 
 /** One time that a variation of the set is played. */
 export interface Hit {
@@ -21,7 +21,11 @@ export interface Hit {
 }
 
 /** Play variations of these lengths without end, at random, never the same twice running. */
-export function* hitsOf(durationsS: readonly number[], way: SetWay, random: () => number): Generator<Hit, never> {
+export function* hitsOf(
+  durationsS: readonly number[],
+  way: SetPlaybackMode,
+  random: () => number,
+): Generator<Hit, never> {
   let index = -1
   let atS = 0
   for (;;) {

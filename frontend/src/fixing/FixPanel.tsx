@@ -12,7 +12,7 @@ import type { Fix } from './api'
 import classes from './Fix.module.css'
 import { FixWaves } from './FixWaves'
 import type { FixedTake, Fixing } from './useFixing'
-import { movedFigures, whatFollows } from './words'
+import { movedFigures, describeNextStep } from './words'
 
 interface FixPanelProps {
   take: FixedTake
@@ -71,7 +71,7 @@ export function FixPanel(props: FixPanelProps) {
           )}
           {actions}
           <span className={`small mid ${classes.follows}`}>
-            {isMade && mayUse ? whatFollows(fix, take.number) : follows}
+            {isMade && mayUse ? describeNextStep(fix, take.number) : follows}
           </span>
         </div>
       )}

@@ -76,7 +76,7 @@ export function FixWaves({ before, fix, sound, fixing, player, findings, limitDb
             onSeek={(s) => fixing.hear('fixed', s)}
             heightPx={76}
             still={fixing.side !== 'fixed'}
-            lit
+            highlighted
             plain
           />
         </div>
@@ -148,7 +148,7 @@ function Spots({ name, spots, headS, limitDbfs, fixing }: SpotsProps) {
                 onSeek={(s) => fixing.hear('fixed', spot.after_start_s - headS + s)}
                 heightPx={92}
                 still
-                lit
+                highlighted
                 plain
               />
             </div>

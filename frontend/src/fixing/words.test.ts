@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest'
 
 import type { Fix } from './api'
-import { movedFigures, spotName, whatFollows } from './words'
+import { movedFigures, spotName, describeNextStep } from './words'
 
 const fix = (more: Partial<Fix> = {}): Fix => ({
   take_id: 't1',
@@ -59,8 +59,8 @@ test('a spot is named by what is done there', () => {
 })
 
 test('what follows names both versions, and that no round counts', () => {
-  expect(whatFollows(fix(), 2)).toBe('It becomes version 3; version 2 is kept. No round is counted.')
-  expect(whatFollows(fix({ becomes: null }), null)).toBe(
+  expect(describeNextStep(fix(), 2)).toBe('It becomes version 3; version 2 is kept. No round is counted.')
+  expect(describeNextStep(fix({ becomes: null }), null)).toBe(
     'It becomes a new version; your master is kept. No round is counted.',
   )
 })

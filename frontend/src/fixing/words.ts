@@ -41,7 +41,7 @@ export function spotName({ kind, start_s, end_s }: Spot): string {
 }
 
 /** What follows from taking it: "It becomes version 2; version 1 stays as it is. No round counts." */
-export function whatFollows(fix: Fix, number: number | null): string {
+export function describeNextStep(fix: Fix, number: number | null): string {
   const becomes = fix.becomes === null ? 'It becomes a new version' : `It becomes version ${fix.becomes}`
   const stays = number === null ? 'your master is kept' : `version ${number} is kept`
   return `${becomes}; ${stays}. No round is counted.`

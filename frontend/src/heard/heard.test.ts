@@ -87,7 +87,7 @@ describe('what counts as heard', () => {
 
   test('each sound of a set that is played as in the game', () => {
     const { heard, set } = metered()
-    set({ asGame: true, status: 'playing', sourceId: 'a', takeId: 'a', durationS: 1 })
+    set({ isRandomized: true, status: 'playing', sourceId: 'a', takeId: 'a', durationS: 1 })
     vi.advanceTimersByTime(1_000)
     set({ sourceId: 'b', takeId: 'b', durationS: 0.4 })
     vi.advanceTimersByTime(400)

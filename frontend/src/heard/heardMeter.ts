@@ -31,9 +31,9 @@ export function meterHeard(
   const look = () => {
     clearTimeout(timer)
     count()
-    const { status, sourceId, takeId, durationS, asGame } = player.getState()
+    const { status, sourceId, takeId, durationS, isRandomized } = player.getState()
     // One that was just selected sounds only once it is read: until then the one before it goes on.
-    const sounds = status === 'playing' && durationS > 0 && (asGame || sourceId === lastId)
+    const sounds = status === 'playing' && durationS > 0 && (isRandomized || sourceId === lastId)
     lastId = sourceId
     sounding = sounds && takeId !== null ? { id: takeId, enoughMs: enoughMs(durationS), sinceMs: now() } : null
     if (sounding === null || heard.has(sounding.id)) return

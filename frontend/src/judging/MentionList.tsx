@@ -2,7 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
 import { flushSync } from 'react-dom'
 
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 
 import classes from './MentionList.module.css'
 import { type Mentionable, mentionableQuery, type MentionsProps, offered, typedName } from './mentionNames'
@@ -87,7 +87,7 @@ export function MentionList({ takeId, field, text, onText }: MentionsProps) {
             choose(person)
           }}
         >
-          <Face name={person.name} picture={person.picture} />
+          <Avatar name={person.name} picture={person.picture} />
           {person.name}
         </div>
       ))}

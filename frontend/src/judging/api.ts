@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, everyPage, get, post, queryById, useMutation } from '@/api'
+import { unwrap, api, del, everyPage, get, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -52,7 +52,7 @@ export const queueQuery = (projectId: string, filter: QueueFilter = {}) =>
 /** The first cues of the queue of which a version waits that the current person has not heard. */
 export const firstUnheard = async (projectId: string, filter: QueueFilter): Promise<QueueItem[]> => {
   const query = { project_id: projectId, own: true, ...asked({ ...filter, heard: 'no' }) }
-  return (await answered(api.GET('/v1/review-queue', { params: { query } }))).items
+  return (await unwrap(api.GET('/v1/review-queue', { params: { query } }))).items
 }
 
 /** How many cues wait for a verdict, those that are noted included. */

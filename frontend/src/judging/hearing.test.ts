@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 
 import { aFinding, aTake } from '@/test/review'
 
-import { AS_DELIVERED, inOrder, letterOf, matchGains, oddOne, sourceOf, soundOf, targetsOf } from './hearing'
+import { AS_DELIVERED, inOrder, letterOf, matchGains, outlierOf, sourceOf, soundOf, targetsOf } from './hearing'
 
 test('takes are heard at the loudness of the first, and no true peak passes −1 dBTP', () => {
   const takes = [
@@ -25,11 +25,11 @@ test('the odd one of a set is the farthest that the check names', () => {
     aTake('2', { variation: 2, away_from_set_lu: -2.1, findings: out }),
     aTake('3', { variation: 3, away_from_set_lu: 4, findings: out }),
   ]
-  expect(oddOne(set)).toEqual({ take: set[2], awayDb: 4 })
+  expect(outlierOf(set)).toEqual({ take: set[2], awayDb: 4 })
 })
 
 test('a set of which the check names none has no odd one', () => {
-  expect(oddOne([aTake('1', { away_from_set_lu: 1.9 }), aTake('2', { findings: [aFinding()] })])).toBeNull()
+  expect(outlierOf([aTake('1', { away_from_set_lu: 1.9 }), aTake('2', { findings: [aFinding()] })])).toBeNull()
 })
 
 test('letters follow the order of delivery within a variation', () => {

@@ -105,7 +105,7 @@ export interface Outlier {
 }
 
 /** The variation that stands out most from its set, by the check; null where none does. */
-export function oddOne(set: readonly ReviewTake[]): Outlier | null {
+export function outlierOf(set: readonly ReviewTake[]): Outlier | null {
   const far = set
     .filter(({ findings }) => findings.some(({ code }) => code === OUT_OF_SET))
     .map((take) => ({ take, awayDb: take.away_from_set_lu ?? 0 }))

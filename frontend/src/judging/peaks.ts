@@ -1,7 +1,7 @@
 import { type QueryClient, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 import { useEffect } from 'react'
 
-import { answered } from '@/api'
+import { unwrap } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { finePeaks, type Peaks } from '@/audio'
@@ -9,7 +9,7 @@ import { finePeaks, type Peaks } from '@/audio'
 import type { ReviewTake } from './api'
 
 async function readPeaks(url: string): Promise<Peaks> {
-  const read = await answered<components['schemas']['PeaksRead']>(
+  const read = await unwrap<components['schemas']['PeaksRead']>(
     fetch(url, { credentials: 'same-origin' }).then(async (response) => ({
       response,
       data: response.ok ? ((await response.json()) as components['schemas']['PeaksRead']) : undefined,

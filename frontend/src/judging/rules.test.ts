@@ -4,7 +4,7 @@ import { aCue, aDraft, aFinding, anItem, aTake } from '@/test/review'
 
 import { isNoted, nextAfter, withoutVerdict } from './afterVerdict'
 import { isWholeSet, pickedOfSet } from './choice'
-import { asked, asks, measuredPart, namesOf, sentence, spot, takeName, historyText, whatWaits } from './words'
+import { asked, asks, measuredPart, namesOf, sentence, spot, takeName, historyText, describeWaiting } from './words'
 
 const noted = (id: string, variation = 1) => {
   const take = aTake(id, { variation })
@@ -64,12 +64,16 @@ describe('words', () => {
         aTake(String(variation), { variation, ...(variation === 3 && { findings, away_from_set_lu: 4 }) }),
       ),
     )
-    expect(whatWaits(set)).toEqual({ before: 'Set of 4: ', odd: '_03 is 4.0 dB louder', after: ' than the others' })
+    expect(describeWaiting(set)).toEqual({
+      before: 'Set of 4: ',
+      odd: '_03 is 4.0 dB louder',
+      after: ' than the others',
+    })
   })
 
   test('what waits colours a finding up to its comma', () => {
     const item = anItem({}, [aTake('a', { findings: [aFinding()] })])
-    expect(whatWaits(item)).toEqual({
+    expect(describeWaiting(item)).toEqual({
       before: 'First version: ',
       odd: 'True peak −0.60 dBTP',
       after: ', limit −1 dBTP',
@@ -78,10 +82,10 @@ describe('words', () => {
 
   test('a part of a set says how much of it is here', () => {
     const again = anItem({}, [aTake('a', { number: 2 })])
-    expect(whatWaits({ ...again, last_change: 'add a dull metallic clank' }).before).toBe(
+    expect(describeWaiting({ ...again, last_change: 'add a dull metallic clank' }).before).toBe(
       'Version 2, after “add a dull metallic clank”',
     )
-    expect(whatWaits(anItem({ variations: 6 }, [aTake('v1'), aTake('v2', { variation: 2 })])).before).toBe(
+    expect(describeWaiting(anItem({ variations: 6 }, [aTake('v1'), aTake('v2', { variation: 2 })])).before).toBe(
       '2 of a set of 6, all conforming',
     )
   })

@@ -1,5 +1,5 @@
 import type { components } from '@/api/schema.gen'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 
 /** How a take stands, as every page shows it. */
 export const STATE_OF_TAKE: Record<components['schemas']['TakeState'], StateKind> = {

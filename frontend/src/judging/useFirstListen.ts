@@ -70,7 +70,7 @@ export function useFirstListen({ player, playing, takes, play }: Listened): Firs
         approve()
         return
       }
-      const isWhole = playing.fromStart && playing.range === null && !playing.asGame
+      const isWhole = playing.fromStart && playing.range === null && !playing.isRandomized
       const isUnderWay = isSounding && isWhole && left.some(({ id }) => id === playing.takeId)
       setWantedIds(left.map(({ id }) => id))
       if (!isUnderWay && left[0]) play(left[0])

@@ -1,8 +1,8 @@
 import { type InfiniteData, type QueryClient, type QueryKey, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { answered, api, ApiProblem, lineLost, newIdempotencyKey, useMutation } from '@/api'
-import { answerOr, laterWrites, waitingId } from '@/api/laterWrites'
+import { unwrap, api, ApiProblem, networkError, newIdempotencyKey, useMutation } from '@/api'
+import { answerOrOptimistic, offlineOutbox, waitingId } from '@/api/offlineOutbox'
 import { type Me, meQuery } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
 import { dismissToast, showToast, TOAST_MS as UNDO_MS } from '@/app/toast'
@@ -37,7 +37,7 @@ export interface ChangeSaid {
   endS?: number
 }
 
-const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ? error : lineLost())
+const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ? error : networkError())
 
 /** Send a verdict; `onKept` is called where it waits for the connection, to be sent later. */
 const giveVerdict = (
@@ -48,7 +48,7 @@ const giveVerdict = (
   onKept: () => void,
   { mentions = [], key = newIdempotencyKey() }: { mentions?: string[]; key?: string } = {},
 ) =>
-  answered(
+  unwrap(
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: take.id } },
       headers: { 'Idempotency-Key': key },
@@ -63,7 +63,7 @@ const giveVerdict = (
         heard: take.is_heard,
         send: kind === 'request_change',
       },
-      fetch: laterWrites.fetch(what, onKept),
+      fetch: offlineOutbox.fetch(what, onKept),
     }),
   )
 
@@ -77,10 +77,10 @@ interface Undoable {
 }
 
 const takeBack = ({ takeId, key }: Undoable, what: string, onKept: () => void) =>
-  answered(
+  unwrap(
     api.DELETE('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: takeId } },
-      fetch: laterWrites.fetch(what, onKept, key),
+      fetch: offlineOutbox.fetch(what, onKept, key),
     }),
   )
 
@@ -198,7 +198,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     }
     const undo = async () => {
       underWay(client).count += 1
-      const atServer = undoOn.filter(({ key }) => !laterWrites.drop(key))
+      const atServer = undoOn.filter(({ key }) => !offlineOutbox.drop(key))
       let isUndoKept = false
       const undone = async (onKept: () => void) => {
         const noteKept = () => {
@@ -211,7 +211,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
         })
         await sent
       }
-      await answerOr(undone, () => undefined).then(showAgain, () => undefined)
+      await answerOrOptimistic(undone, () => undefined).then(showAgain, () => undefined)
     }
     showToast(decided.done, undo)
     await end(sent, (error) => {
@@ -270,7 +270,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
         refused: `The set for ${cue.name} is not accepted.`,
       },
       (onKept) =>
-        answered(
+        unwrap(
           api.POST('/v1/cues/{cue_id}/accept-set', {
             params: { path: { cue_id: cue.id } },
             headers: { 'Idempotency-Key': key },
@@ -280,7 +280,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
               take_ids: picked.map(({ id }) => id),
               heard_take_ids: picked.filter(({ is_heard: isHeard }) => isHeard).map(({ id }) => id),
             },
-            fetch: laterWrites.fetch(`the set for ${cue.name} accepted`, onKept),
+            fetch: offlineOutbox.fetch(`the set for ${cue.name} accepted`, onKept),
           }),
         ),
       picked.slice(0, 1).map(({ id }) => ({ takeId: id, key })),
@@ -306,7 +306,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       for (const take of takes) {
         const key = newIdempotencyKey()
         const mentions = await mentionsOf(client, take.id, said.note)
-        const draft = await answerOr(
+        const draft = await answerOrOptimistic(
           async (onKept) => (await giveVerdict(take, 'request_change', said, what, onKept, { mentions, key })).draft,
           () => waitingDraft(client, cue, take, said),
         )
@@ -318,8 +318,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     },
     onSuccess: (sent, { cue, name }) => {
       const undo = async () => {
-        const atServer = sent.filter(({ key }) => !laterWrites.drop(key))
-        await answerOr(
+        const atServer = sent.filter(({ key }) => !offlineOutbox.drop(key))
+        await answerOrOptimistic(
           (onKept) => Promise.all(atServer.map((one) => takeBack(one, `undo of the change of ${cue.name}`, onKept))),
           () => undefined,
         ).then(

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 
 import { aCue } from '@/test/review'
 
-import { isSoon, whyUrgent } from './words'
+import { isSoon, urgencyReason } from './words'
 
 test.each([
   ['2026-11-20', true],
@@ -17,5 +17,5 @@ test.each([
   [{ due_on: '2026-11-24' }, 'due Tuesday 24 November, in 3 days'],
   [{ palette: true, due_on: '2026-11-20' }, 'palette, due Friday 20 November, yesterday'],
 ])('%o comes first: %s', (cue, words) => {
-  expect(whyUrgent(aCue(cue), new Date('2026-11-21T12:00:00Z'))).toBe(words)
+  expect(urgencyReason(aCue(cue), new Date('2026-11-21T12:00:00Z'))).toBe(words)
 })

@@ -1,7 +1,7 @@
 import { day, dueDay, figure, length, place, plural, range } from '@/ui/format'
 
 import type { QueueCount, QueueItem, ReviewCue, ReviewFinding, ReviewTake } from './api'
-import { inOrder, letterOf, oddOne, variationName } from './hearing'
+import { inOrder, letterOf, outlierOf, variationName } from './hearing'
 
 /** A sentence of the checker as the screens write it: a capital first, a true minus before figures. */
 export function sentence(text: string): string {
@@ -38,13 +38,13 @@ export interface Waits {
 }
 
 /** What waits of a cue, in one line. */
-export function whatWaits(item: QueueItem): Waits {
+export function describeWaiting(item: QueueItem): Waits {
   const plain = (before: string): Waits => ({ before, odd: '', after: '' })
   if (item.kind === 'set') {
     const here = new Set(item.takes.map(({ variation }) => variation)).size
     const whole = item.cue.variations
     const set = here === whole ? `Set of ${whole}` : `${here} of a set of ${whole}`
-    const odd = oddOne(item.takes)
+    const odd = outlierOf(item.takes)
     if (odd) {
       const words = `${variationName(odd.take.variation)} is ${figure(Math.abs(odd.awayDb), 1)} dB ${odd.awayDb > 0 ? 'louder' : 'quieter'}`
       return { before: `${set}: `, odd: words, after: ' than the others' }
@@ -201,5 +201,5 @@ const SOON_MS = 4 * 86_400_000
 export const isSoon = (on: string, now: Date = new Date()): boolean => Date.parse(on) - now.getTime() < SOON_MS
 
 /** Why a cue comes first in the queue: others wait for it. */
-export const whyUrgent = ({ palette, due_on: dueOn }: ReviewCue, now: Date = new Date()): string =>
+export const urgencyReason = ({ palette, due_on: dueOn }: ReviewCue, now: Date = new Date()): string =>
   [palette ? 'palette' : '', dueOn === null ? '' : `due ${dueDay(dueOn, now)}`].filter(Boolean).join(', ')

@@ -4,7 +4,7 @@ import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
 import { CopyButton } from '@/ui/CopyButton'
 import { ago } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { mailedLinksQuery, useHandOverLink } from './api'
 
@@ -21,18 +21,18 @@ export function MailedLink({ projectId, ofId, recipient }: MailedLinkProps) {
   const handOver = useHandOverLink(projectId)
   if (data === undefined) return null
   const mail = data.links.find(({ of_id: id }) => id === ofId)
-  if (mail === undefined || mail.state === 'waiting') return <State kind="waiting">Email waiting</State>
+  if (mail === undefined || mail.state === 'waiting') return <StatusBadge kind="waiting">Email waiting</StatusBadge>
   if (mail.state === 'sent') {
-    return <State kind="passed">{mail.sent_at ? `Emailed ${ago(mail.sent_at)}` : 'Emailed'}</State>
+    return <StatusBadge kind="passed">{mail.sent_at ? `Emailed ${ago(mail.sent_at)}` : 'Emailed'}</StatusBadge>
   }
   return (
     <span className="row wrap">
       {mail.state === 'failed' ? (
-        <State kind="not_sent" reason={mail.failure ?? undefined}>
+        <StatusBadge kind="not_sent" reason={mail.failure ?? undefined}>
           Email failed, is tried again
-        </State>
+        </StatusBadge>
       ) : (
-        <State kind="warning">Not emailed: no mail server</State>
+        <StatusBadge kind="warning">Not emailed: no mail server</StatusBadge>
       )}
       {mail.link && (
         <CopyButton text={mail.link} what="Link">

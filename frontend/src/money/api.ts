@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, post, put, queryById, useMutation } from '@/api'
+import { unwrap, api, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -42,7 +42,7 @@ export const ledgerQuery = queryById('/v1/contracts/{contract_id}/ledger', (cont
 
 /** An invoice as PDF with its XML inside. */
 export const electronicInvoice = (invoiceId: string): Promise<Blob> =>
-  answered(
+  unwrap(
     api.GET('/v1/invoices/{invoice_id}/electronic-invoice.pdf', {
       params: { path: { invoice_id: invoiceId } },
       parseAs: 'blob',
@@ -69,7 +69,7 @@ export const invoiceDraftQuery = (contractId: string, fullNumber = '') =>
   queryOptions({
     queryKey: queryKeys.money('invoice-draft', contractId, fullNumber),
     queryFn: () =>
-      answered(
+      unwrap(
         api.GET('/v1/contracts/{contract_id}/invoice-draft', {
           params: { path: { contract_id: contractId }, query: fullNumber === '' ? {} : { full_number: fullNumber } },
         }),
@@ -88,7 +88,7 @@ export const estimatesQuery = queryById(
 
 /** Milestones by the due dates and categories of the list, to begin a plan from. */
 export const proposedPlan = (contractId: string, totalMinor: number | null) =>
-  answered(
+  unwrap(
     api.GET('/v1/contracts/{contract_id}/milestones/proposal', {
       params: { path: { contract_id: contractId }, query: totalMinor === null ? {} : { total_minor: totalMinor } },
     }),
@@ -157,7 +157,7 @@ export const useLogHours = (contractId: string, correctedId?: string) =>
     if (correctedId === undefined)
       return post('/v1/contracts/{contract_id}/worked-days', { contract_id: contractId }, body)
     const params = { params: { path: { worked_day_id: correctedId } } }
-    return answered(api.PUT('/v1/worked-days/{worked_day_id}', { ...params, body }))
+    return unwrap(api.PUT('/v1/worked-days/{worked_day_id}', { ...params, body }))
   })
 
 export const useRefuseDay = (workedDayId: string) =>
@@ -168,8 +168,8 @@ export const useRefuseDay = (workedDayId: string) =>
 export const useSettleDay = (workedDayId: string) =>
   useMoneyChange(async (how: 'agree' | 'take back') => {
     const params = { params: { path: { worked_day_id: workedDayId } } }
-    if (how === 'agree') await answered(api.POST('/v1/worked-days/{worked_day_id}/agree', params))
-    else await answered(api.DELETE('/v1/worked-days/{worked_day_id}', params))
+    if (how === 'agree') await unwrap(api.POST('/v1/worked-days/{worked_day_id}/agree', params))
+    else await unwrap(api.DELETE('/v1/worked-days/{worked_day_id}', params))
   })
 
 export const useLogWork = (contractId: string) =>
@@ -178,7 +178,7 @@ export const useLogWork = (contractId: string) =>
 export const useSettleRound = (extraRoundId: string) =>
   useMoneyChange((how: 'agree' | 'drop') => {
     const params = { params: { path: { extra_round_id: extraRoundId } } }
-    return answered(
+    return unwrap(
       how === 'agree'
         ? api.POST('/v1/extra-rounds/{extra_round_id}/agree', params)
         : api.POST('/v1/extra-rounds/{extra_round_id}/drop', params),

@@ -10,7 +10,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ListTable } from '@/ui/Table'
 import { EmptyState } from '@/ui/EmptyState'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { FieldError } from '@/ui/FieldError'
 import { FilterChip } from '@/ui/FilterChip'
 import { Finding } from '@/ui/Finding'
@@ -23,7 +23,7 @@ import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 import { SetBlocks } from '@/ui/SetBlocks'
-import { State, STATES, type StateKind } from '@/ui/State'
+import { StatusBadge, STATES, type StateKind } from '@/ui/StatusBadge'
 import { VerdictBar } from '@/ui/VerdictBar'
 
 import { CUE_COLUMNS, CUES } from './cues'
@@ -62,7 +62,7 @@ export function PartsPage() {
             id: cue.number,
             number: cue.number,
             title: cue.name,
-            detail: <State kind={cue.state} />,
+            detail: <StatusBadge kind={cue.state} />,
             open: () => showToast(`${cue.name} opened.`),
           })),
       ),
@@ -121,12 +121,16 @@ function States() {
     <Panel title="States: icon, word, colour; resting states keep a quiet word">
       <div className={`grid items-center ${classes.chips}`}>
         {(Object.keys(STATES) as StateKind[]).map((kind) => (
-          <State key={kind} kind={kind} reason={kind === 'waived' ? 'Clipping is intended in this gun.' : undefined} />
+          <StatusBadge
+            key={kind}
+            kind={kind}
+            reason={kind === 'waived' ? 'Clipping is intended in this gun.' : undefined}
+          />
         ))}
-        <State kind="accepted">5 of 8 accepted</State>
-        <State kind="to_review" pill />
-        <State kind="returned" pill />
-        <State kind="change_requested" pill />
+        <StatusBadge kind="accepted">5 of 8 accepted</StatusBadge>
+        <StatusBadge kind="to_review" pill />
+        <StatusBadge kind="returned" pill />
+        <StatusBadge kind="change_requested" pill />
       </div>
     </Panel>
   )
@@ -228,7 +232,7 @@ function Uploads() {
               <Meter thin label={`${Math.round(share * 100)} % sent`} whole={1} parts={[{ value: share }]} />
             </span>
             <span className={classes.state}>
-              <State kind={state}>{words}</State>
+              <StatusBadge kind={state}>{words}</StatusBadge>
             </span>
           </Row>
         ))}
@@ -335,13 +339,13 @@ function Lines() {
           <UnreadDot />
           <span className="strong grow cut-text">shield_hit</span>
           <span className={classes.thumb}>
-            <WaveThumb peaks={SHIELD} lit heightPx={26} />
+            <WaveThumb peaks={SHIELD} highlighted heightPx={26} />
           </span>
-          <State kind="to_review" />
+          <StatusBadge kind="to_review" />
           <span className="small dim">now</span>
         </Row>
         <Row>
-          <Face name="Audio director" />
+          <Avatar name="Audio director" />
           <span className="grow cut-text">foot_deck_walk</span>
           <SetBlocks blocks={Array.from({ length: 6 }, () => ({ tone: 'review' as const }))} />
           <span className="small dim">2 days</span>

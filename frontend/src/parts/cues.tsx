@@ -2,7 +2,7 @@ import { type Peaks, WaveThumb } from '@/audio'
 import type { Column, RowGroup } from '@/ui/Table'
 import { Icon } from '@/ui/Icon'
 import { SetBlocks } from '@/ui/SetBlocks'
-import { State, type StateKind, type Tone } from '@/ui/State'
+import { StatusBadge, type StateKind, type Tone } from '@/ui/StatusBadge'
 
 import { peaksOf, SAMPLES } from './sounds'
 
@@ -141,6 +141,6 @@ export const CUE_COLUMNS: Column<Cue>[] = [
       ),
   },
   { id: 'newest', head: 'Newest version', width: '124px', cell: ({ peaks }) => <WaveThumb peaks={peaks} /> },
-  { id: 'state', head: 'State', width: '150px', narrow: 'state', cell: ({ state }) => <State kind={state} /> },
+  { id: 'state', head: 'State', width: '150px', narrow: 'state', cell: ({ state }) => <StatusBadge kind={state} /> },
   { id: 'stands', head: 'Latest', narrow: 'stands', cell: ({ stands }) => stands },
 ]

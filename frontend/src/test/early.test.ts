@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 
-import { earlyAnswer } from '@/api/early'
+import { prefetchedAnswer } from '@/api/early'
 
 import { startPage } from '../../scripts/early'
 
@@ -18,7 +18,7 @@ const item = (id: string, draft: object | null) => ({ cue: { id }, takes: [{ dra
 let asked: string[]
 const links = () =>
   [...document.head.querySelectorAll('link')].map(({ rel, href }) => `${rel} ${new URL(href).pathname}`)
-const taken = (path: string, method = 'GET') => earlyAnswer(new Request(location.origin + path, { method }))
+const taken = (path: string, method = 'GET') => prefetchedAnswer(new Request(location.origin + path, { method }))
 
 beforeEach(() => {
   asked = []

@@ -1,9 +1,9 @@
 import { act, screen, waitFor } from '@testing-library/react'
 import { beforeAll, beforeEach, expect, test, vi } from 'vitest'
 
-import { answered, api } from '@/api'
+import { unwrap, api } from '@/api'
 import { router } from '@/app/router'
-import type { Code } from '@/app/startEarly'
+import type { Code } from '@/app/prefetchPage'
 import { StatusSlot } from '@/app/toast'
 
 import { HandContext } from './audioContext'
@@ -72,7 +72,7 @@ test('any write that waits for its answer is said in the status slot after a mom
   try {
     draw(<StatusSlot />)
     const slot = screen.getByRole('status')
-    const write = answered(api.POST('/v1/sign-out'))
+    const write = unwrap(api.POST('/v1/sign-out'))
     await act(() => vi.advanceTimersByTimeAsync(299))
     expect(slot).toBeEmptyDOMElement()
     await act(() => vi.advanceTimersByTimeAsync(1))

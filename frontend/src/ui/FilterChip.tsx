@@ -2,7 +2,7 @@ import type { ReactNode } from 'react'
 
 import classes from './FilterChip.module.css'
 import { Icon } from './Icon'
-import { STATES, type StateKind } from './State'
+import { STATES, type StateKind } from './StatusBadge'
 
 interface FilterChipProps {
   /** The state it filters by; none for "All". */

@@ -1,5 +1,5 @@
 import classes from './Meter.module.css'
-import type { Tone } from './State'
+import type { Tone } from './StatusBadge'
 
 export interface MeterPart {
   value: number

@@ -1,4 +1,4 @@
-import { Face } from './Face'
+import { Avatar } from './Avatar'
 import classes from './Person.module.css'
 
 interface PersonProps {
@@ -12,7 +12,7 @@ interface PersonProps {
 export function Person({ name, picture, role }: PersonProps) {
   return (
     <span className={`inline-flex items-center gap-2 ${classes.person}`}>
-      <Face name={name} picture={picture} />
+      <Avatar name={name} picture={picture} />
       <span className={`flex wrap items-baseline ${classes.words}`}>
         <span className="cut-text">{name}</span>
         {role && <span className="small dim nowrap">{role}</span>}

@@ -1,6 +1,6 @@
 import { countOf } from './format'
 import classes from './SetBlocks.module.css'
-import type { Tone } from './State'
+import type { Tone } from './StatusBadge'
 
 export interface SetBlock {
   tone: Tone

@@ -8,7 +8,7 @@ import { Button, ButtonLink } from './Button'
 import { Card, CardHead } from './Card'
 import { ListTable } from './Table'
 import { EmptyState } from './EmptyState'
-import { Face } from './Face'
+import { Avatar } from './Avatar'
 import { FieldError } from './FieldError'
 import { FilterChip } from './FilterChip'
 import { Finding } from './Finding'
@@ -18,25 +18,25 @@ import { Meter } from './Meter'
 import { ErrorBanner } from './ErrorBanner'
 import { Segmented } from './Segmented'
 import { SetBlocks } from './SetBlocks'
-import { State, STATES, type StateKind } from './State'
+import { StatusBadge, STATES, type StateKind } from './StatusBadge'
 import { VerdictBar } from './VerdictBar'
 
 describe('State', () => {
   test.each(Object.entries(STATES))('%s says its word beside its sign', (kind, { word, tone }) => {
-    draw(<State kind={kind as StateKind} />)
+    draw(<StatusBadge kind={kind as StateKind} />)
     const chip = screen.getByText(word).parentElement
     expect(chip).toHaveClass(`tone-${tone}`)
     expect(chip?.querySelector('svg')).toHaveAttribute('aria-hidden', 'true')
   })
 
   test('other words take the place of its own', () => {
-    draw(<State kind="accepted">5 of 8 accepted</State>)
+    draw(<StatusBadge kind="accepted">5 of 8 accepted</StatusBadge>)
     expect(screen.getByText('5 of 8 accepted')).toBeInTheDocument()
     expect(screen.queryByText('Accepted')).not.toBeInTheDocument()
   })
 
   test('the reason of a waiver is there for those who focus it', async () => {
-    draw(<State kind="waived" reason="Flat tops are style here." />)
+    draw(<StatusBadge kind="waived" reason="Flat tops are style here." />)
     const state = await screen.findByRole('button', { name: 'Waived: Flat tops are style here.' })
     await userEvent.tab()
     expect(state).toHaveFocus()
@@ -189,12 +189,12 @@ test.each([
   ['Producer', 'PR'],
   ['Sound designer by contract', 'SD'],
 ])('%s has the face %s', (name, letters) => {
-  draw(<Face name={name} />)
+  draw(<Avatar name={name} />)
   expect(screen.getByText(letters)).toBeInTheDocument()
 })
 
 test('a face is the picture of the person, and letters where that does not load', () => {
-  const { container } = draw(<Face name="Audio director" picture="/v1/people/p1/picture?sha256=ab" />)
+  const { container } = draw(<Avatar name="Audio director" picture="/v1/people/p1/picture?sha256=ab" />)
   const picture = container.querySelector('img')
   expect(picture).toHaveAttribute('src', '/v1/people/p1/picture?sha256=ab')
   expect(picture).toHaveAttribute('alt', '') // the name stands beside it

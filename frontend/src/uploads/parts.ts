@@ -1,4 +1,4 @@
-import { ApiProblem, csrfToken, lineLost, post, problemOf } from '@/api'
+import { ApiProblem, csrfToken, networkError, post, problemOf } from '@/api'
 
 import type { Transport, TransportEvents, Upload } from './queue'
 import { bodyOf, type TusOptions, uploadIdOf } from './tus'
@@ -61,7 +61,7 @@ export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }
       stop.throwIfAborted()
       if (status < 200 || status >= 300) {
         strikes += 1
-        throw lineLost() // also a link that expired: the next try asks for new ones
+        throw networkError() // also a link that expired: the next try asks for new ones
       }
       strikes = Number.NEGATIVE_INFINITY
       sent += bytes.byteLength
@@ -93,7 +93,7 @@ export function partsTransport({ endpoint, metadata, otherwise, put = putByXhr }
       }
       run().catch((error: unknown) => {
         if (stopping.signal.aborted) return
-        const problem = error instanceof ApiProblem ? error : lineLost()
+        const problem = error instanceof ApiProblem ? error : networkError()
         if (problem.code === 'parts-not-taken') offered = null
         fail(problem, place, events)
       })
@@ -159,7 +159,7 @@ async function asked(url: string, request: RequestInit & { headers?: Record<stri
   const token = csrfToken()
   const headers = { ...request.headers, ...(token === undefined ? {} : { 'X-CSRF-Token': token }) }
   const answer = await fetch(url, { ...request, headers, credentials: 'same-origin' }).catch(() => {
-    throw lineLost()
+    throw networkError()
   })
   if (!answer.ok) throw problemOf(answer.status, bodyOf(await answer.text()))
   return answer

@@ -1,4 +1,4 @@
-import { ApiProblem, lineLost } from '@/api'
+import { ApiProblem, networkError } from '@/api'
 
 import type { Transport, Upload } from './queue'
 
@@ -26,7 +26,7 @@ export function smallFilesTransport({ send, otherwise }: SmallOptions): Transpor
         },
         (error: unknown) => {
           if (stopping.signal.aborted) return
-          const { status, detail } = error instanceof ApiProblem ? error : lineLost()
+          const { status, detail } = error instanceof ApiProblem ? error : networkError()
           // Of a connection too slow for the whole file at once, what came before must count.
           if (status === 0 || status === 408) lost.add(file)
           if (status === 0 || status >= 500 || [408, 409, 429].includes(status)) events.onLost()

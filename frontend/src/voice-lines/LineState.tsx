@@ -1,4 +1,4 @@
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { VoiceLine } from './api'
 import { LINE_STATES } from './words'
@@ -6,5 +6,5 @@ import { LINE_STATES } from './words'
 /** What a line has come to, as icon and words. */
 export function LineState({ state }: { state: VoiceLine['state'] }) {
   const { kind, word } = LINE_STATES[state]
-  return <State kind={kind}>{word}</State>
+  return <StatusBadge kind={kind}>{word}</StatusBadge>
 }

@@ -1,4 +1,4 @@
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 
 import type { VoiceLine } from './api'
 

@@ -1,7 +1,7 @@
 import { useBlocker, useRouter } from '@tanstack/react-router'
 
 import { LazyDialog } from '../LazyDialog'
-import { discardTyped, isAnythingTyped, leaveTyped } from './store'
+import { discardDrafts, isAnythingTyped, keepDrafts } from './store'
 
 const load = () => import('./LeaveDialog').then(({ LeaveDialog }) => LeaveDialog)
 
@@ -26,7 +26,7 @@ export function LeaveGuard() {
       load={load}
       opened={leaving.status === 'blocked'}
       onClose={() => leaving.reset?.()}
-      given={{ onLeave: leave(leaveTyped), onDiscard: leave(discardTyped) }}
+      given={{ onLeave: leave(keepDrafts), onDiscard: leave(discardDrafts) }}
     />
   )
 }

@@ -2,7 +2,7 @@ import { act, fireEvent, render, screen } from '@testing-library/react'
 import { beforeEach, expect, test, vi } from 'vitest'
 
 import { DraftNote, forgetDrafts, keepDraft, keptDraft, openDraftsOf, useDraft } from '.'
-import { isAnythingTyped, leaveTyped } from './store'
+import { isAnythingTyped, keepDrafts } from './store'
 
 function Note({ about = 'c1' }: { about?: string }) {
   const [text, setText, draft] = useDraft(`note:${about}`, '')
@@ -91,7 +91,7 @@ test('what was typed since the page was opened makes leaving ask; what was resto
   expect(isAnythingTyped()).toBe(false)
   type('half a sentence')
   expect(isAnythingTyped()).toBe(true)
-  leaveTyped()
+  keepDrafts()
   page.unmount()
   render(<Note />)
   expect(field().value).toBe('half a sentence')

@@ -68,12 +68,12 @@ export function forgetDrafts(): void {
 export const isAnythingTyped = (): boolean => owner !== '' && typed.size > 0
 
 /** The person leaves: what they typed is kept for when they come back. */
-export function leaveTyped(): void {
+export function keepDrafts(): void {
   typed.clear()
 }
 
 /** The person leaves, and wants none of what they typed. */
-export function discardTyped(): void {
+export function discardDrafts(): void {
   for (const key of [...typed]) keepDraft(key, null)
 }
 

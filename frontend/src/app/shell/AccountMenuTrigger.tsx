@@ -1,4 +1,4 @@
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Icon } from '@/ui/Icon'
 import { LazyMenu } from '@/ui/LazyMenu'
 
@@ -12,7 +12,7 @@ export function AccountMenuTrigger({ data, onKeys }: { data: ShellData; onKeys: 
   const { person } = data
   const button = (
     <button type="button" className={classes.who}>
-      {person ? <Face name={person.name} picture={person.picture} filled /> : <Icon name="sliders" />}
+      {person ? <Avatar name={person.name} picture={person.picture} filled /> : <Icon name="sliders" />}
       <span className={classes.whoWords} aria-hidden="true">
         {person?.name ?? 'Settings'}
       </span>

@@ -1,6 +1,6 @@
 import { lazy, Suspense, useSyncExternalStore } from 'react'
 
-import { connection, later } from '@/api'
+import { connection, outbox } from '@/api'
 
 import { keptWords } from './kept'
 import classes from './Shell.module.css'
@@ -10,7 +10,7 @@ const RefusedWrites = lazy(async () => ({ default: (await import('./RefusedWrite
 /** Says quietly that the server does not answer, and what waits to be sent; then what of that was refused. */
 export function OfflineBanner() {
   const isAway = useSyncExternalStore(connection.subscribe, connection.isAway)
-  const { waiting, refused } = useSyncExternalStore(later.subscribe, later.getState)
+  const { waiting, refused } = useSyncExternalStore(outbox.subscribe, outbox.getState)
   const kept = keptWords(waiting)
   return (
     <>

@@ -3,13 +3,13 @@ import { useCallback, useState } from 'react'
 
 import { isMac } from '@/ui/keyNames'
 
-import { useFirstInteraction } from '../firstSign'
+import { useFirstInteraction } from '../firstInteraction'
 import { useHotkeys } from '../keys'
 import { LazyDialog } from '../LazyDialog'
 import { useCommands } from '../palette'
 import { SampleBanner } from '../SampleProject'
 import type { Session } from '../session'
-import { loadAhead } from '../startEarly'
+import { preloadPages } from '../prefetchPage'
 import { ProjectName } from '../title'
 import { OfflineBanner } from './OfflineBanner'
 import { Main } from './Main'
@@ -32,7 +32,7 @@ export function Shell({ session }: { session: Session }) {
   const areas = areasOf(data)
   const inBar = areas.filter(({ isInMenu }) => !isInMenu)
   const likely = inBar.flatMap(({ path, count }) => (count ? [path] : [])).join('\n')
-  useFirstInteraction(useCallback(() => loadAhead(router, likely.split('\n').filter(Boolean)), [router, likely]))
+  useFirstInteraction(useCallback(() => preloadPages(router, likely.split('\n').filter(Boolean)), [router, likely]))
   const go = (path: string) => void router.navigate({ href: path })
   useFinding(data.project?.id, data.side === 'designer', go)
 

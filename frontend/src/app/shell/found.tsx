@@ -1,12 +1,12 @@
 import type { ReactNode } from 'react'
 
-import { answered, api } from '@/api'
+import { unwrap, api } from '@/api'
 import type { components } from '@/api/schema.gen'
 import { comparedBlind } from '@/judging/comparedBlind'
 import { variationName } from '@/judging/hearing'
 import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 import { byWhom } from '@/judging/words'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { Found } from '../palette'
 
@@ -42,12 +42,12 @@ function shared<T>(ask: (projectId: string | undefined, typed: string, signal: A
 const hitsHere = shared<Hit>(async (projectId, q, signal) => {
   if (projectId === undefined) return []
   const params = { path: { project_id: projectId }, query: { q } }
-  return (await answered(api.GET('/v1/projects/{project_id}/find', { params, signal }))).hits
+  return (await unwrap(api.GET('/v1/projects/{project_id}/find', { params, signal }))).hits
 })
 
 const hitsElsewhere = shared<HitElsewhere>(async (projectId, q, signal) => {
   const query = { q, except_in: projectId }
-  return (await answered(api.GET('/v1/find', { params: { query }, signal }))).hits
+  return (await unwrap(api.GET('/v1/find', { params: { query }, signal }))).hits
 })
 
 function addressOf(hit: Hit, project: string): string {
@@ -93,7 +93,7 @@ function shown(hit: Hit, typed: string): Pick<Found, 'title' | 'number' | 'detai
   switch (hit.kind) {
     case 'file': {
       const state = hit.cue ? STATE_OF_TAKE[hit.text as keyof typeof STATE_OF_TAKE] : 'unmatched'
-      return { title: hit.title, number: hit.cue?.label, detail: state && <State kind={state} /> }
+      return { title: hit.title, number: hit.cue?.label, detail: state && <StatusBadge kind={state} /> }
     }
     case 'comment':
     case 'question':

@@ -5,7 +5,7 @@ import { CopyButton } from '@/ui/CopyButton'
 import { EmptyState } from '@/ui/EmptyState'
 import { age } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Mail, useOutbox, useSendMail } from './api'
 import { CardProblem } from './CardProblem'
@@ -65,9 +65,9 @@ function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSe
         </summary>
         <pre className={classes.text}>{text}</pre>
       </details>
-      {failure !== null && sent_at === null && <State kind="not_sent" reason={failure} />}
-      {sent_at !== null && <State kind="passed">Sent</State>}
-      {sent_at === null && failure === null && <State kind="waiting" />}
+      {failure !== null && sent_at === null && <StatusBadge kind="not_sent" reason={failure} />}
+      {sent_at !== null && <StatusBadge kind="passed">Sent</StatusBadge>}
+      {sent_at === null && failure === null && <StatusBadge kind="waiting" />}
       {link !== null && sent_at === null && (
         <CopyButton text={link} what="Link" variant="quiet" aria-label={`Copy link of “${subject}” to ${recipient}`}>
           Copy link

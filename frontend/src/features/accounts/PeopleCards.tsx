@@ -5,7 +5,7 @@ import { formDraft, keepDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { age, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
@@ -95,7 +95,7 @@ export function PeopleCard({ studioId, meId, isProducer }: PeopleCardProps) {
       <Rows aria-labelledby="people">
         {people?.map((member) => (
           <Row key={member.person.id}>
-            <Face name={member.person.name} picture={member.person.picture} />
+            <Avatar name={member.person.name} picture={member.person.picture} />
             <span className="grow">
               <span className="strong">{member.person.name}</span>
               {member.person.id === meId && <span className="small dim"> you</span>}

@@ -4,7 +4,7 @@ import type { Me } from '@/api/me'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { bytes } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 
@@ -59,7 +59,7 @@ export function PictureCard({ me }: { me: Me }) {
     >
       <CardHead id="picture-card" title="Picture" note="shown beside your name" />
       <div className={`${classes.inside} items-start flex gap-4 ${classes.picture}`}>
-        <Face name={name} picture={picture} large />
+        <Avatar name={name} picture={picture} large />
         <div className="grid gap-3 min-w-0">
           <p className="small mid">
             {picture ? 'Those who see your name see this picture.' : 'Without a picture, your initials are shown.'}{' '}

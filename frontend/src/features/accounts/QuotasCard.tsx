@@ -2,7 +2,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { bytes, countOf } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { Row, Rows } from '@/ui/Rows'
-import { State, type Tone } from '@/ui/State'
+import { StatusBadge, type Tone } from '@/ui/StatusBadge'
 
 import { type Quota, useQuotas } from './api'
 import { CardProblem } from './CardProblem'
@@ -61,7 +61,11 @@ function QuotaRow({ quota: { kind, used, limit } }: { quota: Quota }) {
         </p>
         <Meter thin label={`${name}: ${inWords}`} whole={limit} parts={[{ value: used, tone }]} />
         <p className="small dim">
-          {isFull ? <State kind="refused">Limit reached</State> : isNear && <State kind="warning">Almost full</State>}{' '}
+          {isFull ? (
+            <StatusBadge kind="refused">Limit reached</StatusBadge>
+          ) : (
+            isNear && <StatusBadge kind="warning">Almost full</StatusBadge>
+          )}{' '}
           {isFull || isNear ? atLimit : `At the limit: ${atLimit.charAt(0).toLowerCase()}${atLimit.slice(1)}`}
         </p>
       </div>

@@ -7,7 +7,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
 import { day } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import classes from './Account.module.css'
 import { CardProblem } from './CardProblem'
@@ -68,7 +68,7 @@ export function SecondFactorCard() {
           <>
             <p className={classes.address}>
               <span>Authenticator app, since {day(factors.totp_since ?? '')}</span>
-              <State kind="passed">On</State>
+              <StatusBadge kind="passed">On</StatusBadge>
             </p>
             {recovery}
             <div className="row wrap">
@@ -89,7 +89,7 @@ export function SecondFactorCard() {
             <>
               <p className={classes.address}>
                 <span>Authenticator app</span>
-                <State kind="warning">Off</State>
+                <StatusBadge kind="warning">Off</StatusBadge>
               </p>
               <p className="small mid">
                 With an app such as Aegis, 1Password or Google Authenticator, a stolen password alone does not sign in.

@@ -6,7 +6,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import classes from './Account.module.css'
 import { type SignIn, signInsQuery, signUpQuery, useAskVerification, useEndOtherSignIns, useEndSignIn } from './api'
@@ -24,7 +24,7 @@ export function AddressCard({ me }: { me: Me }) {
       <div className={classes.inside}>
         <p className={classes.address}>
           <span className="strong">{me.email}</span>
-          <State kind={isVerified ? 'passed' : 'warning'}>{isVerified ? 'Verified' : 'Not verified'}</State>
+          <StatusBadge kind={isVerified ? 'passed' : 'warning'}>{isVerified ? 'Verified' : 'Not verified'}</StatusBadge>
         </p>
         {!isVerified && way !== undefined && (
           <div className="grid gap-3 wrap-anywhere pt-3">
@@ -123,7 +123,7 @@ function SignInRow({ signIn, onEnd }: { signIn: SignIn; onEnd: () => void }) {
         </p>
       </div>
       {is_current ? (
-        <State kind="passed">This browser</State>
+        <StatusBadge kind="passed">This browser</StatusBadge>
       ) : (
         <Button variant="quiet" aria-label={`Sign out ${name}, ${place}`} onClick={onEnd}>
           Sign out

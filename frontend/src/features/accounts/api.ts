@@ -1,6 +1,6 @@
 import { queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, post, put, queryById, useMutation } from '@/api'
+import { unwrap, api, del, get, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -177,7 +177,7 @@ export function useSavePicture() {
     mutationFn: (file: Blob | null) =>
       file === null
         ? del('/v1/me/picture')
-        : answered(
+        : unwrap(
             api.PUT('/v1/me/picture', {
               headers: { 'Content-Type': 'application/octet-stream' },
               body: file as unknown as string, // how OpenAPI's `binary` is typed

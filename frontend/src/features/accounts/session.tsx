@@ -2,7 +2,7 @@ import { type QueryClient, useQuery, useQueryClient } from '@tanstack/react-quer
 import { redirect, useParams, useRouter } from '@tanstack/react-router'
 import { lazy, Suspense, useEffect } from 'react'
 
-import { ApiProblem, goOnLater, leaveSession, post } from '@/api'
+import { ApiProblem, resumeOutbox, leaveSession, post } from '@/api'
 import { type Me, meQuery } from '@/api/me'
 import { speaksFor } from '@/api/me'
 import { cameBack, deskQuery } from '@/app/desk'
@@ -80,7 +80,7 @@ function useShell(): ShellData {
 
   const personId = me?.person.id
   useEffect(() => {
-    if (personId !== undefined) goOnLater(personId, () => void client.invalidateQueries())
+    if (personId !== undefined) resumeOutbox(personId, () => void client.invalidateQueries())
   }, [client, personId])
   useEffect(
     () => (personId === undefined ? undefined : followChanges(client, personId, () => projectIdsOf(client))),

@@ -12,7 +12,7 @@ import { Refusal } from '@/ui/Refusal'
 import { adoptionsQuery, type Adoption } from './api'
 import { at } from './at'
 import { ChooseFolder } from './ChooseFolder'
-import { OneAdoption } from './OneAdoption'
+import { AdoptionDetail } from './AdoptionDetail'
 
 /** A folder of sounds that ship already becomes cues with approved takes. */
 export function AdoptPage(): ReactNode {
@@ -45,7 +45,7 @@ export function AdoptPage(): ReactNode {
         (adoption === undefined ? (
           <ChooseFolder key={projectId} projectId={projectId} />
         ) : (
-          <OneAdoption key={adoption} projectId={projectId} adoptionId={adoption} />
+          <AdoptionDetail key={adoption} projectId={projectId} adoptionId={adoption} />
         ))
       )}
       {mayAdopt && former.data && <Former projectId={projectId} adoptions={former.data} shown={adoption} />}

@@ -8,7 +8,7 @@ import { Card } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type FollowUp, type Question, useAnswerFollowUp, useAskFollowUp } from './api'
 import classes from './Brief.module.css'
@@ -63,11 +63,11 @@ export function QuestionCard({
         <div className="flex wrap between gap-1-3">
           <h2 id={`${id}-text`}>{question.text}</h2>
           {isAnswered ? (
-            <State kind="conforming">Answered</State>
+            <StatusBadge kind="conforming">Answered</StatusBadge>
           ) : isUnknown ? (
-            <State kind="question">Undecided</State>
+            <StatusBadge kind="question">Undecided</StatusBadge>
           ) : (
-            <State kind="to_make">{question.required ? 'Open, needed' : 'Open'}</State>
+            <StatusBadge kind="to_make">{question.required ? 'Open, needed' : 'Open'}</StatusBadge>
           )}
         </div>
         <p className="mid">{question.why}</p>

@@ -10,7 +10,7 @@ import { Refusal } from '@/ui/Refusal'
 import { ago, countOf, plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { Segmented } from '@/ui/Segmented'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type AuditSummary, auditsQuery, useAudit, useAuditedSounds } from './api'
 import { CiCommands } from './CiCommands'
@@ -82,7 +82,8 @@ function Head({ audit, projectId }: { audit: AuditSummary; projectId: string }) 
         )}
         {data?.unread.map(({ file, line, message }) => (
           <p key={`${file}:${line}`} className="small">
-            <State kind="warning">Not read</State> <span className="mono">{line > 0 ? `${file}:${line}` : file}</span>
+            <StatusBadge kind="warning">Not read</StatusBadge>{' '}
+            <span className="mono">{line > 0 ? `${file}:${line}` : file}</span>
             {`: ${message}. The rest was compared.`}
           </p>
         ))}
@@ -174,7 +175,7 @@ function BuildsCard({ audits, current, projectId }: OfAudits) {
               aria-current={audit.id === current.id || undefined}
             >
               <span className="strong cut-text">{audit.label}</span>
-              <State kind={OUTCOME_STATES[outcomeOf(audit)]}>{auditInWords(audit)}</State>
+              <StatusBadge kind={OUTCOME_STATES[outcomeOf(audit)]}>{auditInWords(audit)}</StatusBadge>
               <span className="small dim">{ago(audit.created_at)}</span>
             </Link>
           </li>

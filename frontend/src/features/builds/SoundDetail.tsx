@@ -11,7 +11,7 @@ import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural, shortDay } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type AuditedSound, type AuditSummary, useAcceptDrift, useSendBack, useSoundHistory, useWithdraw } from './api'
 import classes from './Drift.module.css'
@@ -269,7 +269,7 @@ function Accepted({ first, ids, projectId, maySpeak }: AcceptedProps) {
   return (
     <div className="flex wrap items-center between gap-2-3">
       <p>
-        <State kind="waived">Accepted</State> {reason}
+        <StatusBadge kind="waived">Accepted</StatusBadge> {reason}
         <span className="small dim">{` ${by.name}, ${shortDay(at)}`}</span>
       </p>
       {maySpeak && (
@@ -292,7 +292,7 @@ function History({ projectId, path }: { projectId: string; path: string }) {
         {data.map((one) => (
           <li key={one.audit_id}>
             <span className="strong">{one.label}</span>
-            <State kind={faceOf(one)}>{whatOf(one)}</State>
+            <StatusBadge kind={faceOf(one)}>{whatOf(one)}</StatusBadge>
             <span className="num">{one.gain_db === null ? '' : signed(one.gain_db)}</span>
             <span className="dim">{shortDay(one.created_at)}</span>
           </li>

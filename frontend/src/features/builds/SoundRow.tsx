@@ -1,5 +1,5 @@
 import { plural } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { AuditSummary } from './api'
 import classes from './Drift.module.css'
@@ -28,7 +28,7 @@ export function SoundRow({ group, audit, projectId, isOpen, onOpen }: SoundRowPr
           <span className="small dim">{plural(sounds.length, 'file')}</span>
           {first.is_new && <span className={`small ${classes.new}`}> new</span>}
         </span>
-        <State kind={faceOf(first)}>{whatOf(first)}</State>
+        <StatusBadge kind={faceOf(first)}>{whatOf(first)}</StatusBadge>
         <span className="mono small cut-text">{move ? `${endOf(move.object)}, ${move.property}` : first.path}</span>
         <span className="small mid cut-text">{list ? [list.id, list.on].filter(Boolean).join(', ') : ''}</span>
         <span className={`num ${first.has_drifted ? 'strong' : ''}`}>

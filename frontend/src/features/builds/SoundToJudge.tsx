@@ -8,7 +8,7 @@ import { usePeaks } from '@/judging/peaks'
 import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
 import { Key } from '@/ui/Key'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { CueToHear, HeardAs } from './api'
 import classes from './Listening.module.css'
@@ -81,9 +81,9 @@ export function SoundToJudge(props: SoundToJudgeProps) {
             {cue.cue.name}
           </h2>
           {cue.gain_db !== null && Math.abs(cue.gain_db) >= 0.1 && (
-            <State kind="warning" pill>
+            <StatusBadge kind="warning" pill>
               {`${signed(cue.gain_db)} against approved`}
-            </State>
+            </StatusBadge>
           )}
         </div>
         <p className="mid">

@@ -1,6 +1,6 @@
 import { figure } from '@/ui/format'
 import type { IconName } from '@/ui/Icon'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 
 import type { AuditedSound, AuditSummary, GameTask, HeardAs } from './api'
 

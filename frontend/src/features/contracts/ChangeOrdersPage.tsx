@@ -11,7 +11,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import { type ChangeOffer, type ChangeOrder, type ChangeOrders, changeOrdersQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
@@ -89,7 +89,9 @@ function Order({ order, all }: { order: ChangeOrder; all: ChangeOrders }) {
         title={`Change order ${order.number}`}
         note={`${order.proposed_by}, for the ${order.party}, ${day(order.proposed_at)}`}
         end={
-          <State kind={order.may.agree ? 'to_review' : kind}>{order.may.agree ? 'Needs your signature' : word}</State>
+          <StatusBadge kind={order.may.agree ? 'to_review' : kind}>
+            {order.may.agree ? 'Needs your signature' : word}
+          </StatusBadge>
         }
       />
       <div className={classes.form}>

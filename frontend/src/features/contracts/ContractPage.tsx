@@ -14,9 +14,9 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
-import { type Contract, useDeed, useKeepAsTemplate, versionsQuery } from './api'
+import { type Contract, useContractAction, useKeepAsTemplate, versionsQuery } from './api'
 import classes from './Contracts.module.css'
 import { isOrder } from './questions'
 import { MastersCard } from './MastersCard'
@@ -54,9 +54,9 @@ export function ContractPage() {
           </p>
           <SignatureTime contract={contract} />
         </div>
-        <State kind={kind} pill>
+        <StatusBadge kind={kind} pill>
           {text}
-        </State>
+        </StatusBadge>
       </div>
       {contract.change_requested && (
         <blockquote className={classes.asked}>
@@ -184,7 +184,7 @@ function BeforeSending({ contract }: { contract: Contract }) {
 }
 
 function Accept({ contract }: { contract: Contract }) {
-  const accept = useDeed(contract.id)
+  const accept = useContractAction(contract.id)
   const textSha256 = contract.version.text_sha256
   return (
     <SignForm
@@ -210,7 +210,7 @@ function Accept({ contract }: { contract: Contract }) {
 }
 
 function AskChange({ contract }: { contract: Contract }) {
-  const ask = useDeed(contract.id)
+  const ask = useContractAction(contract.id)
   const [text, setText, draft] = useDraft(`contract-change:${contract.id}`, '')
   const [clause, setClause] = useState<string | null>(null)
   const send = (event: FormEvent) => {
@@ -254,7 +254,7 @@ function AskChange({ contract }: { contract: Contract }) {
 }
 
 function Recall({ contract }: { contract: Contract }) {
-  const take = useDeed(contract.id)
+  const take = useContractAction(contract.id)
   const [reason, setReason, draft] = useDraft(`contract-back:${contract.id}`, '')
   return (
     <form
@@ -393,7 +393,7 @@ function KeepAsTemplate({ contract }: { contract: Contract }) {
 }
 
 function End({ contract }: { contract: Contract }) {
-  const end = useDeed(contract.id)
+  const end = useContractAction(contract.id)
   const [reason, setReason, draft] = useDraft(`contract-end:${contract.id}`, '')
   return (
     <details className={classes.end}>

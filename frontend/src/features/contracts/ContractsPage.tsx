@@ -12,7 +12,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import {
   type ContractBrief,
@@ -92,7 +92,7 @@ function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; p
                 </p>
                 <p className="small mid">{`${KIND_WORDS[contract.kind]} with ${contract.designer.name}, created ${day(contract.created_at)}`}</p>
               </div>
-              <State kind={kind}>{text}</State>
+              <StatusBadge kind={kind}>{text}</StatusBadge>
             </Row>
           )
         })}

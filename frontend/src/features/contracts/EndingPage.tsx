@@ -12,7 +12,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day, dueDay, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import { type Ending, endingQuery, type StatedCue, useEnding } from './api'
 import classes from './Contracts.module.css'
@@ -152,9 +152,9 @@ function Statement({ ending }: { ending: Ending }) {
             {linesOf(cues).map(({ cues: of, first }) => (
               <tr key={first.cue.id}>
                 <td>
-                  <State kind={first.was_cut ? 'cut' : STATES[first.state].kind}>
+                  <StatusBadge kind={first.was_cut ? 'cut' : STATES[first.state].kind}>
                     {`${first.was_cut ? `Cut, ${STATES[first.state].word.toLowerCase()}` : STATES[first.state].word}, ${first.milestone}`}
-                  </State>
+                  </StatusBadge>
                 </td>
                 <td className={classes.names}>{of.map(({ cue }) => cue.name).join(', ')}</td>
                 <td className={`${classes.number} ${classes.each}`}>{one(first.price_minor)}</td>

@@ -11,7 +11,7 @@ import { amount, minorOf, money, percent } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 import { useDebounced } from '@/ui/useDebounced'
 
 import { TermField } from './ClauseFields'
@@ -177,7 +177,7 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
           <div className={`flex between gap-2 ${classes.planHead}`}>
             <h3>{typed.parts ? 'Your plan' : isSaved ? 'Plan' : 'Suggested plan'}</h3>
             {advice.length === 0 && faults.length === 0 && missingMinor === 0 && (
-              <State kind="passed">No warnings</State>
+              <StatusBadge kind="passed">No warnings</StatusBadge>
             )}
           </div>
           <Parts
@@ -244,11 +244,11 @@ function BesideBid({ price: { price, totalMinor }, plan, currency }: { price: Pr
   if (bidCurrency !== currency)
     return <p className="small mid">{`The bid is ${money(bidMinor, bidCurrency ?? currency)}.`}</p>
   const above = totalMinor - bidMinor
-  if (above === 0) return <State kind="passed">{`The same as the bid, ${money(bidMinor, currency)}`}</State>
+  if (above === 0) return <StatusBadge kind="passed">{`The same as the bid, ${money(bidMinor, currency)}`}</StatusBadge>
   return (
-    <State kind="warning">
+    <StatusBadge kind="warning">
       {`${money(Math.abs(above), currency)} ${above > 0 ? 'more' : 'less'} than the bid of ${money(bidMinor, currency)}`}
-    </State>
+    </StatusBadge>
   )
 }
 

@@ -14,7 +14,7 @@ import { Icon } from '@/ui/Icon'
 import { Refusal } from '@/ui/Refusal'
 import { Skeleton } from '@/ui/Skeleton'
 
-import { useDeed, versionQuery } from './api'
+import { useContractAction, versionQuery } from './api'
 import { TermField } from './ClauseFields'
 import { withStanding } from './clauses'
 import classes from './Draft.module.css'
@@ -69,7 +69,7 @@ interface AnswersProps extends QuestionsProps {
 function Answers({ drafting, back, plan, begun }: AnswersProps) {
   const { contract, draft, library, problems, save, canSave, isChanged } = drafting
   const navigate = useNavigate()
-  const send = useDeed(contract.id)
+  const send = useContractAction(contract.id)
   const price = usePrice(drafting, plan)
   const { data: cues } = useQuery({ ...keptCuesQuery(contract.project_id), enabled: isOrder(contract) })
   const questions = questionsOf(contract, library)

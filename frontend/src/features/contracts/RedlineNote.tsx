@@ -6,7 +6,7 @@ import { DraftNote, useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import { type Contract, libraryQuery } from './api'
@@ -62,13 +62,13 @@ export function RedlineNote(props: RedlineNoteProps) {
       {answer ? (
         <>
           <p>
-            <State kind={ANSWERS[answer.kind].kind}>{ANSWERS[answer.kind].word}</State>{' '}
+            <StatusBadge kind={ANSWERS[answer.kind].kind}>{ANSWERS[answer.kind].word}</StatusBadge>{' '}
             <span className="small mid">{`by ${answer.by}, ${day(answer.at)}`}</span>
           </p>
           {answer.comment !== '' && <p className={styles.said}>{answer.comment}</p>}
         </>
       ) : (
-        <State kind="waiting">Waiting for the studio’s answer</State>
+        <StatusBadge kind="waiting">Waiting for the studio’s answer</StatusBadge>
       )}
       {mayAnswer && (
         <div className={classes.buttons}>

@@ -6,7 +6,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { day, plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { Segmented } from '@/ui/Segmented'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { Contract } from './api'
 import classes from './Contracts.module.css'
@@ -172,9 +172,10 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
 }
 
 function RoundState({ round }: { round: Round }) {
-  if (round.sent_version !== null) return <State kind="accepted">{`Version ${round.sent_version} was sent`}</State>
-  if (round.unanswered === 0) return <State kind="to_review">All answered</State>
-  return <State kind="change_requested">{`${round.unanswered} without an answer`}</State>
+  if (round.sent_version !== null)
+    return <StatusBadge kind="accepted">{`Version ${round.sent_version} was sent`}</StatusBadge>
+  if (round.unanswered === 0) return <StatusBadge kind="to_review">All answered</StatusBadge>
+  return <StatusBadge kind="change_requested">{`${round.unanswered} without an answer`}</StatusBadge>
 }
 
 function NextStep({ contract, round, back }: { contract: Contract; round: Round; back: string }) {

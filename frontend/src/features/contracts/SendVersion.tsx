@@ -6,7 +6,7 @@ import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 
-import { type Contract, useDeed } from './api'
+import { type Contract, useContractAction } from './api'
 import classes from './Contracts.module.css'
 import { Warning } from './Warning'
 
@@ -20,7 +20,7 @@ interface SendVersionProps {
 
 /** The draft, and the button that sends its text to the designer. */
 export function SendVersion({ contract, back, children }: SendVersionProps) {
-  const send = useDeed(contract.id)
+  const send = useContractAction(contract.id)
   const text = `contract:${contract.id}` as const
   const unsaved = useUnsent([text, `plan:${contract.id}`])
   return (

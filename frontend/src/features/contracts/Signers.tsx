@@ -7,7 +7,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 
-import { type Contract, useDeed } from './api'
+import { type Contract, useContractAction } from './api'
 import classes from './Contracts.module.css'
 
 type Party = 'studio' | 'designer'
@@ -59,7 +59,7 @@ export function SignerFields({ contract }: { contract: Contract }) {
     ...studioPeopleQuery(project?.studio.id ?? ''),
     enabled: project !== undefined,
   })
-  const set = useDeed(contract.id)
+  const set = useContractAction(contract.id)
   const producers = (people ?? [])
     .filter(({ person, roles }) => roles.includes('producer') && person.id !== contract.designer.id)
     .map(({ person }) => ({ value: person.id, label: person.name }))

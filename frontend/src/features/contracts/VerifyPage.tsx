@@ -5,7 +5,7 @@ import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import { type Verified, verifyPdf } from './api'
 import classes from './Contracts.module.css'
@@ -84,9 +84,9 @@ function Result({ verified, name }: { verified: Verified; name: string }) {
       <CardHead id="verdict" title={name} />
       <div className={classes.form}>
         <div>
-          <State kind={kind} pill>
+          <StatusBadge kind={kind} pill>
             {text}
-          </State>
+          </StatusBadge>
         </div>
         <p>{meaning}</p>
         {binds && (

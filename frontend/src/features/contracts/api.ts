@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, patch, post, put, queryById, useMutation } from '@/api'
+import { unwrap, api, del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -157,7 +157,7 @@ export const useSigningCode = (contractId: string) =>
 
 /** Compare a PDF with the contracts that were sealed here. */
 export const verifyPdf = (file: File) =>
-  answered(
+  unwrap(
     api.POST('/v1/verify', {
       headers: { 'Content-Type': 'application/pdf' },
       body: file as unknown as string, // how OpenAPI's `binary` is typed
@@ -166,7 +166,7 @@ export const verifyPdf = (file: File) =>
   )
 
 /** What a party does with a contract; each answers the contract as it is then. */
-export type Deed =
+export type ContractAction =
   | { does: 'save'; body: Schemas['DraftSave'] }
   | { does: 'send'; note: string }
   | { does: 'take back'; reason: string }
@@ -175,34 +175,34 @@ export type Deed =
   | { does: 'sign order'; body: Schemas['SignersSet'] }
   | { does: 'end'; reason: string }
 
-function done(contractId: string, deed: Deed): Promise<Contract> {
+function done(contractId: string, deed: ContractAction): Promise<Contract> {
   const it = of(contractId)
   switch (deed.does) {
     case 'save':
-      return answered(api.PUT('/v1/contracts/{contract_id}/draft', { ...it, body: deed.body }))
+      return unwrap(api.PUT('/v1/contracts/{contract_id}/draft', { ...it, body: deed.body }))
     case 'send':
-      return answered(api.POST('/v1/contracts/{contract_id}/send', { ...it, body: { note: deed.note } }))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/send', { ...it, body: { note: deed.note } }))
     case 'take back':
-      return answered(api.POST('/v1/contracts/{contract_id}/recall', { ...it, body: { reason: deed.reason } }))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/recall', { ...it, body: { reason: deed.reason } }))
     case 'ask for a change': {
       const body = { text: deed.text, clause_key: deed.clause }
-      return answered(api.POST('/v1/contracts/{contract_id}/ask-change', { ...it, body }))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/ask-change', { ...it, body }))
     }
     case 'accept': {
       const body = signatureOf(deed)
-      return answered(api.POST('/v1/contracts/{contract_id}/accept', { ...it, body }))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/accept', { ...it, body }))
     }
     case 'sign order':
-      return answered(api.PUT('/v1/contracts/{contract_id}/signers', { ...it, body: deed.body }))
+      return unwrap(api.PUT('/v1/contracts/{contract_id}/signers', { ...it, body: deed.body }))
     case 'end':
-      return answered(api.POST('/v1/contracts/{contract_id}/end', { ...it, body: { reason: deed.reason } }))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/end', { ...it, body: { reason: deed.reason } }))
   }
 }
 
-export function useDeed(contractId: string) {
+export function useContractAction(contractId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (deed: Deed) => done(contractId, deed),
+    mutationFn: (deed: ContractAction) => done(contractId, deed),
     onSuccess: async (contract) => {
       client.setQueryData(queryKeys.contract(contractId), contract)
       await invalidate(
@@ -219,23 +219,23 @@ export function useDeed(contractId: string) {
 }
 
 /** What a party does about an early end; each answers the ending as it is then. */
-export type EndingDeed =
+export type EndingAction =
   | { does: 'give notice'; reason: string; endsOn: string | null }
   | { does: 'withdraw' }
   | ({ does: 'agree' } & Signature)
 
-function doneToEnd(contractId: string, deed: EndingDeed): Promise<Ending> {
+function doneToEnd(contractId: string, deed: EndingAction): Promise<Ending> {
   const it = of(contractId)
   switch (deed.does) {
     case 'give notice': {
       const body = { reason: deed.reason, ends_on: deed.endsOn }
-      return answered(api.POST('/v1/contracts/{contract_id}/ending/notice', { ...it, body }))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/ending/notice', { ...it, body }))
     }
     case 'withdraw':
-      return answered(api.POST('/v1/contracts/{contract_id}/ending/withdraw', it))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/ending/withdraw', it))
     case 'agree': {
       const body = signatureOf(deed)
-      return answered(api.POST('/v1/contracts/{contract_id}/ending/agree', { ...it, body }))
+      return unwrap(api.POST('/v1/contracts/{contract_id}/ending/agree', { ...it, body }))
     }
   }
 }
@@ -243,7 +243,7 @@ function doneToEnd(contractId: string, deed: EndingDeed): Promise<Ending> {
 export function useEnding(contractId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (deed: EndingDeed) => doneToEnd(contractId, deed),
+    mutationFn: (deed: EndingAction) => doneToEnd(contractId, deed),
     onSuccess: async (ending) => {
       client.setQueryData(queryKeys.contract(contractId, 'ending'), ending)
       await invalidate(
@@ -257,13 +257,13 @@ export function useEnding(contractId: string) {
 }
 
 /** What a party does with a change order; each answers all of them as they are then. */
-export type ChangeDeed =
+export type ChangeOrderAction =
   | { does: 'propose'; reason: string; beginsAtOnce: boolean; changes: Change[]; offers: string[] }
   | { does: 'dismiss'; offer: string; reason: string }
   | ({ does: 'accept'; number: number } & Signature)
   | { does: 'refuse' | 'withdraw'; number: number; reason: string }
 
-function doneToChange(contractId: string, deed: ChangeDeed): Promise<ChangeOrders> {
+function doneToChange(contractId: string, deed: ChangeOrderAction): Promise<ChangeOrders> {
   if (deed.does === 'propose') {
     const { reason, beginsAtOnce, changes, offers } = deed
     const body = { reason, begins_at_once: beginsAtOnce, changes, offers }
@@ -278,19 +278,19 @@ function doneToChange(contractId: string, deed: ChangeDeed): Promise<ChangeOrder
   switch (deed.does) {
     case 'accept': {
       const body = signatureOf(deed)
-      return answered(api.POST(`${path}/accept`, { ...it, body }))
+      return unwrap(api.POST(`${path}/accept`, { ...it, body }))
     }
     case 'refuse':
-      return answered(api.POST(`${path}/refuse`, { ...it, body: { reason: deed.reason } }))
+      return unwrap(api.POST(`${path}/refuse`, { ...it, body: { reason: deed.reason } }))
     case 'withdraw':
-      return answered(api.POST(`${path}/withdraw`, { ...it, body: { reason: deed.reason } }))
+      return unwrap(api.POST(`${path}/withdraw`, { ...it, body: { reason: deed.reason } }))
   }
 }
 
 export function useChangeOrder(contractId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: (deed: ChangeDeed) => doneToChange(contractId, deed),
+    mutationFn: (deed: ChangeOrderAction) => doneToChange(contractId, deed),
     onSuccess: async (orders) => {
       client.setQueryData(queryKeys.contract(contractId, 'change-orders'), orders)
       await invalidate(

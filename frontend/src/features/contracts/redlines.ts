@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, post, useMutation } from '@/api'
+import { unwrap, api, post, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -22,7 +22,7 @@ export const redlinesQuery = (contractId: string, round?: number) =>
   queryOptions({
     queryKey: queryKeys.contract(contractId, 'redlines', round ?? 'last'),
     queryFn: () =>
-      answered(
+      unwrap(
         api.GET('/v1/contracts/{contract_id}/redlines', {
           params: { path: { contract_id: contractId }, query: round === undefined ? {} : { round } },
         }),

@@ -6,7 +6,7 @@ import { showToast } from '@/app/toast'
 import { useDebounced } from '@/ui/useDebounced'
 
 import { amountsOf } from './AmountsAgain'
-import { type Contract, type Draft, libraryQuery, previewQuery, useDeed } from './api'
+import { type Contract, type Draft, libraryQuery, previewQuery, useContractAction } from './api'
 
 const NO_CLAUSES: never[] = []
 
@@ -31,7 +31,7 @@ export function useDrafting(newest: Contract, onSaved: () => void) {
   const settled = useDebounced(draft)
   const shown = useQuery({ ...previewQuery(contract.id, settled), placeholderData: keepPreviousData })
   const { data: library } = useQuery(libraryQuery(contract.kind))
-  const deed = useDeed(contract.id)
+  const deed = useContractAction(contract.id)
   const [again, setAgain] = useState<Record<string, string>>({})
   const isOtherCurrency = draft.currency !== contract.currency && /^[A-Z]{3}$/.test(draft.currency)
   const isChanged = !deed.isSuccess && JSON.stringify(draft) !== JSON.stringify(draftOf(contract))

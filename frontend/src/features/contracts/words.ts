@@ -1,6 +1,6 @@
 import { money, percent } from '@/money/words'
 import { day, dueDay } from '@/ui/format'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 
 import type { ContractBrief, ContractKind, Entry } from './api'
 

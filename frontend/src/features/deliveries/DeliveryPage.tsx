@@ -9,7 +9,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { bytes, plural } from '@/ui/format'
 import { Person } from '@/ui/Person'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Archive, type DeliveryDetail, deliveryQuery, type Take } from './api'
 import classes from './Deliveries.module.css'
@@ -58,7 +58,7 @@ function Head({ delivery }: { delivery: DeliveryDetail }) {
         <ul className={classes.counts} aria-label="How its files stand">
           {counts.map(({ kind, files }) => (
             <li key={kind}>
-              <State kind={kind} /> <span className="num small mid">{files}</span>
+              <StatusBadge kind={kind} /> <span className="num small mid">{files}</span>
             </li>
           ))}
         </ul>
@@ -106,7 +106,7 @@ function Files({ takes }: { takes: readonly Take[] }) {
                 .join(', ')}
             </span>
             {take.discarded_at === null ? (
-              <State kind={standOf(take)} />
+              <StatusBadge kind={standOf(take)} />
             ) : (
               <span className="small dim">Discarded; the file is kept</span>
             )}
@@ -149,7 +149,7 @@ function ArchiveCard({ archive }: { archive: Archive }) {
         id={id}
         title={archive.file_name}
         note={archive.state === 'received' ? 'unpacking' : `${filesOf(taken)} unpacked`}
-        end={archive.state === 'refused' ? <State kind="refused" /> : undefined}
+        end={archive.state === 'refused' ? <StatusBadge kind="refused" /> : undefined}
       />
       {archive.message && <p className="mid p-3-inset">{archive.message}</p>}
       {left.length > 0 && (

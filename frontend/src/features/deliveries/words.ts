@@ -1,5 +1,5 @@
 import { plural, shortDay } from '@/ui/format'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 
 import type { Delivery, DeliveryDetail, Take } from './api'

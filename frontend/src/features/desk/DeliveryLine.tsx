@@ -1,6 +1,6 @@
 import { Button } from '@/ui/Button'
 import { Meter } from '@/ui/Meter'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import classes from './Delivery.module.css'
 import type { DeliveryRow } from './rows'
@@ -25,7 +25,7 @@ export function DeliveryLine({ row, onStop, onDismiss, onRecheck }: { row: Deliv
         )}
         <span className="small mid">{detail}</span>
       </span>
-      <State kind={state} />
+      <StatusBadge kind={state} />
       <span className={`flex justify-end ${classes.does}`}>
         {does === 'stop' && uploadId && (
           <Button square variant="quiet" icon="cross" aria-label={`Stop ${name}`} onClick={() => onStop(uploadId)} />

@@ -1,7 +1,7 @@
 import { useState } from 'react'
 
 import { plural } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 import { useLazy } from '@/ui/useLazy'
 
 import classes from './Delivery.module.css'
@@ -31,7 +31,7 @@ export function DeliveryLines({ rows: { open, done }, ...actions }: LinesProps) 
       )}
       {done.length > 0 && (
         <div className={`flex items-center gap-3 ${classes.folded}`}>
-          <State kind="conforming">{plural(done.length, 'file')} checked</State>
+          <StatusBadge kind="conforming">{plural(done.length, 'file')} checked</StatusBadge>
           <button
             type="button"
             className="link small mid"

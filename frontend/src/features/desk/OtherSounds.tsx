@@ -1,7 +1,7 @@
 import { type Player, type PlayerState, WaveThumb } from '@/audio'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type OtherSound, useOtherSounds } from './otherSounds'
 import classes from './Side.module.css'
@@ -63,7 +63,7 @@ function Sound({ sound, player: [player, { status, sourceId }] }: { sound: Other
         <p className="small dim">{[sound.category, sound.is_palette ? 'palette' : ''].filter(Boolean).join(', ')}</p>
       </div>
       <WaveThumb peaks={sound.thumb} heightPx={28} />
-      <State kind={sound.is_approved ? 'approved' : 'to_review'} />
+      <StatusBadge kind={sound.is_approved ? 'approved' : 'to_review'} />
     </li>
   )
 }

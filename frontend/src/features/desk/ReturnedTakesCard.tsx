@@ -20,11 +20,11 @@ import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Refusal } from '@/ui/Refusal'
 import { ago, length } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type CameBack, type Change, type Finding, useRecheck } from './api'
 import { Conversation } from './Conversation'
@@ -149,7 +149,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         <h3 id={`back-${id}`} className="title">
           <Name item={item} />
         </h3>
-        <State kind={status} pill />
+        <StatusBadge kind={status} pill />
         <span className="small dim">
           {cue && <span className="mono">{cue.label}</span>}
           {variation > 1 && `, _${String(variation).padStart(2, '0')}`}
@@ -193,7 +193,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         <ul className={classes.changes} aria-label="Comments">
           {advice.map((one) => (
             <li key={one.id}>
-              <Face name={one.author.name} picture={one.author.picture} />
+              <Avatar name={one.author.name} picture={one.author.picture} />
               <div className="grow">
                 <p>
                   <span className="strong">{one.author.name}</span>{' '}
@@ -344,7 +344,7 @@ function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
         <p className="strong">
           <Name item={item} />
         </p>
-        <State kind={item.status} />
+        <StatusBadge kind={item.status} />
       </div>
       <div className={`flex items-center gap-14px ${classes.said}`}>
         <span className={classes.thumb}>

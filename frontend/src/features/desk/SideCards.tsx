@@ -9,7 +9,7 @@ import { fixesQuery } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, length, plural } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 import { useLazy } from '@/ui/useLazy'
 import { filesOfDrop, type Picked } from '@/uploads'
 
@@ -88,11 +88,11 @@ export function ToMakeCard({ projectId, toMake, count, onChoose, onDrop }: ToMak
 }
 
 function progress({ status, state, variations, missing }: ToMake) {
-  if (state === 'concept') return <State kind="warning">Concept</State>
-  if (status === 'question') return <State kind="question" />
-  if (status === 'placeholder') return <State kind="placeholder" />
+  if (state === 'concept') return <StatusBadge kind="warning">Concept</StatusBadge>
+  if (status === 'question') return <StatusBadge kind="question" />
+  if (status === 'placeholder') return <StatusBadge kind="placeholder" />
   if (variations > 1) return <span className="small mid nowrap">{`${missing} of ${variations} missing`}</span>
-  return <State kind="to_make" />
+  return <StatusBadge kind="to_make" />
 }
 
 function factsOf({ category, use, duration_s, loop, variations, state }: ToMake): string {
@@ -193,9 +193,9 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
                 </>
               )}
             </span>
-            <State kind="to_review">
+            <StatusBadge kind="to_review">
               {plural(count, 'cue')}, {plural(files, 'file')}
-            </State>
+            </StatusBadge>
             {waitsOf(cues).map((says) => (
               <p key={says} className="small mid col-span-full">
                 {says}

@@ -4,7 +4,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type TrayWork, type UndecidedPlace, useTrayWork, useUndecidedFiles, useUndo } from './api'
 import { CueField } from './CueField'
@@ -29,7 +29,7 @@ export function UndecidedFiles({ projectId }: { projectId: string }) {
   return (
     <section aria-label="Files to choose between" aria-busy={isBusy}>
       <div className={classes.bar}>
-        <State kind="question">{plural(places.length, 'sound')} with several files</State>
+        <StatusBadge kind="question">{plural(places.length, 'sound')} with several files</StatusBadge>
         <span className="small mid">They came in one delivery, and only one can be the sound. Say what they are.</span>
       </div>
       {(work.error ?? undo.error) !== null && (

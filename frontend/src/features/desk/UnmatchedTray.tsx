@@ -5,7 +5,7 @@ import { showToast } from '@/app/toast'
 import type { Player, PlayerState } from '@/audio'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Take, type TrayWork, useTrayWork, useUndo } from './api'
 import { CueField } from './CueField'
@@ -131,7 +131,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
   return (
     <section aria-label="Unmatched files" aria-busy={busy}>
       <div className={classes.bar}>
-        <State kind="unmatched">{files(count)} without a cue</State>
+        <StatusBadge kind="unmatched">{files(count)} without a cue</StatusBadge>
         {sure.length > 0 && (
           <Button variant="primary" disabled={busy} onClick={() => act({ what: 'accept', takeIds: sure })}>
             Accept {sure.length} sure {sure.length === 1 ? 'match' : 'matches'}
@@ -279,7 +279,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
       )}
       {kept > 0 && (
         <div className={`flex items-center gap-3 ${classes.kept}`}>
-          <State kind="unmatched">{kept} skipped for now</State>
+          <StatusBadge kind="unmatched">{kept} skipped for now</StatusBadge>
           <button type="button" className="link small mid" onClick={() => setLater(new Set())}>
             Show {kept === 1 ? 'it' : 'them'}
           </button>

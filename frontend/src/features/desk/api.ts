@@ -1,6 +1,6 @@
 import { keepPreviousData, type QueryClient, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, everyPage, get, patch, post, queryById, useMutation } from '@/api'
+import { unwrap, api, everyPage, get, patch, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { keptCuesQuery } from '@/api/soundList'
 import type { components } from '@/api/schema.gen'
@@ -93,7 +93,7 @@ export const addFile = (
   query: { file_name: string; cue_id: string | null; received_name?: string },
   signal: AbortSignal,
 ) =>
-  answered(
+  unwrap(
     api.POST('/v1/deliveries/{delivery_id}/files', {
       params: { path: { delivery_id: deliveryId }, query: { ...query, cue_id: query.cue_id ?? undefined } },
       headers: { 'Content-Type': 'application/octet-stream' },

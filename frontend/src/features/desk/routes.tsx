@@ -22,7 +22,7 @@ export const deskRoutes = [
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/desk',
     staticData: {
-      early: (client, { projectId = '' }) => {
+      prefetch: (client, { projectId = '' }) => {
         void client.prefetchQuery(deskQuery(projectId))
         void client.prefetchQuery(nextStepsQuery(projectId))
       },

@@ -1,6 +1,6 @@
 import { reasonsText } from '@/judging/words'
 import { bytes, bytesOf, figure, plural } from '@/ui/format'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 import type { Upload } from '@/uploads'
 
 import type { Archive, DeliveryDetail, DryStem, Take, TakeAdded } from './api'

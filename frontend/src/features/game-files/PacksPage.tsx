@@ -13,7 +13,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day, plural } from '@/ui/format'
 import { ShowMore } from '@/ui/ShowMore'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import {
   type Changes,
@@ -95,10 +95,10 @@ function PackLine({ pack, isProducer }: { pack: SealedPack; isProducer: boolean 
       <p className="row wrap">
         <span className="strong">{title}</span>
         {(pack.state === 'sealed' ? pack.placeholder_files > 0 : pack.placeholders) && (
-          <State kind="placeholder">With placeholders</State>
+          <StatusBadge kind="placeholder">With placeholders</StatusBadge>
         )}
-        {pack.state === 'sealing' && <State kind="checking">Being built</State>}
-        {pack.state === 'refused' && <State kind="refused" />}
+        {pack.state === 'sealing' && <StatusBadge kind="checking">Being built</StatusBadge>}
+        {pack.state === 'refused' && <StatusBadge kind="refused" />}
         {pack.state === 'sealed' && (
           <span className="mid">
             {[

@@ -8,7 +8,7 @@ import { Refusal } from '@/ui/Refusal'
 import { countOf, figure, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { Segmented } from '@/ui/Segmented'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Placeholder, useMakePlaceholders, useRegister } from './api'
 import classes from './Files.module.css'
@@ -89,11 +89,11 @@ export function PlaceholdersPage() {
                 </span>
                 <span className="small">
                   {one.state === 'refused' ? (
-                    <State kind="refused" />
+                    <StatusBadge kind="refused" />
                   ) : (
-                    <State kind={one.state === 'made' ? 'placeholder' : 'to_make'}>
+                    <StatusBadge kind={one.state === 'made' ? 'placeholder' : 'to_make'}>
                       {one.spoken && one.state === 'made' ? 'spoken placeholder' : WORDS[one.state]}
-                    </State>
+                    </StatusBadge>
                   )}
                 </span>
               </li>

@@ -12,7 +12,7 @@ import { type Column, ListTable } from '@/ui/Table'
 import { EmptyState } from '@/ui/EmptyState'
 import { day, length, plural } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 import { PageSkeleton } from '@/ui/Skeleton'
 
 import { type Invitation, invitationQuery, type PreviewCue } from './api'
@@ -196,8 +196,8 @@ const COLUMNS: Column<PreviewCue>[] = [
     width: '104px',
     narrow: 'state',
     cell: ({ state }) => {
-      if (state === 'concept') return <State kind="warning">Concept</State>
-      if (state === 'cut') return <State kind="cut" />
+      if (state === 'concept') return <StatusBadge kind="warning">Concept</StatusBadge>
+      if (state === 'cut') return <StatusBadge kind="cut" />
       return <span className="small mid">{state === 'locked' ? 'Locked' : 'Prototype'}</span>
     },
   },

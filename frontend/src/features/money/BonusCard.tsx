@@ -8,7 +8,7 @@ import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import classes from './Page.module.css'
 import { today } from './today'
@@ -44,7 +44,7 @@ export function BonusCard({ contract, isProducer }: BonusCardProps) {
         id={`bonus-${contractId}`}
         title="Bonus"
         note={money(bonus.amount_minor, currency)}
-        end={state && <State kind={state.kind}>{state.word}</State>}
+        end={state && <StatusBadge kind={state.kind}>{state.word}</StatusBadge>}
       />
       <div className="p-3-inset">
         <p className="small mid">{WHEN[bonus.when]}</p>

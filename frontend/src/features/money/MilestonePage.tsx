@@ -15,7 +15,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { average, day, deviation, dueDay, figure, plural, shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 import { Table } from '@/ui/Table'
 
 import { LedgerTable } from './LedgerTable'
@@ -95,7 +95,7 @@ function BlockedCard({ sheet: { blocked_by: questions, project_id: projectId } }
       <Rows>
         {questions.map(({ id, cue, text, owner, due_on }) => (
           <Row key={id}>
-            <State kind="question" />
+            <StatusBadge kind="question" />
             <div>
               <p>{text}</p>
               <p className="small mid">
@@ -159,12 +159,12 @@ function CuesCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
                 search={{}}
                 aria-label={`Review ${one.cue.name}`}
               >
-                <State kind="to_review" />
+                <StatusBadge kind="to_review" />
               </Link>
             ) : (
-              <State kind={kindOf(one.status)}>
+              <StatusBadge kind={kindOf(one.status)}>
                 {one.status === 'partly_accepted' ? 'Partly accepted' : undefined}
-              </State>
+              </StatusBadge>
             )}
             <span className={`small mid ${classes.share}`}>{shareInWords(one, currency)}</span>
           </Row>

@@ -10,7 +10,7 @@ import { Refusal } from '@/ui/Refusal'
 import { ago, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { ShowMore } from '@/ui/ShowMore'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Job, jobsQuery, type JobState, operationsQuery, type Scope, useRetry } from './api'
 import classes from './Operations.module.css'
@@ -87,7 +87,7 @@ function JobRow({ job, scope, busy, onRetry }: { job: Job; scope: Scope; busy: b
         </span>
         {job.reason !== null && <span className={`small block wrap-anywhere ${classes.reason}`}>{job.reason}</span>}
       </span>
-      <State kind={kind}>{word}</State>
+      <StatusBadge kind={kind}>{word}</StatusBadge>
       {job.state === 'parked' && (
         <Button aria-label={`Try again: ${jobWords(job.job)}`} disabled={busy} onClick={onRetry}>
           Try again

@@ -6,7 +6,7 @@ import { bytes, countOf, plural } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { Row, Rows } from '@/ui/Rows'
 import { ShowMore } from '@/ui/ShowMore'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { limitsQuery, type Limits, type Quota, type Scope, share } from './api'
 
@@ -80,8 +80,8 @@ function Limit({ quota }: { quota: Quota }) {
         <span className="num">{inWords}</span>
       </p>
       <Meter thin label={`${NAMES[kind]}: ${inWords}`} whole={limit} parts={[{ value: used, tone }]} />
-      {tone === 'bad' && <State kind="refused">Limit reached</State>}
-      {tone === 'warn' && <State kind="warning">Almost full</State>}
+      {tone === 'bad' && <StatusBadge kind="refused">Limit reached</StatusBadge>}
+      {tone === 'warn' && <StatusBadge kind="warning">Almost full</StatusBadge>}
     </div>
   )
 }

@@ -1,5 +1,5 @@
 import { age, ago, bytes, plural } from '@/ui/format'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 
 import type { JobCount, JobState, Lane, Scope, Scrub } from './api'
 

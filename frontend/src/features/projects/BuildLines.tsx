@@ -2,7 +2,7 @@ import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
 import { ago, plural } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Build, type BuildBrief, useBuildReport } from './api'
 import classes from './Builds.module.css'
@@ -14,7 +14,7 @@ export function BuildLine({ build, children }: { build: Build | BuildBrief; chil
   return (
     <div className={`grid items-center ${classes.line}`}>
       <span className="strong cut-text">{build.label}</span>
-      <State kind={OUTCOME_STATES[outcomeOf(build)]}>{outcomeInWords(build)}</State>
+      <StatusBadge kind={OUTCOME_STATES[outcomeOf(build)]}>{outcomeInWords(build)}</StatusBadge>
       <span className="small dim num">
         {[ago(build.created_at), build.target, build.commit.slice(0, 8)].filter(Boolean).join(', ')}
       </span>

@@ -75,7 +75,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
               disabled={preview_url === null}
               onClick={() => (playing === cue.id ? stop() : play(cue.id, false))}
             >
-              <WaveThumb peaks={thumb as Peaks} lit heightPx={44} />
+              <WaveThumb peaks={thumb as Peaks} highlighted heightPx={44} />
             </button>
             <p className="row between small dim">
               {loudness_lufs === null ? 'too short to measure' : level(loudness_lufs, 'LUFS')}

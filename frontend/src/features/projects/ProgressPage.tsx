@@ -18,7 +18,7 @@ import classes from './Project.module.css'
 import { PlaceholdersCard } from './PlaceholdersCard'
 import { SpecCard } from './spec/SpecCard'
 import { StepsCard } from './StepsCard'
-import { speaks } from './words'
+import { canActForStudio } from './words'
 
 /** The figures of a project in full: every cue, the pace, the spec, the palette, the last builds and the pack. */
 export function ProgressPage() {
@@ -27,7 +27,7 @@ export function ProgressPage() {
   const { data: project, error } = useQuery(projectQuery(projectId))
   const { data: overview, error: noOverview } = useQuery(overviewQuery(projectId))
   const navigate = useNavigate()
-  const maySpeak = project !== undefined && speaks(project)
+  const maySpeak = project !== undefined && canActForStudio(project)
   const isTeam = project?.mine.is_team ?? false
   const openSpec = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
   useHotkeys(maySpeak ? [{ keys: 'e', label: 'Edit delivery spec', group: 'Project', run: openSpec }] : [])

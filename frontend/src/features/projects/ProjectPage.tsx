@@ -13,13 +13,13 @@ import { moneyQuery } from '@/money/api'
 import { money } from '@/money/words'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { age, figure, plural, shortDay } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { Meter } from '@/ui/Meter'
 import { Refusal } from '@/ui/Refusal'
 import { PageSkeleton, Skeleton } from '@/ui/Skeleton'
-import { State, STATES } from '@/ui/State'
+import { StatusBadge, STATES } from '@/ui/StatusBadge'
 
 import { packsQuery, type Project } from './api'
 import classes from './Overview.module.css'
@@ -154,7 +154,9 @@ function SoundsCard({ projectId }: { projectId: string }) {
           <ul className="small flex wrap gap-1-4" aria-label="Cues by state">
             {statuses.map((status) => (
               <li key={status}>
-                <State kind={STATUSES[status].kind}>{`${counts[status]} ${STATUSES[status].word.toLowerCase()}`}</State>
+                <StatusBadge
+                  kind={STATUSES[status].kind}
+                >{`${counts[status]} ${STATUSES[status].word.toLowerCase()}`}</StatusBadge>
               </li>
             ))}
           </ul>
@@ -198,7 +200,7 @@ function PeopleCard({ project }: { project: Project }) {
           const awaited = next?.awaited.find(({ person_id }) => person_id === id)
           return (
             <li key={id}>
-              <Face name={name} picture={picture} />
+              <Avatar name={name} picture={picture} />
               <span className="strong">{name}</span>
               <span className="small dim">{part}</span>
               <span className={`small mid ${classes.awaited}`}>
@@ -264,7 +266,7 @@ function NextPackCard({ projectId }: { projectId: string }) {
             <span className="mid">{`of ${plural(pack.cues_accepted, 'accepted cue')}, for ${pack.target}`}</span>
           </p>
           {pack.missing.length > 0 && (
-            <State kind="warning">{`${plural(pack.missing.length, 'accepted file')} missing`}</State>
+            <StatusBadge kind="warning">{`${plural(pack.missing.length, 'accepted file')} missing`}</StatusBadge>
           )}
         </>
       )}

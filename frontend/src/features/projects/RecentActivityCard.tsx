@@ -3,7 +3,7 @@ import { Link } from '@tanstack/react-router'
 import { Card, CardHead } from '@/ui/Card'
 import { age } from '@/ui/format'
 import { Icon, type IconName } from '@/ui/Icon'
-import type { Tone } from '@/ui/State'
+import type { Tone } from '@/ui/StatusBadge'
 
 import type { Happening } from './api'
 import classes from './Project.module.css'

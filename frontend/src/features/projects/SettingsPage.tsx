@@ -47,7 +47,7 @@ function ProjectForm({ project }: { project: Project }) {
       },
     )
   }
-  const putAway = (archived: boolean) =>
+  const setArchived = (archived: boolean) =>
     change.mutate(
       { archived },
       {
@@ -83,7 +83,7 @@ function ProjectForm({ project }: { project: Project }) {
           <Button type="submit" variant="primary" aria-busy={change.isPending}>
             Save
           </Button>
-          <Button variant="quiet" className="end" onClick={() => putAway(!isAway)}>
+          <Button variant="quiet" className="end" onClick={() => setArchived(!isAway)}>
             {isAway ? 'Restore' : 'Archive'}
           </Button>
           <Link className="link small" to={`/erase/projects/${project.id}` as LinkProps['to']}>

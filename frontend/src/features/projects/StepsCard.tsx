@@ -7,13 +7,13 @@ import { EmptyState } from '@/ui/EmptyState'
 import { figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { NeedSums } from '@/ui/NeedSums'
-import { State, STATES } from '@/ui/State'
+import { StatusBadge, STATES } from '@/ui/StatusBadge'
 
 import { type Overview, type Project, type Step } from './api'
 import { invitationsQuery } from './people/api'
 import classes from './Steps.module.css'
 import { groupsOf, standInWords, type Status, STATUSES } from './steps'
-import { speaks } from './words'
+import { canActForStudio } from './words'
 
 interface StepsCardProps {
   project: Project
@@ -57,13 +57,13 @@ export function StepsCard({ project, overview: { steps, cues, counts, needs } }:
       <ul className={`flex wrap ${classes.legend}`} aria-label="Cues by state">
         {statuses.map((status) => (
           <li key={status}>
-            <State kind={STATUSES[status].kind}>
+            <StatusBadge kind={STATUSES[status].kind}>
               {STATUSES[status].word} <span className={classes.count}>{figure(counts[status] ?? 0)}</span>
-            </State>
+            </StatusBadge>
           </li>
         ))}
       </ul>
-      {speaks(project) && <NobodyMakes project={project} />}
+      {canActForStudio(project) && <NobodyMakes project={project} />}
     </Card>
   )
 }

@@ -7,7 +7,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 import { SecretOnce } from '@/ui/SecretOnce'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Scope, type Token, type TokenMade, useMakeToken, useRevokeToken, useTokens } from './api'
 import classes from './Builds.module.css'
@@ -143,7 +143,7 @@ function TokenRow({ token, onRevoke }: { token: Token; onRevoke: () => void }) {
           {`created by ${creator.name} ${ago(created_at)}; ${last_used_at ? `used ${ago(last_used_at)}` : 'never used'}; ${isOver ? 'ended' : 'ends'} ${day(expires_at)}`}
         </p>
       </div>
-      {!works && <State kind="cut">{revoked_at === null ? 'Ended' : 'Revoked'}</State>}
+      {!works && <StatusBadge kind="cut">{revoked_at === null ? 'Ended' : 'Revoked'}</StatusBadge>}
       {works && !sure && (
         <Button variant="quiet" aria-label={`Revoke ${name}`} onClick={() => setSure(true)}>
           Revoke

@@ -1,5 +1,5 @@
 import { figure, plural } from '@/ui/format'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 
 import type { Build, BuildBrief, BuildReport, ReportFile } from './api'
 import { sentence } from './words'

@@ -1,5 +1,5 @@
 import { plural } from '@/ui/format'
-import type { StateKind } from '@/ui/State'
+import type { StateKind } from '@/ui/StatusBadge'
 
 import type { Overview, Step } from './api'
 

@@ -42,7 +42,7 @@ export const KIND_MEANINGS: Record<EngagementKind, string> = {
 export const KINDS = Object.keys(KIND_WORDS) as EngagementKind[]
 
 /** Who may change the spec and invite: a producer, a liaison or the approver. */
-export const speaks = ({ mine }: Project): boolean => mine.is_producer || mine.is_liaison || mine.is_approver
+export const canActForStudio = ({ mine }: Project): boolean => mine.is_producer || mine.is_liaison || mine.is_approver
 
 /** "A", "A and B", "A, B and C". */
 export function listed(words: readonly string[], joint = 'and'): string {

@@ -2,7 +2,7 @@ import { useHotkeys } from '@/app/keys'
 import type { ReviewTake } from '@/judging/api'
 import { spot } from '@/judging/words'
 import { Button } from '@/ui/Button'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Refusal } from '@/ui/Refusal'
 import { age } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
@@ -94,7 +94,7 @@ function Line({ carried, hand, isNext, onSpot, onSay }: LineProps) {
     <li className={classes.said} aria-current={isNext || undefined}>
       <p className="row">
         {number !== null && <span className={classes.saidNumber}>{number}</span>}
-        <Face name={note.author.name} picture={note.author.picture} />
+        <Avatar name={note.author.name} picture={note.author.picture} />
         <span className="strong cut-text">{note.author.name}</span>
         {startS !== null && (
           <button type="button" className="link small mono dim end nowrap" onClick={() => onSpot(startS)}>

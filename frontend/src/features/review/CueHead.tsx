@@ -2,7 +2,7 @@ import type { CueReview } from '@/judging/api'
 import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 import { asked } from '@/judging/words'
 import { Button } from '@/ui/Button'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import classes from './Review.module.css'
 
@@ -22,7 +22,7 @@ export function CueHead({ review, waitingHere, queued, onQueue }: CueHeadProps) 
     <header className={classes.cue}>
       <div className={`row wrap ${classes.cueName}`}>
         <h1>{cue.name}</h1>
-        <State kind={headState(review, waitingHere)} pill />
+        <StatusBadge kind={headState(review, waitingHere)} pill />
         <span className="small dim mono">{cue.label}</span>
         <span className={`end ${classes.queueButton}`}>
           <Button icon="headphones" onClick={onQueue} aria-controls="queue">

@@ -29,7 +29,7 @@ import { carriedMarks, carriedTo } from './carried'
 import { CueHead } from './CueHead'
 import { type MoreGroup, present } from './more'
 import classes from './Review.module.css'
-import { marksOf, type Said, saidOf } from './said'
+import { marksOf, type FeedbackItem, toFeedback } from './feedback'
 import { SetRows } from './SetRows'
 import { SetPlaybackPanel } from './SetWay'
 import { SidePanel } from './SidePanel'
@@ -39,7 +39,7 @@ import { useCompared } from './useCompared'
 import type { Conditions } from './useCondition'
 import { inside, whySilent } from './soundInHand'
 import { useRoomKeys } from './useRoomKeys'
-import { useSetWay } from './useSetWay'
+import { useSetPlaybackMode } from './useSetPlaybackMode'
 import { useTakesHeard } from './useTakesHeard'
 import { useWriting } from './useWriting'
 import { type Asking, Verdict } from './Verdict'
@@ -130,7 +130,7 @@ export function CueRoom(props: CueRoomProps) {
     if (startS !== undefined) player.seek(startS)
   }, [player, startS])
 
-  const said = saidOf(review, hand && heard.includes(hand) ? heard : hand ? [hand] : [])
+  const said = toFeedback(review, hand && heard.includes(hand) ? heard : hand ? [hand] : [])
 
   const numbered = said.filter(({ number }) => number !== null).length
   const carried = hand ? carriedTo(review.carried_notes, hand, soundOf(hand, target).durationS, numbered) : []
@@ -236,7 +236,7 @@ export function CueRoom(props: CueRoomProps) {
       { onSuccess: () => showToast(`Comment sent: I prefer ${realName(hand)}.`) },
     )
   }
-  const goTo = (one: Said) => {
+  const goTo = (one: FeedbackItem) => {
     setOpenSaid(one.id)
     const take = review.takes.find(({ id }) => id === one.takeId)
     if (take && take.id !== hand?.id) choose(take)
@@ -252,8 +252,8 @@ export function CueRoom(props: CueRoomProps) {
     setInScene(false)
     takes.toggleBlind()
   }
-  const setWay = useSetWay()
-  const asGame = () =>
+  const setWay = useSetPlaybackMode()
+  const playRandomized = () =>
     void player.playRandomized(
       heard.flatMap((take) => sourceOf(take, target, gains) ?? []),
       setWay.way,
@@ -326,8 +326,8 @@ export function CueRoom(props: CueRoomProps) {
           heard.length > 1 && {
             label: 'Play randomised',
             note: 'hold h',
-            checked: playing.asGame,
-            run: () => (playing.asGame ? player.pause() : asGame()),
+            checked: playing.isRandomized,
+            run: () => (playing.isRandomized ? player.pause() : playRandomized()),
           },
         isSet &&
           heard.length > 1 && {
@@ -438,7 +438,7 @@ export function CueRoom(props: CueRoomProps) {
     target,
     onTarget,
     write,
-    asGame,
+    playRandomized,
     player,
   })
 
@@ -542,7 +542,12 @@ export function CueRoom(props: CueRoomProps) {
           />
         )}
         {isSet && heard.length > 1 && (
-          <SetPlaybackPanel {...setWay} isPlaying={playing.asGame} onPlay={asGame} onStop={() => player.pause()} />
+          <SetPlaybackPanel
+            {...setWay}
+            isPlaying={playing.isRandomized}
+            onPlay={playRandomized}
+            onStop={() => player.pause()}
+          />
         )}
         <div className={classes.verdict}>
           <Verdict

@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { judgedQuery } from './api'
 import classes from './Queue.module.css'
@@ -23,7 +23,7 @@ export function JudgedLately({ projectId }: { projectId: string }) {
               search={{}}
             >
               <span className="grow cut-text">{cue.name}</span>{' '}
-              <State kind={status === 'accepted' ? 'approved' : 'change_requested'} />
+              <StatusBadge kind={status === 'accepted' ? 'approved' : 'change_requested'} />
             </Link>
           </li>
         ))}

@@ -8,7 +8,15 @@ import { isUnheard } from '@/judging/afterVerdict'
 import { Drafts, useDraftCount } from '@/judging/Drafts'
 import { isFiltered, type QueueFilter } from '@/judging/queueFilter'
 import type { Queue } from '@/judging/useQueue'
-import { capital, counted, heardTakes, isSoon, deemedAcceptanceNotice, whatWaits, whyUrgent } from '@/judging/words'
+import {
+  capital,
+  counted,
+  heardTakes,
+  isSoon,
+  deemedAcceptanceNotice,
+  describeWaiting,
+  urgencyReason,
+} from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { age, plural } from '@/ui/format'
@@ -133,7 +141,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
     return router.subscribe('onRendered', show)
   }, [current, router])
   const { cue } = item
-  const waits = whatWaits(item)
+  const waits = describeWaiting(item)
   return (
     <li className={classes.item}>
       <Link
@@ -150,7 +158,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
           {isUnheard(item) && <NotHeard />} {age(item.waiting_since)}
         </span>{' '}
         <span className={classes.itemWave}>
-          <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} lit={current} heightPx={24} />
+          <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} highlighted={current} heightPx={24} />
         </span>
         {waits.odd ? (
           <span className="small cut-text tone-warn toned">
@@ -161,7 +169,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
           <span className="small mid cut-text">{waits.before}</span>
         )}{' '}
         <span className="small dim mono num">{cue.label}</span>
-        {item.is_urgent && <span className="small mid col-span-full">{capital(whyUrgent(cue))}</span>}
+        {item.is_urgent && <span className="small mid col-span-full">{capital(urgencyReason(cue))}</span>}
         {item.open_notes > 0 && (
           <span className="small mid col-span-full">{plural(item.open_notes, 'note')} still open</span>
         )}

@@ -2,7 +2,7 @@ import { infiniteQueryOptions, queryOptions, useInfiniteQuery, useQuery } from '
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { useRef } from 'react'
 
-import { answered, api, get } from '@/api'
+import { unwrap, api, get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 import { useHotkeys } from '@/app/keys'
@@ -28,7 +28,7 @@ const countsQuery = (projectId: string, search: FoundReasons) =>
   queryOptions({
     queryKey: queryKeys.reasons(projectId, 'counts', wantedOf(search)),
     queryFn: () =>
-      answered(
+      unwrap(
         api.GET('/v1/projects/{project_id}/reasons', {
           params: { path: { project_id: projectId }, query: wantedOf(search) },
         }),

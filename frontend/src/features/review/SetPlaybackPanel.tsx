@@ -5,7 +5,7 @@ import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
 import classes from './Review.module.css'
-import type { PanelProps } from './useSetWay'
+import type { PanelProps } from './useSetPlaybackMode'
 
 const RATES = [
   { value: 'free', label: 'One after another', intervalS: null },

@@ -1,6 +1,6 @@
 import { WaveThumb } from '@/audio'
 import type { ReviewCue, ReviewTake } from '@/judging/api'
-import { MASTER, oddOne, soundOf } from '@/judging/hearing'
+import { MASTER, outlierOf, soundOf } from '@/judging/hearing'
 import { measuredPart } from '@/judging/words'
 import { ago, figure, length } from '@/ui/format'
 import { Choice } from '@/ui/Choice'
@@ -21,7 +21,7 @@ interface SetRowsProps {
 
 /** A set, one line a variation: they are heard against one another and accepted together. */
 export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRowsProps) {
-  const odd = oddOne(takes)
+  const odd = outlierOf(takes)
   const here = new Set(takes.map(({ variation }) => variation)).size
   return (
     <div className={`grid gap-6px ${classes.set}`}>
@@ -47,7 +47,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
               {index < 9 && <Key keys={String(index + 1)} />}
             </span>
             <span className="grid">
-              <WaveThumb peaks={take.thumb} lit={take.id === handId} heightPx={24} />
+              <WaveThumb peaks={take.thumb} highlighted={take.id === handId} heightPx={24} />
             </span>
             <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
             <span className={`small cut-text ${classes.setSays}`}>

@@ -2,7 +2,7 @@ import type { ReactNode } from 'react'
 
 import { useLazy } from '@/ui/useLazy'
 
-import type { PanelProps } from './useSetWay'
+import type { PanelProps } from './useSetPlaybackMode'
 
 const loadPanel = () => import('./SetPlaybackPanel').then(({ OpenedPanel }) => OpenedPanel)
 

@@ -2,7 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { type Dispatch, type KeyboardEvent, type ReactNode, type SetStateAction, useState } from 'react'
 
-import { isWaitingId } from '@/api/laterWrites'
+import { isWaitingId } from '@/api/offlineOutbox'
 import { meQuery } from '@/api/me'
 import { useRoles } from '@/api/roles'
 import { type CueReview, historyQuery, type ReviewFinding, type ReviewTake } from '@/judging/api'
@@ -13,7 +13,7 @@ import { byWhom, capital, happened, sentence, spot, historyText } from '@/judgin
 import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
 import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
 import { Button } from '@/ui/Button'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Finding } from '@/ui/Finding'
 import { age, clock, day } from '@/ui/format'
 import { Key } from '@/ui/Key'
@@ -27,7 +27,7 @@ import { Composer, type Writing } from './Composer'
 import { Figures } from './Figures'
 import { PalettePlot } from './PalettePlot'
 import classes from './Side.module.css'
-import { roleOfSaid, type Said } from './said'
+import { roleOfSaid, type FeedbackItem } from './feedback'
 
 interface SidePanelProps {
   review: CueReview
@@ -35,10 +35,10 @@ interface SidePanelProps {
   hand: ReviewTake | undefined
   heard: readonly ReviewTake[]
   nameOf: (take: ReviewTake) => string
-  said: readonly Said[]
+  said: readonly FeedbackItem[]
   carried: readonly Carried[]
   openSaid: string | undefined
-  onOpen: (said: Said) => void
+  onOpen: (said: FeedbackItem) => void
   onSpot: (startS: number) => void
   writing: Writing | null
   onWriting: Dispatch<SetStateAction<Writing | null>>
@@ -114,7 +114,7 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
   const replying = useComment(review.cue.id)
   const roleOf = useRoles(projectId)
   const CarriedNotes = useLazy(loadCarriedNotes, carried.length > 0)
-  const reply = async ({ id, takeId, kind }: Said, text: string) => {
+  const reply = async ({ id, takeId, kind }: FeedbackItem, text: string) => {
     const answers = kind === 'change' ? { change_request_id: id } : { reply_to_id: id }
     await replying.mutateAsync({ takeId, text, answers })
   }
@@ -191,7 +191,7 @@ function Details({ review, projectId, hand, heard, nameOf, onSpot }: SidePanelPr
 }
 
 function aboutAnother(
-  said: Said,
+  said: FeedbackItem,
   hand: ReviewTake | undefined,
   heard: readonly ReviewTake[],
   nameOf: (take: ReviewTake) => string,
@@ -201,7 +201,7 @@ function aboutAnother(
 }
 
 interface SaidLineProps {
-  said: Said
+  said: FeedbackItem
   roleOf: ReturnType<typeof useRoles>
   open: boolean
   /** Which other version it is said of. */
@@ -230,7 +230,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
         onClick={onOpen}
       >
         {said.number !== null && <span className={classes.saidNumber}>{said.number}</span>}
-        <Face name={said.who} picture={said.picture} />
+        <Avatar name={said.who} picture={said.picture} />
         <span className="strong cut-text">{said.who}</span>
         <span className={said.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
         <span className="small mono dim end nowrap">{where}</span>

@@ -1,7 +1,7 @@
 import { type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, post, queryById, useMutation } from '@/api'
-import { answerOr, isWaitingId, laterWrites, waitingId } from '@/api/laterWrites'
+import { unwrap, api, post, queryById, useMutation } from '@/api'
+import { answerOrOptimistic, isWaitingId, offlineOutbox, waitingId } from '@/api/offlineOutbox'
 import { type Me, meQuery } from '@/api/me'
 import { overviewQuery } from '@/api/project'
 import { invalidate, queryKeys } from '@/api/queryKeys'
@@ -39,14 +39,14 @@ export function useComment(cueId: string) {
       const { takeId, text, startS, endS, answers } = said
       const mentions = await mentionsOf(client, takeId, text)
       const send = (onKept: () => void) =>
-        answered(
+        unwrap(
           api.POST('/v1/takes/{take_id}/comments', {
             params: { path: { take_id: takeId } },
             body: { text, start_s: startS, end_s: endS, mentions, ...answers },
-            fetch: laterWrites.fetch(`Comment “${text}”`, onKept),
+            fetch: offlineOutbox.fetch(`Comment “${text}”`, onKept),
           }),
         )
-      return answerOr(send, () => waitingComment(client, said))
+      return answerOrOptimistic(send, () => waitingComment(client, said))
     },
     onSuccess: (comment) => {
       client.setQueryData<CueReview>(

@@ -40,8 +40,8 @@ export const reviewRoutes = [
     path: '/projects/$projectId/review',
     validateSearch: filterOf,
     staticData: {
-      early: (client, { projectId = '' }) => void openFirst(client, projectId),
-      leadsTo: reviewPage,
+      prefetch: (client, { projectId = '' }) => void openFirst(client, projectId),
+      preloads: reviewPage,
     },
     beforeLoad: ({ context: { queryClient }, params: { projectId }, search }) =>
       void openFirst(queryClient, projectId, search),
@@ -57,7 +57,7 @@ export const reviewRoutes = [
     }),
     staticData: {
       keepsFocus: true,
-      early: (client, { projectId = '', cueId = '' }) => {
+      prefetch: (client, { projectId = '', cueId = '' }) => {
         void client.prefetchInfiniteQuery(queueQuery(projectId))
         void client.prefetchQuery(reviewQuery(cueId))
       },

@@ -2,8 +2,8 @@ import { screen, waitFor } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { later } from '@/api'
-import { WAITING } from '@/api/later'
+import { outbox } from '@/api'
+import { WAITING } from '@/api/outbox'
 import { opened, queueIs, server, serveReviewPage, shield, walk } from '@/test/reviewPage'
 
 serveReviewPage()
@@ -41,12 +41,12 @@ describe('undo without a connection', () => {
     line('lost')
     await userEvent.keyboard('a')
     await heading('foot_deck_walk')
-    await waitFor(() => expect(later.getState().waiting).toEqual(['verdict']))
+    await waitFor(() => expect(outbox.getState().waiting).toEqual(['verdict']))
     expect(queued()).not.toEqual(before)
     await userEvent.keyboard('u')
     expect(await heading('shield_hit')).toBeVisible()
     expect(queued()).toEqual(before)
-    expect(later.getState().waiting).toHaveLength(0)
+    expect(outbox.getState().waiting).toHaveLength(0)
     expect(kept()).toEqual([])
     line('back')
     await waitFor(() => expect(server.of('GET /v1/review-queue').length).toBeGreaterThan(1), { timeout: 8_000 })
@@ -61,10 +61,10 @@ describe('undo without a connection', () => {
     line('lost', false)
     await userEvent.keyboard('u')
     expect(await heading('shield_hit')).toBeVisible()
-    expect(later.getState().waiting).toEqual(['undo'])
+    expect(outbox.getState().waiting).toEqual(['undo'])
     line('back')
     await waitFor(() => expect(server.of('DELETE /v1/takes/a/verdict')).toHaveLength(1), { timeout: 8_000 })
     await waitFor(() => expect(kept()).toEqual([]))
-    expect(later.getState()).toEqual({ waiting: [], refused: [] })
+    expect(outbox.getState()).toEqual({ waiting: [], refused: [] })
   })
 })

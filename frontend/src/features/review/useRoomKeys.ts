@@ -15,13 +15,13 @@ interface RoomActs {
   target: string
   onTarget: (target: string) => void
   write: (text?: string) => void
-  asGame: () => void
+  playRandomized: () => void
   player: Player
 }
 
 /** The keys of one cue's review; those of the verdict are its own. */
 export function useRoomKeys(acts: RoomActs): void {
-  const { heard, isSet, asking, choose, pick, setEnd, targets, target, onTarget, write, asGame, player } = acts
+  const { heard, isSet, asking, choose, pick, setEnd, targets, target, onTarget, write, playRandomized, player } = acts
   useHotkeys([
     ...heard.slice(0, 9).map((take, index) => ({
       keys: String(index + 1),
@@ -48,7 +48,7 @@ export function useRoomKeys(acts: RoomActs): void {
       keys: 'h',
       label: 'Hold to play the set randomised, as in game',
       group: 'Review',
-      run: asGame,
+      run: playRandomized,
       release: () => player.pause(),
       disabled: !isSet,
     },

@@ -220,7 +220,7 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
                 <span className="strong cut-text">{titleOf(sound)}</span>
               </button>
               <span className={classes.thumb}>
-                <WaveThumb peaks={sound.thumb} lit={index === at} />
+                <WaveThumb peaks={sound.thumb} highlighted={index === at} />
               </span>
               <span className="small mid num nowrap">{sound.duration_s === null ? '' : length(sound.duration_s)}</span>
             </Row>

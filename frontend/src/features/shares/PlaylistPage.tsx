@@ -268,7 +268,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                   {take.is_heard === false && <NotHeard />}
                 </button>
                 <span className={classes.thumb}>
-                  <WaveThumb peaks={take.thumb} lit={take.take_id === currentId} />
+                  <WaveThumb peaks={take.thumb} highlighted={take.take_id === currentId} />
                 </span>
                 <span className="small mid num nowrap">{take.duration_s === null ? '' : length(take.duration_s)}</span>
                 {mayChange && (

@@ -18,7 +18,7 @@ import { useFirstListen, withHeard } from '@/judging/useFirstListen'
 import { useJudge } from '@/judging/useJudge'
 import { takeName } from '@/judging/words'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import type { PlaylistTake } from './api'
 
@@ -152,7 +152,7 @@ export function VerdictOfTake({
         </p>
       )}
       <div className="row wrap">
-        <State kind={STATES[judged?.state ?? take.state]} />
+        <StatusBadge kind={STATES[judged?.state ?? take.state]} />
         {mayApprove && canChange && (
           <HotkeyButton
             keys="r"

@@ -1,11 +1,11 @@
 import { infiniteQueryOptions, type QueryClient, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, ApiProblem, everyPage, get, patch, post, queryById, useMutation } from '@/api'
+import { unwrap, api, ApiProblem, everyPage, get, patch, post, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { useMyProject } from '@/api/me'
 import type { components } from '@/api/schema.gen'
 import { CUES_A_PAGE, readAll } from '@/api/soundList'
-import { useMade } from '@/api/useMade'
+import { useAsyncJob } from '@/api/useAsyncJob'
 
 type Schemas = components['schemas']
 export type Cue = Schemas['CueRead']
@@ -146,8 +146,8 @@ export const versionsQuery = (projectId: string, cueId: string) =>
           .map(async (take) => {
             const ofTake = { params: { path: { take_id: take.id } } }
             const [sounds, check] = await Promise.all([
-              orNothing(answered(api.GET('/v1/takes/{take_id}/sounds', ofTake))),
-              orNothing(answered(api.GET('/v1/takes/{take_id}/check', ofTake))),
+              orNothing(unwrap(api.GET('/v1/takes/{take_id}/sounds', ofTake))),
+              orNothing(unwrap(api.GET('/v1/takes/{take_id}/check', ofTake))),
             ])
             return {
               take,
@@ -273,7 +273,7 @@ export async function readAgain(client: QueryClient, projectId: string, cueId: s
 
 /** Ask for all takes of a cue in a row. */
 export const useReel = (cueId: string) =>
-  useMade<ReelAdd, Reel>(
+  useAsyncJob<ReelAdd, Reel>(
     'reel',
     (body) => post('/v1/cues/{cue_id}/reels', { cue_id: cueId }, body),
     (id) => get('/v1/reels/{reel_id}', { reel_id: id }),

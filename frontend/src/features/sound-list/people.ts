@@ -35,7 +35,7 @@ export const namesOf = (people: readonly CuePerson[]): ReadonlyMap<string, strin
   new Map(people.map(({ id, name }) => [id, name]))
 
 /** Changes with people by their names. */
-export const inNames = (changes: readonly FieldChange[], people: readonly CuePerson[]): FieldChange[] => {
+export const withPeopleNames = (changes: readonly FieldChange[], people: readonly CuePerson[]): FieldChange[] => {
   const names = namesOf(people)
   return changes.map((change) =>
     TASKS.some(({ fact }) => fact === change.field)

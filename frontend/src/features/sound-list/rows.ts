@@ -3,7 +3,7 @@ import { figure, plural } from '@/ui/format'
 import type { Need } from '@/ui/NeedMark'
 import type { NeedSum } from '@/ui/NeedSums'
 import type { SetBlock } from '@/ui/SetBlocks'
-import { STATES, type StateKind } from '@/ui/State'
+import { STATES, type StateKind } from '@/ui/StatusBadge'
 
 import type { Cue, CueStatus, Question, CueProgress, Take } from './api'
 import type { FactQuestion } from './clarity'

@@ -1,7 +1,7 @@
 import { measuredPart, spelled } from '@/judging/words'
 import { age, plural, shortDay } from '@/ui/format'
 import { SEVERITY_LOOK } from '@/ui/severity'
-import type { Tone } from '@/ui/State'
+import type { Tone } from '@/ui/StatusBadge'
 
 import type { Cue, Finding, CueProgress } from './api'
 

@@ -4,7 +4,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { bytes } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type MasterExport, type Take, useMasterExport } from './api'
 import classes from './Take.module.css'
@@ -36,7 +36,7 @@ export function MasterCard({ take, closed }: MasterCardProps) {
         ) : (
           <>
             <p>
-              <State kind="waiting">Available after payment</State>
+              <StatusBadge kind="waiting">Available after payment</StatusBadge>
             </p>
             <p className="small mid">{ended(closed)} You can listen to the preview until then.</p>
           </>

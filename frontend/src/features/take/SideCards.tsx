@@ -8,7 +8,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, sampleFormat, rate } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { SEVERITY_LOOK } from '@/ui/severity'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Check, type Finding, type GameFile } from './api'
 import { groupsOf, judgementsOf, type Line, textsOf } from './figures'
@@ -81,8 +81,8 @@ export function GameFilesCard({ files }: { files: readonly GameFile[] }) {
             <p className="row">
               <span className="strong">{file.target}</span>
               <span className="end">
-                {file.state === 'made' && <State kind="passed">Rendered</State>}
-                {file.state === 'refused' && <State kind="refused" />}
+                {file.state === 'made' && <StatusBadge kind="passed">Rendered</StatusBadge>}
+                {file.state === 'refused' && <StatusBadge kind="refused" />}
                 {file.state === 'waiting' && <span className="small dim">not rendered</span>}
               </span>
             </p>

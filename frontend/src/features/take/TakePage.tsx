@@ -18,7 +18,7 @@ import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery } from './api'
 import { FindingsCard } from './FindingsCard'
@@ -255,8 +255,8 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
       <div>
         <div className={`flex wrap items-center ${classes.names}`}>
           <h1>{cue?.name ?? take.file_name}</h1>
-          <State kind={state === 'received' ? 'checking' : state} pill />
-          {waiver && <State kind="waived" reason={waiver.reason} />}
+          <StatusBadge kind={state === 'received' ? 'checking' : state} pill />
+          {waiver && <StatusBadge kind="waived" reason={waiver.reason} />}
           <span className="small dim">
             {cue && <span className="mono">{cue.label}</span>}
             {take.variation > 1 && `, _${String(take.variation).padStart(2, '0')}`}

@@ -3,7 +3,7 @@ import { queryOptions } from '@tanstack/react-query'
 import { ApiProblem, del, get, post, put, queryById, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
-import { useMade } from '@/api/useMade'
+import { useAsyncJob } from '@/api/useAsyncJob'
 
 type Schemas = components['schemas']
 export type Take = Schemas['TakeDetail']
@@ -80,7 +80,7 @@ export const bandsQuery = (peaksUrl: string | null) =>
 
 /** Ask for a master with what is known of it written into it. */
 export const useMasterExport = (takeId: string) =>
-  useMade<void, MasterExport>(
+  useAsyncJob<void, MasterExport>(
     'master-export',
     () => post('/v1/takes/{take_id}/master-exports', { take_id: takeId }),
     (id) => get('/v1/master-exports/{master_export_id}', { master_export_id: id }),

@@ -92,7 +92,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const approve = (because: readonly string[] = []) => listen.approveHeard(meant, () => approveNow(because))
   const openReview = () =>
     void navigate({ to: '/projects/$projectId/review/$cueId', params: { projectId, cueId: cue.id } })
-  const asGame = () => void player.playRandomized(takes.flatMap((take) => sourceOf(take, MASTER, gains) ?? []))
+  const playRandomized = () => void player.playRandomized(takes.flatMap((take) => sourceOf(take, MASTER, gains) ?? []))
 
   useHotkeys([
     { keys: 'Enter', label: 'Open in review', group: 'Today', run: openReview },
@@ -108,7 +108,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
       keys: 'h',
       label: 'Hold to play the set randomised, as in game',
       group: 'Review',
-      run: asGame,
+      run: playRandomized,
       release: () => player.pause(),
       disabled: !isSet,
     },

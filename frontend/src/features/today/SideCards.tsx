@@ -8,7 +8,7 @@ import { age, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Person } from '@/ui/Person'
 import { Row, Rows } from '@/ui/Rows'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { TodayAnswer } from './api'
 import classes from './Today.module.css'
@@ -47,7 +47,7 @@ export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps)
                 <span className="dim nowrap">{age(one.since)}</span>
               </span>
             </span>
-            <State kind={one.status}>{one.status === 'unmatched' ? 'File without a cue' : undefined}</State>
+            <StatusBadge kind={one.status}>{one.status === 'unmatched' ? 'File without a cue' : undefined}</StatusBadge>
           </Row>
         ))}
       </Rows>
@@ -82,9 +82,9 @@ export function Builds({ builds }: { builds: TodayAnswer['builds'] }) {
           <Row key={build.id}>
             <Whose name={buildName(build.label)} who={build.target} since={build.created_at} />
             {build.rejected > 0 ? (
-              <State kind="refused">Refused, {plural(build.rejected, 'file')}</State>
+              <StatusBadge kind="refused">Refused, {plural(build.rejected, 'file')}</StatusBadge>
             ) : (
-              <State kind="passed">{`Passed, ${plural(build.files, 'file')}`}</State>
+              <StatusBadge kind="passed">{`Passed, ${plural(build.files, 'file')}`}</StatusBadge>
             )}
           </Row>
         ))}

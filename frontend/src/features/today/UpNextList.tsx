@@ -9,14 +9,14 @@ import { isNoted } from '@/judging/afterVerdict'
 import type { QueueItem } from '@/judging/api'
 import { whyBlocked } from '@/judging/blocked'
 import type { Queue } from '@/judging/useQueue'
-import { heardTakes, whatWaits } from '@/judging/words'
+import { heardTakes, describeWaiting } from '@/judging/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { age } from '@/ui/format'
 import { Key } from '@/ui/Key'
 import { Person } from '@/ui/Person'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type AskedQuestion, useAnswer } from './api'
 import classes from './Today.module.css'
@@ -82,7 +82,7 @@ export function UpNextList({ items, questions, projectId, mayApprove, title, bey
 
 function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: string; mayApprove: boolean }) {
   const { cue } = item
-  const waits = whatWaits(item)
+  const waits = describeWaiting(item)
   const blocked = mayApprove ? blockedOf(item) : ''
   return (
     <li>
@@ -109,7 +109,11 @@ function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: 
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} heightPx={26} />
         </span>
         <span className={classes.state}>
-          {isNoted(item) ? <State kind="change_requested">Draft, not sent</State> : <State kind="to_review" />}
+          {isNoted(item) ? (
+            <StatusBadge kind="change_requested">Draft, not sent</StatusBadge>
+          ) : (
+            <StatusBadge kind="to_review" />
+          )}
         </span>
         <span className="dim num small nowrap">{age(item.waiting_since)}</span>
       </Link>
@@ -152,7 +156,7 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
           />
         </span>
         <span className={classes.state}>
-          <State kind="question" />
+          <StatusBadge kind="question" />
         </span>
         <span className="dim num small nowrap">{age(question.asked_at)}</span>
       </button>

@@ -28,7 +28,7 @@ export const todayRoutes = [
     getParentRoute: () => shellRoute,
     path: '/projects/$projectId/today',
     staticData: {
-      early: (client, { projectId = '' }) => {
+      prefetch: (client, { projectId = '' }) => {
         void client.prefetchInfiniteQuery(queueQuery(projectId))
         void client.prefetchQuery(todayQuery(projectId))
         void client.prefetchQuery(nextStepsQuery(projectId))

@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions } from '@tanstack/react-query'
 
-import { answered, api, del, patch, put, useMutation } from '@/api'
+import { unwrap, api, del, patch, put, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -21,7 +21,7 @@ const of = (projectId: string) => ({ path: { project_id: projectId } })
 export const scriptQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.voiceLines(projectId, 'script'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/voice-script', { params: of(projectId) })),
+    queryFn: () => unwrap(api.GET('/v1/projects/{project_id}/voice-script', { params: of(projectId) })),
   })
 
 /** The lines of one language, page by page. */
@@ -29,7 +29,7 @@ export const linesQuery = (projectId: string, { language, state, character, sear
   infiniteQueryOptions({
     queryKey: queryKeys.voiceLines(projectId, 'lines', language, state, character, search),
     queryFn: ({ pageParam: start }) =>
-      answered(
+      unwrap(
         api.GET('/v1/projects/{project_id}/voice-lines', {
           params: { ...of(projectId), query: { language, state, character, search, start } },
         }),
@@ -43,7 +43,7 @@ export const pickUpsQuery = (projectId: string, { language, character }: LinesSe
   queryOptions({
     queryKey: queryKeys.voiceLines(projectId, 'pick-ups', language, character),
     queryFn: () =>
-      answered(
+      unwrap(
         api.GET('/v1/projects/{project_id}/pick-ups', {
           params: { ...of(projectId), query: { language, character } },
         }),
@@ -54,11 +54,11 @@ export const pickUpsQuery = (projectId: string, { language, character }: LinesSe
 export const releasesQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.voiceLines(projectId, 'releases'),
-    queryFn: () => answered(api.GET('/v1/projects/{project_id}/voice-releases', { params: of(projectId) })),
+    queryFn: () => unwrap(api.GET('/v1/projects/{project_id}/voice-releases', { params: of(projectId) })),
   })
 
 export const sendScript = (projectId: string, body: ScriptAsk): Promise<ScriptRead> =>
-  answered(api.POST('/v1/projects/{project_id}/voice-lines/import', { params: of(projectId), body }))
+  unwrap(api.POST('/v1/projects/{project_id}/voice-lines/import', { params: of(projectId), body }))
 
 /** A change of the script, after which all that is shown of it is read again. */
 const useChange = <Given, Answer>(projectId: string, change: (given: Given) => Promise<Answer>) =>
@@ -82,7 +82,7 @@ export const useChangeLine = (projectId: string, lineId: string) =>
 
 export const useChangeSettings = (projectId: string) =>
   useChange(projectId, (body: Schemas['VoiceSettingsChange']) =>
-    answered(api.PUT('/v1/projects/{project_id}/voice-settings', { params: of(projectId), body })),
+    unwrap(api.PUT('/v1/projects/{project_id}/voice-settings', { params: of(projectId), body })),
   )
 
 export const useCast = (projectId: string, characterId: string, language: string) =>

@@ -5,7 +5,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { HeldFile } from './held'
 import classes from './HeldFiles.module.css'
@@ -68,14 +68,16 @@ export function HeldFiles({ precheck }: { precheck: Precheck }) {
   return (
     <section ref={region} className="grid gap-2 border-b p-3-inset" aria-label="Check before the upload">
       <div className={`row wrap ${classes.bar}`}>
-        {wrong > 0 && <State kind="returned">{plural(wrong, 'file')} would come back</State>}
-        {fixable.length > 0 && <State kind="fixable">{plural(fixable.length, 'file')} fixable after the upload</State>}
-        {unnamed > 0 && <State kind="unmatched">{plural(unnamed, 'file')} without a cue</State>}
-        {ready.length > 0 && <State kind="passed">{plural(ready.length, 'renamed file')} ready</State>}
+        {wrong > 0 && <StatusBadge kind="returned">{plural(wrong, 'file')} would come back</StatusBadge>}
+        {fixable.length > 0 && (
+          <StatusBadge kind="fixable">{plural(fixable.length, 'file')} fixable after the upload</StatusBadge>
+        )}
+        {unnamed > 0 && <StatusBadge kind="unmatched">{plural(unnamed, 'file')} without a cue</StatusBadge>}
+        {ready.length > 0 && <StatusBadge kind="passed">{plural(ready.length, 'renamed file')} ready</StatusBadge>}
         {isChecking && (
-          <State kind="checking">
+          <StatusBadge kind="checking">
             {judged} of {plural(dropped, 'file')} checked before the upload
-          </State>
+          </StatusBadge>
         )}
         <span className="grow" />
         {toRename.length > 0 && (

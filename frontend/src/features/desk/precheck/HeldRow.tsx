@@ -2,7 +2,7 @@ import { TextInput } from '@mantine/core'
 import type { FormEvent } from 'react'
 
 import { Button } from '@/ui/Button'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { fixInWords, isAllFixed } from '@/precheck/autoFix'
 import { FindingLine } from '@/precheck/FindingLine'
@@ -48,7 +48,7 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
         ))}
         {standing === 'fixable' && (
           <p>
-            <State kind="fixable" />{' '}
+            <StatusBadge kind="fixable" />{' '}
             <span className="mid">
               {cue === '' ? 'Once its cue is chosen, a' : 'A'} fix {fixInWords(findings)}. It is offered on this desk
               after the upload; you hear it first, and your file is kept.
@@ -61,7 +61,7 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
             <span className="mid">Rename it, or upload it and choose its cue among the unmatched files.</span>
           </p>
         )}
-        {standing === 'ready' && <State kind="passed">Passes under this name</State>}
+        {standing === 'ready' && <StatusBadge kind="passed">Passes under this name</StatusBadge>}
         {isRenamable(file) && (
           <form className={classes.rename} onSubmit={rename} noValidate>
             <TextInput

@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions, useQuery, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, post, put, queryById, useMutation } from '@/api'
+import { unwrap, api, del, get, post, put, queryById, useMutation } from '@/api'
 import { type Me, meQuery } from '@/api/me'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -41,7 +41,7 @@ export const rosterQuery = (studioId: string, search: RosterSearch) =>
   infiniteQueryOptions({
     queryKey: queryKeys.roster(studioId, asked(search)),
     queryFn: ({ pageParam }) =>
-      answered(
+      unwrap(
         api.GET('/v1/studios/{studio_id}/roster', {
           params: { ...of(studioId), query: { ...asked(search), cursor: pageParam } },
         }),
@@ -69,7 +69,7 @@ export function useAddEntry(studioId: string) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: (body: EntryWrite) =>
-      answered(api.POST('/v1/studios/{studio_id}/roster', { params: of(studioId), body })),
+      unwrap(api.POST('/v1/studios/{studio_id}/roster', { params: of(studioId), body })),
     onSuccess: (entry) => {
       client.setQueryData(entryQuery(entry.id).queryKey, entry)
       return invalidate(client, queryKeys.roster.all)
@@ -138,7 +138,7 @@ export function useAskForBids(postingId: string) {
 }
 
 export const importRoster = (studioId: string, body: RosterImportAsk): Promise<RosterImport> =>
-  answered(api.POST('/v1/studios/{studio_id}/roster/import', { params: of(studioId), body }))
+  unwrap(api.POST('/v1/studios/{studio_id}/roster/import', { params: of(studioId), body }))
 
 /** Import a sheet for good. */
 export function useImportRoster(studioId: string) {

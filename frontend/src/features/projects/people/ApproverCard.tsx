@@ -9,7 +9,7 @@ import { showToast } from '@/app/toast'
 import { MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Refusal } from '@/ui/Refusal'
 import { shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
@@ -54,7 +54,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
     <Card aria-labelledby="approver">
       <CardHead id="approver" title="Approver" note={ofWhat(project)} />
       <div className="flex items-center gap-3 p-2-inset">
-        <Face name={approver.name} picture={approver.picture} filled />
+        <Avatar name={approver.name} picture={approver.picture} filled />
         <div className="grow">
           <p className="strong">{approver.name}</p>
           {history?.[0] && (

@@ -9,11 +9,11 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Project } from '../api'
 import { deputiesQuery, type Deputy, type Member, useNameDeputy, useWithdrawDeputy } from './api'
@@ -39,12 +39,12 @@ export function DeputiesCard({ project, members = [] }: { project: Project; memb
       <Rows aria-label="Deputies">
         {found?.deputies.map((one) => (
           <Row key={one.id} className={classes.person}>
-            <Face name={one.deputy.name} picture={one.deputy.picture} />
+            <Avatar name={one.deputy.name} picture={one.deputy.picture} />
             <div className="grow">
               <p className="strong">{`${one.deputy.name} for ${one.person.name}`}</p>
               <p className="small mid">{spanOf(one)}</p>
             </div>
-            {one.from_on <= found.today && <State kind="approved">Approves today</State>}
+            {one.from_on <= found.today && <StatusBadge kind="approved">Approves today</StatusBadge>}
             {project.mine.is_producer && (
               <Button
                 variant="quiet"

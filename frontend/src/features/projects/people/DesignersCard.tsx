@@ -9,12 +9,12 @@ import { mailedLinksQuery, MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Refusal } from '@/ui/Refusal'
 import { ago, dueDay, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Row, Rows } from '@/ui/Rows'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Project } from '../api'
 import {
@@ -26,7 +26,7 @@ import {
   useInviteDesigner,
   useRevokeInvitation,
 } from './api'
-import { against, KIND_MEANINGS, KIND_WORDS, KINDS, speaks } from '../words'
+import { against, KIND_MEANINGS, KIND_WORDS, KINDS, canActForStudio } from '../words'
 import classes from './People.module.css'
 
 const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
@@ -36,7 +36,7 @@ const isKind = (value: string | null): value is EngagementKind => KINDS.some((ki
 export function DesignersCard({ project }: { project: Project }) {
   const { data: invitations, error } = useQuery(invitationsQuery(project.id))
   const open = invitations?.filter(({ accepted_at }) => accepted_at === null) ?? []
-  const may = speaks(project)
+  const may = canActForStudio(project)
   const nobody = project.engagements.length === 0 && invitations?.length === 0
   return (
     <Card aria-labelledby="designers">
@@ -80,7 +80,7 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
   return (
     <>
       <Row className={classes.person}>
-        <Face name={designer.name} picture={designer.picture} />
+        <Avatar name={designer.name} picture={designer.picture} />
         <div className="grow">
           <p className={ended ? 'struck' : 'strong'}>{designer.name}</p>
           <p className="small mid">
@@ -118,7 +118,7 @@ function Designer({ engagement, project }: { engagement: Engagement; project: Pr
 
 function Invitations({ project, open }: { project: Project; open: readonly Invitation[] }) {
   const revoke = useRevokeInvitation(project.id)
-  const may = speaks(project)
+  const may = canActForStudio(project)
   const { data: mails } = useQuery({ ...mailedLinksQuery(project.id), enabled: may })
   const waitsHere = mails?.can_send === false
   return (
@@ -144,7 +144,7 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
                 </p>
                 {note !== '' && <p className="small dim">{note}</p>}
               </div>
-              {expired && <State kind="late">Expired</State>}
+              {expired && <StatusBadge kind="late">Expired</StatusBadge>}
               {may && !expired && <MailedLink projectId={project.id} ofId={id} recipient={email} />}
               {may && (
                 <Button

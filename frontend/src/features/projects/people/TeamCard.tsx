@@ -3,7 +3,7 @@ import { Link } from '@tanstack/react-router'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Face } from '@/ui/Face'
+import { Avatar } from '@/ui/Avatar'
 import { Icon } from '@/ui/Icon'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
@@ -65,7 +65,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
           ]
           return (
             <Row key={person.id} className={classes.person}>
-              <Face name={person.name} picture={person.picture} />
+              <Avatar name={person.name} picture={person.picture} />
               <div className="grow">
                 <p className="strong">{person.name}</p>
                 <p className="small mid wrap-anywhere">{[parts.join(', '), email].filter(Boolean).join(' · ')}</p>

@@ -1,6 +1,6 @@
 import { queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { answered, api, del, get, patch, post, put, queryById, useMutation } from '@/api'
+import { unwrap, api, del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { projectQuery } from '@/api/project'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
@@ -28,7 +28,7 @@ export const useSetLiaison = (projectId: string) =>
   useProjectChange(projectId, ({ personId, speaks }: { personId: string; speaks: boolean }) => {
     const where = { params: { path: { project_id: projectId, person_id: personId } } }
     const path = '/v1/projects/{project_id}/liaisons/{person_id}'
-    return answered(speaks ? api.PUT(path, where) : api.DELETE(path, where))
+    return unwrap(speaks ? api.PUT(path, where) : api.DELETE(path, where))
   })
 
 export const useNameApprover = (projectId: string) =>

@@ -12,7 +12,7 @@ import { Icon } from '@/ui/Icon'
 import { Table } from '@/ui/Table'
 
 import { packsQuery, type Pack, type Project, type Spec } from '../api'
-import { listed, speaks } from '../words'
+import { listed, canActForStudio } from '../words'
 import { useChecks } from './checks'
 import { targetLines, acceptLines, differences, kindOf, type Line, limitLines } from './say'
 import classes from './SpecCard.module.css'
@@ -52,7 +52,7 @@ export function SpecCard({ project }: { project: Project }) {
                 href={`/v1/projects/${projectId}/spec.toml`}
                 download="spec.toml"
               />
-              {speaks(project) && (
+              {canActForStudio(project) && (
                 <ButtonLink component={Link} keys="e" to={`/projects/${projectId}/spec`}>
                   Change
                 </ButtonLink>

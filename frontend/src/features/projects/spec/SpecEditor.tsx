@@ -11,7 +11,7 @@ import { Segmented } from '@/ui/Segmented'
 
 import { type Project, type Spec } from '../api'
 import { Writing } from './fields'
-import { MovedOn } from './MovedOn'
+import { SpecConflict } from './SpecConflict'
 import { SaveCard } from './SaveCard'
 import { SentencesView } from './SentencesView'
 import classes from './SpecEditor.module.css'
@@ -78,7 +78,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
         </p>
       )}
       {movedOn && changed && (
-        <MovedOn
+        <SpecConflict
           spec={spec}
           theirs={theirs}
           mine={mine}

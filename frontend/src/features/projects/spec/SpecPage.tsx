@@ -8,7 +8,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 
 import { checksQuery } from '../api'
-import { speaks } from '../words'
+import { canActForStudio } from '../words'
 import { SpecEditor } from './SpecEditor'
 
 /** Change what a file must be, by form or as TOML. */
@@ -18,7 +18,7 @@ export function SpecPage() {
   const { data: project, error } = useQuery(projectQuery(projectId))
   const { data: spec, error: noSpec } = useQuery(specQuery(projectId))
   const { data: checks, error: noChecks } = useQuery(checksQuery)
-  if (project && !speaks(project)) {
+  if (project && !canActForStudio(project)) {
     return (
       <div className="page page-narrow">
         <EmptyState

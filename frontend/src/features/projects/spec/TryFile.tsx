@@ -8,7 +8,7 @@ import { type Judge, judgeInWorker } from '@/precheck/judgeInWorker'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import classes from './Sentences.module.css'
 
@@ -102,7 +102,11 @@ function Outcome({ tried: { name, findings } }: { tried: Tried }) {
   return (
     <>
       <p className="mono">{name}</p>
-      {errors > 0 ? <State kind="returned">Would be sent back</State> : <State kind="passed">Accepted</State>}
+      {errors > 0 ? (
+        <StatusBadge kind="returned">Would be sent back</StatusBadge>
+      ) : (
+        <StatusBadge kind="passed">Accepted</StatusBadge>
+      )}
       {findings.map((finding) => (
         <FindingLine key={`${finding.code} ${finding.start_s ?? ''}`} finding={finding} />
       ))}

@@ -15,7 +15,7 @@ import { Select } from '@/ui/Select'
 import { ShowMore } from '@/ui/ShowMore'
 
 import { specVersionQuery, useSpecTry, useSpecVersions } from '../api'
-import { speaks } from '../words'
+import { canActForStudio } from '../words'
 import { draftOf, keepDraft } from './draft'
 import { LineDiff } from './LineDiff'
 import classes from './VersionsPage.module.css'
@@ -88,7 +88,7 @@ export function VersionsPage() {
             numbers={Array.from({ length: newest ?? version }, (_, index) => (newest ?? version) - index)}
             onAgainst={(other) => show({ version, against: other })}
             newest={newest ?? version}
-            onTakeUp={project && speaks(project) ? takeUp : undefined}
+            onTakeUp={project && canActForStudio(project) ? takeUp : undefined}
           />
         )}
       </div>

@@ -42,7 +42,7 @@ export function LaneRow({ lane, lengthS, now, hasSpots, onLevel, onRest, onRemov
                 width: `${(Math.min(lane.duration_s ?? 0, lengthS - startS) / lengthS) * 100}%`,
               }}
             >
-              <WaveThumb peaks={lane.thumb} lit={lane.id === SOUND} faded={!now.isOn} heightPx={28} />
+              <WaveThumb peaks={lane.thumb} highlighted={lane.id === SOUND} faded={!now.isOn} heightPx={28} />
             </span>
           ))}
       </span>

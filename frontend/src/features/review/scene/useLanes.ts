@@ -136,8 +136,8 @@ export function useLanes({ player, scene, moved, sources, matched, onPlacing }: 
   }, [player, loweredDb])
   useEffect(() => lanes.set(heard), [lanes, heard])
   useEffect(() => {
-    player.setCompany(lanes)
-    return () => player.setCompany(null)
+    player.setBackingTracks(lanes)
+    return () => player.setBackingTracks(null)
   }, [player, lanes])
   useEffect(() => {
     player.setSoloMuted(hushed)

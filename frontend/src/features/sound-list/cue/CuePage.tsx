@@ -13,7 +13,7 @@ import { day, length } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { NeedMark } from '@/ui/NeedMark'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 
 import {
@@ -137,11 +137,11 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
           <div className="row wrap">
             <h1 className={isCut ? 'struck' : undefined}>{cue.name}</h1>
             {row && progressList && (
-              <State kind={row.kind} pill>
+              <StatusBadge kind={row.kind} pill>
                 {row.stateWords}
-              </State>
+              </StatusBadge>
             )}
-            {cue.placeholder && row?.kind !== 'placeholder' && !isCut && <State kind="placeholder" pill />}
+            {cue.placeholder && row?.kind !== 'placeholder' && !isCut && <StatusBadge kind="placeholder" pill />}
           </div>
           {stands && progressList && (
             <p className="mid">

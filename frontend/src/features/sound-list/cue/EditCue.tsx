@@ -26,7 +26,7 @@ import {
   refusedRows,
   touched,
 } from './draft'
-import { cuePeopleQuery, inNames } from '../people'
+import { cuePeopleQuery, withPeopleNames } from '../people'
 import classes from './Panel.module.css'
 
 interface Kept {
@@ -139,7 +139,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
             <span className="strong toned">Someone else changed {cue.name} meanwhile.</span> Your changes are kept. Save
             again to replace theirs.
           </p>
-          <Changes changes={inNames(theirs, people ?? [])} />
+          <Changes changes={withPeopleNames(theirs, people ?? [])} />
         </div>
       )}
       <DraftNote

@@ -10,7 +10,7 @@ import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { ago, dueDay } from '@/ui/format'
 import { Person } from '@/ui/Person'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Cue, type Question, useAnswer, useAsk, useQuestionChange } from '../api'
 import fields from './CueFields.module.css'
@@ -35,7 +35,7 @@ export function QuestionLine({
       <p className="small dim">
         {question.answer === null && (
           <>
-            <State kind="question" />{' '}
+            <StatusBadge kind="question" />{' '}
           </>
         )}
         {question.asked_by ? (

@@ -8,7 +8,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Finding } from '@/ui/Finding'
 import { Refusal } from '@/ui/Refusal'
 import { ago, length, place } from '@/ui/format'
-import { State, type StateKind } from '@/ui/State'
+import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import type { CueDetail, Take, Version } from '../api'
 import classes from './Cue.module.css'
@@ -79,7 +79,7 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
   const name = `${variation}version ${take.number ?? ''}${
     take.alternate === null ? '' : ` ${String.fromCharCode(64 + take.alternate)}`
   }`
-  const wave = <WaveThumb peaks={thumb} lit={playing} faded={take.state === 'set_aside'} heightPx={36} />
+  const wave = <WaveThumb peaks={thumb} highlighted={playing} faded={take.state === 'set_aside'} heightPx={36} />
   return (
     <>
       <div className={`grid items-center gap-3 ${classes.versionHead}`}>
@@ -88,7 +88,7 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
           {take.label !== null && <span className="small">{take.label} </span>}
           <span className="mono small dim">{take.file_name}</span> {unheard && <NotHeard inWords />}
         </span>
-        <State kind={KIND_OF_TAKE[take.state]} />
+        <StatusBadge kind={KIND_OF_TAKE[take.state]} />
         <span className="small dim nowrap num">
           {durationS === null ? '' : `${length(durationS)}, `}
           {ago(take.received_at)}

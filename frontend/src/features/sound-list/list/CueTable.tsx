@@ -7,7 +7,7 @@ import { figure } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { NeedMark } from '@/ui/NeedMark'
 import { SetBlocks } from '@/ui/SetBlocks'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { OwnColumn } from '../columns/api'
 import { ValueCell } from '../columns/ValueCell'
@@ -372,14 +372,14 @@ function StateCells({ row, selected, playing, onSelect, onPlay, onClarify }: Sta
               onPlay(row)
             }}
           >
-            <WaveThumb peaks={row.peaks} lit={selected || playing} />
+            <WaveThumb peaks={row.peaks} highlighted={selected || playing} />
           </button>
         ) : (
           row.status !== 'cut' && <WaveThumb peaks={row.peaks} />
         )}
       </td>
       <td data-place="state">
-        <State kind={row.kind}>{row.stateWords}</State>
+        <StatusBadge kind={row.kind}>{row.stateWords}</StatusBadge>
       </td>
       <td className="mid" data-place="stands" title={`${stands.before}${stands.marked}${stands.after}`}>
         {onClarify && row.unclear.length > 0 ? (

@@ -17,7 +17,7 @@ interface MovedOnProps {
 }
 
 /** Another person saved meanwhile: both texts are shown until one is chosen. */
-export function MovedOn({ spec, theirs, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps) {
+export function SpecConflict({ spec, theirs, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps) {
   return (
     <Card className={classes.moved} aria-labelledby="moved">
       <CardHead id="moved" title={`${spec.author.name} saved version ${spec.version} while you were editing`} />

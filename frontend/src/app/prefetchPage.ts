@@ -12,16 +12,16 @@ export interface Code {
  * Ask for what the page of the address shows first, and load the page, beside the question of who is signed in.
  * Browsers send six requests at a time: the answers that everything waits for are asked for first.
  */
-export function startEarly(router: AnyRouter, client: QueryClient, session: Session): void {
+export function prefetchPage(router: AnyRouter, client: QueryClient, session: Session): void {
   const matches = router.matchRoutes(router.latestLocation as ParsedLocation)
   for (const { params, staticData } of matches) {
-    staticData.early?.(client, params as Record<string, string>, session)
+    staticData.prefetch?.(client, params as Record<string, string>, session)
   }
   loadCode(router, matches)
 }
 
 /** Load the code of pages that are likely opened next. Their data is asked for when they are opened. */
-export function loadAhead(router: AnyRouter, paths: readonly string[]): void {
+export function preloadPages(router: AnyRouter, paths: readonly string[]): void {
   for (const to of paths) {
     const { pathname } = router.buildLocation({ to })
     loadCode(router, router.matchRoutes(pathname, {}))
@@ -31,7 +31,7 @@ export function loadAhead(router: AnyRouter, paths: readonly string[]): void {
 function loadCode(router: AnyRouter, matches: readonly AnyRouteMatch[]): void {
   for (const { routeId, staticData } of matches) {
     const route = (router.routesById as Record<string, AnyRoute | undefined>)[routeId as string]
-    for (const code of [route?.options.component as Code | undefined, staticData.leadsTo]) {
+    for (const code of [route?.options.component as Code | undefined, staticData.preloads]) {
       code?.preload?.()?.catch(() => undefined) // the route loads it again, and says what is wrong
     }
   }

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
-import { answered, api } from './client'
-import { later } from './later'
-import { LaterWrites } from './laterWrites'
+import { unwrap, api } from './client'
+import { outbox } from './outbox'
+import { OfflineOutbox } from './offlineOutbox'
 
 interface Arrived {
   method: string
@@ -18,7 +18,7 @@ let answer: (arrived: Arrived) => Response
 
 beforeEach(() => {
   localStorage.clear()
-  later.show({ waiting: [], refused: [] })
+  outbox.show({ waiting: [], refused: [] })
   document.cookie = 'soundlist_csrf=of-now; path=/'
   isThere = true
   arrived = []
@@ -42,8 +42,8 @@ beforeEach(() => {
   })
 })
 
-const say = (writes: LaterWrites, takeId: string, text: string, onKept: () => void = () => undefined) =>
-  answered(
+const say = (writes: OfflineOutbox, takeId: string, text: string, onKept: () => void = () => undefined) =>
+  unwrap(
     api.POST('/v1/takes/{take_id}/comments', {
       params: { path: { take_id: takeId } },
       body: { text, mentions: [], heard: true },
@@ -52,13 +52,13 @@ const say = (writes: LaterWrites, takeId: string, text: string, onKept: () => vo
   )
 const texts = () => arrived.map(({ body }) => (body as { text: string }).text)
 const begun = (onLateAnswer = () => undefined as void, personId = 'p1') => {
-  later.writer = { personId, onLateAnswer }
-  const writes = new LaterWrites()
+  outbox.writer = { personId, onLateAnswer }
+  const writes = new OfflineOutbox()
   writes.begin()
   return writes
 }
-const approve = (writes: LaterWrites, key: string, onKept: () => void = () => undefined) =>
-  answered(
+const approve = (writes: OfflineOutbox, key: string, onKept: () => void = () => undefined) =>
+  unwrap(
     api.POST('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: 't1' } },
       headers: { 'Idempotency-Key': key },
@@ -74,8 +74,8 @@ const approve = (writes: LaterWrites, key: string, onKept: () => void = () => un
       fetch: writes.fetch('t1 approved', onKept),
     }),
   )
-const undo = (writes: LaterWrites, key: string, onKept: () => void = () => undefined) =>
-  answered(
+const undo = (writes: OfflineOutbox, key: string, onKept: () => void = () => undefined) =>
+  unwrap(
     api.DELETE('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: 't1' } },
       fetch: writes.fetch('undo', onKept, key),
@@ -100,12 +100,12 @@ describe('writes that a lost line must not lose', () => {
     const said = [say(writes, 't1', 'one', onKept), say(writes, 't2', 'two', onKept)]
     await vi.waitFor(() => expect(onKept).toHaveBeenCalledTimes(2))
     const third = say(writes, 't1', 'three', onKept)
-    await vi.waitFor(() => expect(later.getState().waiting).toHaveLength(3))
+    await vi.waitFor(() => expect(outbox.getState().waiting).toHaveLength(3))
     isThere = true
     await Promise.all([...said, third])
     expect(texts()).toEqual(['one', 'two', 'three'])
     expect(new Set(arrived.map(({ key }) => key)).size).toBe(3)
-    expect(later.getState()).toEqual({ waiting: [], refused: [] })
+    expect(outbox.getState()).toEqual({ waiting: [], refused: [] })
     expect(localStorage).toHaveLength(0)
   })
 
@@ -125,7 +125,7 @@ describe('writes that a lost line must not lose', () => {
     void say(begun(), 't1', 'one')
     await vi.waitFor(() => expect(localStorage).toHaveLength(1))
     begun(undefined, 'p2')
-    expect(later.getState().waiting).toHaveLength(1)
+    expect(outbox.getState().waiting).toHaveLength(1)
     const onLateAnswer = vi.fn()
     const next = begun(onLateAnswer)
     const two = say(next, 't2', 'two')
@@ -146,20 +146,20 @@ describe('writes that a lost line must not lose', () => {
     answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
     isThere = true
     await said
-    expect(later.getState().refused).toMatchObject([{ what: 'Comment on t1', why: 'the version moved on' }])
+    expect(outbox.getState().refused).toMatchObject([{ what: 'Comment on t1', why: 'the version moved on' }])
     begun()
-    expect(later.getState().refused).toHaveLength(1)
-    for (const { place } of later.getState().refused) writes.forgetRefused(place)
+    expect(outbox.getState().refused).toHaveLength(1)
+    for (const { place } of outbox.getState().refused) writes.forgetRefused(place)
     await back()
     begun()
-    expect(later.getState().refused).toEqual([])
+    expect(outbox.getState().refused).toEqual([])
   })
 
   test('that are refused at once are answered to the caller alone', async () => {
     const writes = begun()
     answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
     await expect(say(writes, 't1', 'one')).rejects.toMatchObject({ code: 'late' })
-    expect(later.getState().refused).toEqual([])
+    expect(outbox.getState().refused).toEqual([])
     expect(localStorage).toHaveLength(0)
   })
 
@@ -197,7 +197,7 @@ test('writes are sent beside one another while the server is there', async () =>
 
 describe('the undo of a write that is sent later', () => {
   const methods = () => arrived.map(({ method }) => method)
-  const away = async (writes: LaterWrites) => {
+  const away = async (writes: OfflineOutbox) => {
     isThere = false
     vi.spyOn(navigator, 'onLine', 'get').mockReturnValue(false)
     const onKept = vi.fn()
@@ -215,15 +215,15 @@ describe('the undo of a write that is sent later', () => {
     const writes = begun()
     const { given } = await away(writes)
     const said = say(writes, 't2', 'two')
-    await vi.waitFor(() => expect(later.getState().waiting).toHaveLength(2))
+    await vi.waitFor(() => expect(outbox.getState().waiting).toHaveLength(2))
     expect(writes.drop('k1')).toBe(true)
     await expect(given).rejects.toMatchObject({ name: 'AbortError' })
-    expect(later.getState().waiting).toHaveLength(1)
+    expect(outbox.getState().waiting).toHaveLength(1)
     expect(localStorage).toHaveLength(1)
     lineReturns()
     await said
     expect(arrived.map(({ path }) => path)).toEqual(['/v1/takes/t2/comments'])
-    expect(later.getState()).toEqual({ waiting: [], refused: [] })
+    expect(outbox.getState()).toEqual({ waiting: [], refused: [] })
   })
 
   test('is no longer sent by another page that had found it', async () => {
@@ -313,7 +313,7 @@ describe('the undo of a write that is sent later', () => {
     await expect(given).rejects.toMatchObject({ code: 'late' })
     await expect(undo(writes, 'k1')).rejects.toMatchObject({ name: 'AbortError' })
     expect(methods()).toEqual(['POST'])
-    expect(later.getState()).toMatchObject({ waiting: [], refused: [{ what: 't1 approved' }] })
+    expect(outbox.getState()).toMatchObject({ waiting: [], refused: [{ what: 't1 approved' }] })
   })
 
   test('a write is sent all the same where the browser is wrong to know of no line', async () => {

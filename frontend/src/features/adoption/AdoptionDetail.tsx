@@ -20,7 +20,7 @@ interface Of {
 }
 
 /** A folder that was sent: to adopt, or adopted, with how far its checks are. */
-export function OneAdoption({ projectId, adoptionId }: Of): ReactNode {
+export function AdoptionDetail({ projectId, adoptionId }: Of): ReactNode {
   const { data, error } = useQuery(progressQuery(adoptionId))
   if (error instanceof ApiProblem) return <Refusal error={error} />
   if (data === undefined) return null

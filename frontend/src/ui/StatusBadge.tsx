@@ -1,13 +1,13 @@
 import { lazy, type ReactNode, Suspense } from 'react'
 
 import { Icon, type IconName } from './Icon'
-import classes from './State.module.css'
+import classes from './StatusBadge.module.css'
 
 const StateReason = lazy(async () => ({ default: (await import('./StateReason')).StateReason }))
 
 export type Tone = 'ok' | 'bad' | 'warn' | 'change' | 'review' | 'idle'
 
-interface Face {
+interface StatusStyle {
   word: string
   icon: IconName
   tone: Tone
@@ -43,7 +43,7 @@ export const STATES = {
   unjudged: { word: 'Check failed', icon: 'triangle', tone: 'warn' },
   passed: { word: 'Passed', icon: 'tick', tone: 'ok' },
   late: { word: 'Late', icon: 'clock', tone: 'bad' },
-} as const satisfies Record<string, Face>
+} as const satisfies Record<string, StatusStyle>
 
 export type StateKind = keyof typeof STATES
 
@@ -59,8 +59,8 @@ interface StateProps {
 }
 
 /** Icon, word, colour: the only place where a colour says how something stands. */
-export function State({ kind, children, pill = false, strong = false, reason }: StateProps) {
-  const { word, icon, tone, ...face }: Face = STATES[kind]
+export function StatusBadge({ kind, children, pill = false, strong = false, reason }: StateProps) {
+  const { word, icon, tone, ...face }: StatusStyle = STATES[kind]
   const className = [
     classes.state,
     `tone-${tone}`,

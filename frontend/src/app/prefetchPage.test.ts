@@ -7,7 +7,7 @@ import {
 } from '@tanstack/react-router'
 import { describe, expect, test, vi } from 'vitest'
 
-import { loadAhead } from './startEarly'
+import { preloadPages } from './prefetchPage'
 
 describe('the code of a page that is likely opened next', () => {
   test('is loaded with that of the page it leads to, and no data is asked for', () => {
@@ -28,13 +28,13 @@ describe('the code of a page that is likely opened next', () => {
           getParentRoute,
           path: '/projects/$projectId/review',
           component: page('start'),
-          staticData: { early: asked, leadsTo: page('cue') },
+          staticData: { prefetch: asked, preloads: page('cue') },
           beforeLoad: asked,
         }),
         createRoute({ getParentRoute, path: '/projects/$projectId/today', component: page('today') }),
       ]),
     })
-    loadAhead(router, ['/projects/one/review'])
+    preloadPages(router, ['/projects/one/review'])
     expect(loaded).toEqual(['start', 'cue'])
     expect(asked).not.toHaveBeenCalled()
   })

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest'
 import { aCue, aDraft, anItem, aReview, aTake, APPROVER } from '@/test/review'
 
 import { shuffled } from './blind'
-import { marksOf, saidOf } from './said'
+import { marksOf, toFeedback } from './feedback'
 
 const take = aTake('a')
 const comment = (id: string, at: string, startS: number | null, endS: number | null = null) => ({
@@ -27,7 +27,7 @@ test('what was said is numbered in time, where it has a place in the sound', () 
     comments: [comment('later', '2026-11-20T12:00:00Z', 0.3, 0.46), comment('whole', '2026-11-20T09:00:00Z', null)],
     change_requests: [{ ...aDraft(take, aCue(), 'draft'), start_s: 0.1 }],
   })
-  const said = saidOf(review, [take])
+  const said = toFeedback(review, [take])
   expect(said.map(({ id, number }) => [id, number])).toEqual([
     ['whole', null],
     ['draft-a', 1],
@@ -51,7 +51,7 @@ test('replies stand below the note that they answer, and are no notes themselves
     ],
     change_requests: [change],
   })
-  const said = saidOf(review, [take])
+  const said = toFeedback(review, [take])
   expect(said.map(({ id, replies }) => [id, replies.map(({ text }) => text)]).sort()).toEqual([
     ['change', ['to the change']],
     ['note', ['to the note']],
@@ -60,7 +60,7 @@ test('replies stand below the note that they answer, and are no notes themselves
 
 test('what is said of another take is left out', () => {
   const review = aReview(anItem({}, [take]), { comments: [comment('on a', '2026-11-20T09:00:00Z', 0)] })
-  expect(saidOf(review, [aTake('b')])).toEqual([])
+  expect(toFeedback(review, [aTake('b')])).toEqual([])
 })
 
 test('a shuffle keeps everything, and every order can come', () => {

@@ -1,7 +1,7 @@
 import type { Company, CompanyStart } from './playerState'
 
 /** What sounds beside the source, on a bus of its own. */
-export class Accompaniment {
+export class BackingTracks {
   #company: { sounds: Company; bus: GainNode } | null = null
 
   has(sounds: Company | null): boolean {

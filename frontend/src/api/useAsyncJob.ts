@@ -12,7 +12,7 @@ interface Made {
 }
 
 /** Ask for something that a worker makes; it is read again until it is made or refused. */
-export function useMade<Wanted, T extends Made>(
+export function useAsyncJob<Wanted, T extends Made>(
   kind: string,
   askFor: (wanted: Wanted) => Promise<T>,
   read: (id: string) => Promise<T>,

@@ -21,7 +21,7 @@ const listeners = new Set<() => void>()
 let state: LaterState = { waiting: [], refused: [] }
 
 /** What every page knows of writes that are sent later; what sends them is loaded where there are any. */
-export const later = {
+export const outbox = {
   /** Whose writes these are, and what follows those that nobody waited for. */
   writer: { personId: '', onLateAnswer: (): void => undefined },
   getState: (): LaterState => state,

@@ -1,6 +1,6 @@
 import { csrfToken, newIdempotencyKey, send } from './client'
 import { serverReturns } from './connection'
-import { later, REFUSED, type RefusedWrite, WAITING, type WriteKind } from './later'
+import { outbox, REFUSED, type RefusedWrite, WAITING, type WriteKind } from './outbox'
 import { ApiProblem, problemOf } from './problem'
 
 /** A write of one person, kept in this browser until the server has answered it. */
@@ -40,7 +40,7 @@ const dropped = () => new DOMException('it was undone before it was sent', 'Abor
  * Writes that a lost line must not lose: verdicts and comments. Each is kept in this browser before it is sent, and they
  * are sent in order, one at a time. A page that closes meanwhile leaves them to the next one of the same person.
  */
-export class LaterWrites {
+export class OfflineOutbox {
   #person = ''
   #writes: KeptWrite[] = []
   #count = 0
@@ -55,11 +55,11 @@ export class LaterWrites {
 
   /** Go on with what earlier pages of this person left. */
   begin(): void {
-    const { personId } = later.writer
+    const { personId } = outbox.writer
     if (personId !== this.#person) {
       this.#person = personId
       this.#writes = this.#stored<KeptWrite>(WAITING)
-      later.show({ refused: this.#stored<RefusedWrite>(REFUSED) })
+      outbox.show({ refused: this.#stored<RefusedWrite>(REFUSED) })
     }
     void this.#send()
   }
@@ -106,7 +106,7 @@ export class LaterWrites {
 
   forgetRefused(place: string): void {
     this.#unstore(REFUSED, place)
-    later.show({ refused: later.getState().refused.filter((one) => one.place !== place) })
+    outbox.show({ refused: outbox.getState().refused.filter((one) => one.place !== place) })
   }
 
   async #sendAtOnce(write: KeptWrite): Promise<void> {
@@ -190,7 +190,7 @@ export class LaterWrites {
     if (isLate && !response.ok) await this.#keepRefused(write, response.clone())
     this.#showWaiting()
     asked?.answer(response)
-    if (isLate) later.writer.onLateAnswer()
+    if (isLate) outbox.writer.onLateAnswer()
   }
 
   #forget(write: KeptWrite): Asked | undefined {
@@ -205,7 +205,7 @@ export class LaterWrites {
     const body: unknown = await response.json().catch(() => null)
     const refused = { place, what, why: problemOf(response.status, body).detail }
     this.#store(REFUSED, refused)
-    later.show({ refused: [...later.getState().refused, refused] })
+    outbox.show({ refused: [...outbox.getState().refused, refused] })
   }
 
   /** Let those who wait go on: their writes are kept. */
@@ -218,7 +218,7 @@ export class LaterWrites {
   }
 
   #showWaiting(): void {
-    later.show({ waiting: this.#writes.filter((write) => this.#isLate(write)).map(kindOf) })
+    outbox.show({ waiting: this.#writes.filter((write) => this.#isLate(write)).map(kindOf) })
   }
 
   #stored<T extends { place: string }>(prefix: string): T[] {
@@ -256,10 +256,10 @@ export class LaterWrites {
   }
 }
 
-export const laterWrites = new LaterWrites()
+export const offlineOutbox = new OfflineOutbox()
 
 /** The answer to a write; where it waits for the connection, what stands in its place until then. */
-export const answerOr = <T>(ask: (onKept: () => void) => Promise<T>, meanwhile: () => T): Promise<T> =>
+export const answerOrOptimistic = <T>(ask: (onKept: () => void) => Promise<T>, meanwhile: () => T): Promise<T> =>
   new Promise((resolve, reject) => {
     ask(() => resolve(meanwhile())).then(resolve, reject)
   })

@@ -1,4 +1,4 @@
-import { isWaitingId } from '@/api/laterWrites'
+import { isWaitingId } from '@/api/offlineOutbox'
 import type { CommentMark } from '@/audio'
 import type { CueReview, ReviewTake } from '@/judging/api'
 import type { Mention } from '@/judging/mentionNames'
@@ -6,7 +6,7 @@ import type { Mention } from '@/judging/mentionNames'
 import type { Comment } from './api'
 
 /** One thing said of a take: advice, or a change that the approver wants. */
-export interface Said {
+export interface FeedbackItem {
   id: string
   takeId: string
   /** Its number in the wave and in the list; things said of the whole sound have none. */
@@ -28,11 +28,11 @@ export interface Said {
 }
 
 /** Everything said of these takes, in the order in which it was said; what has a place in the sound is numbered. */
-export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] {
+export function toFeedback(review: CueReview, takes: readonly ReviewTake[]): FeedbackItem[] {
   const ids = new Set(takes.map(({ id }) => id))
   const repliesTo = (id: string) =>
     review.comments.filter(({ reply_to_id, change_request_id }) => reply_to_id === id || change_request_id === id)
-  const all: Omit<Said, 'number'>[] = [
+  const all: Omit<FeedbackItem, 'number'>[] = [
     ...review.comments
       .filter(({ take_id, reply_to_id, change_request_id }) => ids.has(take_id) && !reply_to_id && !change_request_id)
       .map((comment) => ({
@@ -76,7 +76,7 @@ export function saidOf(review: CueReview, takes: readonly ReviewTake[]): Said[] 
 }
 
 /** The markers in the waveform of one take. */
-export function marksOf(said: readonly Said[], takeId: string): CommentMark[] {
+export function marksOf(said: readonly FeedbackItem[], takeId: string): CommentMark[] {
   return said.flatMap(({ id, number, startS, endS, takeId: of }) =>
     number === null || startS === null || of !== takeId
       ? []
@@ -85,7 +85,7 @@ export function marksOf(said: readonly Said[], takeId: string): CommentMark[] {
 }
 
 /** What the author of a saying is to its reader, or that it is not sent yet. */
-export function roleOfSaid({ id, kind, draft, decides }: Said): string {
+export function roleOfSaid({ id, kind, draft, decides }: FeedbackItem): string {
   if (isWaitingId(id)) return 'waits for the connection'
   if (kind === 'change') return draft ? 'draft change request' : 'requests a change'
   return decides ? 'approver' : 'advises'

@@ -1,8 +1,8 @@
 import { useState } from 'react'
 
-import classes from './Face.module.css'
+import classes from './Avatar.module.css'
 
-interface FaceProps {
+interface AvatarProps {
   name: string
   /** The address of the person's picture. */
   picture?: string | null
@@ -12,7 +12,7 @@ interface FaceProps {
 }
 
 /** A person's picture in a circle, or two letters: "Audio director" gives AD, "Producer" PR. */
-export function Face({ name, picture, filled = false, large = false }: FaceProps) {
+export function Avatar({ name, picture, filled = false, large = false }: AvatarProps) {
   const [failed, setFailed] = useState<string>()
   const shape = [classes.face, filled && classes.filled, large && classes.large].filter(Boolean).join(' ')
   if (picture && picture !== failed) {
