@@ -173,7 +173,7 @@ function Scale({ limitDbfs }: { limitDbfs?: number }) {
       {lines.map((db) => (
         <span
           key={db}
-          className={classes.scale}
+          className={`wide-only ${classes.scale}`}
           style={{ top: `calc(50% - (50% - ${PAD_PX}px) * ${amplitudeOf(db).toFixed(4)} - 7px)` }}
         >
           {figure(db, Number.isInteger(db) ? 0 : 1)}
@@ -239,7 +239,7 @@ function FindingsLane({
         >
           <Icon name={SEVERITY_LOOK[item.severity].icon} size={14} />
           {item.label}
-          {item.more && <span className={classes.more}>{item.more}</span>}
+          {item.more && <span className={`wide-only ${classes.more}`}>{item.more}</span>}
           {item.startS !== undefined && <span className="visually-hidden">, at {placeInWords(item.startS)}</span>}
         </button>
       ))}

@@ -81,7 +81,7 @@ export function MentionList({ takeId, field, text, onText }: MentionsProps) {
           id={`${listId}-${index}`}
           role="option"
           aria-selected={index === at}
-          className={`row ${classes.option}`}
+          className={`row hover ${classes.option}`}
           onPointerDown={(event) => {
             event.preventDefault() // the field keeps the focus
             choose(person)

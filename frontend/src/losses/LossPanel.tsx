@@ -4,7 +4,6 @@ import { ApiProblem } from '@/api'
 import { Table } from '@/ui/Table'
 
 import { lossQuery } from './api'
-import classes from './Losses.module.css'
 import { LossPlot } from './LossPlot'
 import { type LossLine, linesOf, octavesOf } from './words'
 
@@ -24,7 +23,7 @@ export function LossPanel({ renderId, target }: { renderId: string; target: stri
       <LossPlot spectra={loss.spectra} />
       <LossTable label={`Quality loss of the ${target} file`} head="Figure" lines={linesOf(loss)} />
       <details className="small">
-        <summary className={classes.summary}>Spectra as a table</summary>
+        <summary className="pointer min-h-24px">Spectra as a table</summary>
         <LossTable label={`Spectra of master and file for ${target}`} head="Octave" lines={octavesOf(loss.spectra)} />
       </details>
     </div>

@@ -221,7 +221,7 @@ function PaletteLine({ id, line, selected, onPoint, onAct }: PaletteLineProps) {
           <span className={`${classes.title} grow cut-text`}>{line.found.title}</span>
           {line.found.detail}
           {selected && (
-            <span className={classes.enter}>
+            <span className="wide-only">
               <Key keys="Enter" />
             </span>
           )}

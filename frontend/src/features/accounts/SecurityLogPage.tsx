@@ -6,12 +6,12 @@ import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { clock, day } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 import { Select } from '@/ui/Select'
 
 import { CardProblem } from './CardProblem'
 import { type SecurityEvent, type SecurityEventKind, securityEventsQuery } from './securityLogApi'
-import classes from './Studio.module.css'
 
 const KIND_NAMES: Record<SecurityEventKind, string> = {
   sign_in: 'Sign-ins',
@@ -36,19 +36,20 @@ export function SecurityLogPage() {
   )
   return (
     <div className="page">
-      <div className={classes.head}>
-        <div>
-          <h1>Security log</h1>
-          <p className="mid">What members did to accounts and access. Entries are kept for two years.</p>
-        </div>
-        <ButtonLink
-          icon="download"
-          href={`/v1/studios/${studioId}/security-events.csv${kind && `?kind=${kind}`}`}
-          download
-        >
-          CSV
-        </ButtonLink>
-      </div>
+      <PageHead
+        title="Security log"
+        actions={
+          <ButtonLink
+            icon="download"
+            href={`/v1/studios/${studioId}/security-events.csv${kind && `?kind=${kind}`}`}
+            download
+          >
+            CSV
+          </ButtonLink>
+        }
+      >
+        What members did to accounts and access. Entries are kept for two years.
+      </PageHead>
       <Card aria-labelledby="security-log">
         <CardHead id="security-log" title="Events" note="newest first" />
         <div className="p-3-inset">

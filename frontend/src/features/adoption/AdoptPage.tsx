@@ -7,6 +7,7 @@ import { useTitle } from '@/app/title'
 import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 
 import { adoptionsQuery, type Adoption } from './api'
@@ -24,17 +25,16 @@ export function AdoptPage(): ReactNode {
   const former = useQuery({ ...adoptionsQuery(projectId), enabled: project?.part === 'team' })
   return (
     <div className="page stack content-start">
-      <header className="flex wrap items-start between gap-2-4">
-        <div>
-          <h1>Import existing game audio</h1>
-          <p className="mid">
-            Each sound becomes an approved take of a cue, without review, contract or money. The names stay.
-          </p>
-        </div>
-        <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`}>
-          Back to the list
-        </ButtonLink>
-      </header>
+      <PageHead
+        title="Import existing game audio"
+        actions={
+          <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`}>
+            Back to the list
+          </ButtonLink>
+        }
+      >
+        Each sound becomes an approved take of a cue, without review, contract or money. The names stay.
+      </PageHead>
       <Refusal error={former.error} />
       {project !== undefined && !mayAdopt ? (
         <EmptyState head="Only a producer or the project’s approver can adopt a folder">

@@ -11,7 +11,7 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
 import { KeysLine } from '@/ui/KeysLine'
-import { Refusal } from '@/ui/Refusal'
+import { PageWait } from '@/ui/PageWait'
 import { SaveStatus, type SaveStatusProps } from '@/ui/SaveStatus'
 
 import { type Brief, briefQuery, type Question, type Topic, useRecordRead } from './api'
@@ -40,12 +40,7 @@ export function BriefPage() {
   useRead(projectId, brief)
   if (error instanceof ApiProblem && error.status === 404) return <NotFoundPage />
   if (!brief) {
-    return (
-      <div className="page stack" aria-busy={error === null}>
-        <h1>Brief</h1>
-        <Refusal error={error} />
-      </div>
-    )
+    return <PageWait title="Brief" error={error} />
   }
   return <OpenBrief key={projectId} projectId={projectId} brief={brief} />
 }
@@ -154,7 +149,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
   )
   return (
     <div className={classes.room}>
-      <nav className={classes.rail} aria-label="Topics">
+      <nav className={`wide-only ${classes.rail}`} aria-label="Topics">
         <div className={`flex items-center between ${classes.railHead}`}>
           <span className="strong">Brief</span>
           <Link className="link small" to="/projects/$projectId/brief/versions" params={{ projectId }} search={{}}>
@@ -185,7 +180,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
           />
         </div>
       </nav>
-      <div className={`flex flex-col ${classes.middle}`}>
+      <div className="flex flex-col min-h-0 min-w-0">
         <div className={`grid gap-3 ${classes.scroll}`} ref={scroll}>
           <div className={classes.narrowHead}>
             <p className="small mid">{`Brief, ${brief.answered} of ${brief.total}. Topic ${at + 1} of ${brief.topics.length}`}</p>
@@ -284,7 +279,7 @@ function Bar({ brief }: { brief: Brief }) {
 
 function Completeness({ brief }: { brief: Brief }) {
   return (
-    <div className={`grid gap-2 ${classes.completeness}`}>
+    <div className="grid gap-2 border-b p-14px">
       <p className="row between">
         <span className="strong">{`${brief.answered} of ${brief.total}`}</span>
         <span className="small mid">{openWords(brief)}</span>
@@ -311,7 +306,7 @@ function TopicLink({
       to="/projects/$projectId/brief"
       params={{ projectId }}
       search={{ topic: topic.key }}
-      className={`flex items-center gap-10px ${classes.topic}`}
+      className={`flex items-center gap-10px hover ${classes.topic}`}
       aria-current={isCurrent ? 'page' : undefined}
       onClick={(event) => {
         if (event.ctrlKey || event.metaKey || event.shiftKey) return

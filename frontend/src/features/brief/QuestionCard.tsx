@@ -85,7 +85,7 @@ export function QuestionCard({
             <div className="row wrap">
               <button
                 type="button"
-                className={`${classes.choice} ${classes.unknown}`}
+                className={`hover ${classes.choice} ${classes.unknown}`}
                 aria-pressed={isUnknown}
                 aria-keyshortcuts="0"
                 onClick={() => answers.change(question, { value: null, is_unknown: !isUnknown })}

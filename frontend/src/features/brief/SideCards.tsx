@@ -211,7 +211,7 @@ export function ReadBy({ projectId, newest }: { projectId: string; newest: numbe
   const { data: reads } = useQuery(readsQuery(projectId))
   if (!reads || reads.length === 0) return null
   return (
-    <section className={`grid gap-2 ${classes.readBy}`} aria-label="Read by">
+    <section className="grid gap-2 p-14px" aria-label="Read by">
       <h2>Read by</h2>
       <ul>
         {reads.map(({ designer, version, behind }) => (

@@ -52,7 +52,7 @@ export function ChoiceField({ question, value, onChange }: FieldProps) {
   const several = question.kind === 'choices'
   const picked = several ? textsOf(value) : [value]
   return (
-    <div role="group" aria-label={question.text} className={classes.choices}>
+    <div role="group" aria-label={question.text} className={`row wrap ${classes.choices}`}>
       {question.choices.map(({ key, label }) => {
         const isPicked = picked.includes(key)
         const next = several ? (isPicked ? picked.filter((one) => one !== key) : [...picked, key]) : isPicked ? '' : key
@@ -60,7 +60,7 @@ export function ChoiceField({ question, value, onChange }: FieldProps) {
           <button
             key={key}
             type="button"
-            className={classes.choice}
+            className={`hover ${classes.choice}`}
             aria-pressed={isPicked}
             onClick={() => onChange(next)}
           >

@@ -171,7 +171,7 @@ function BuildsCard({ audits, current, projectId }: OfAudits) {
               to="/projects/$projectId/drift"
               params={{ projectId }}
               search={{ audit: audit.id }}
-              className={`grid items-center gap-3 ${classes.build}`}
+              className={`grid items-center gap-3 hover ${classes.build}`}
               aria-current={audit.id === current.id || undefined}
             >
               <span className="strong cut-text">{audit.label}</span>
@@ -235,7 +235,7 @@ function DriftCard({ audit, projectId }: { audit: AuditSummary; projectId: strin
       )}
       {groups && groups.length > 0 && (
         <>
-          <div className={`${classes.columnsHead} micro dim`} aria-hidden="true">
+          <div className={`wide-only ${classes.columnsHead} micro dim`} aria-hidden="true">
             <span>Sound</span>
             <span>What</span>
             <span>Where</span>

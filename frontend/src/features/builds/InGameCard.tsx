@@ -40,7 +40,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
       </ul>
       {data.unheard.length > 0 && (
         <details className="border-t p-2-inset">
-          <summary className={classes.summary}>
+          <summary className="pointer min-h-24px">
             {data.unheard.length < data.never_heard
               ? `The first ${data.unheard.length} of them`
               : plural(data.unheard.length, 'cue')}{' '}

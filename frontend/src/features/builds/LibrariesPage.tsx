@@ -11,6 +11,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
 import { bytes, day, figure, plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 import { Table } from '@/ui/Table'
 
@@ -23,22 +24,23 @@ export function LibrariesPage() {
   const { data: libraries, error } = useQuery(librariesQuery(projectId))
   useTitle('Sound libraries')
   return (
-    <div className="page stack">
-      <div>
-        <h1>Sound libraries</h1>
-        <p className="mid">
-          Versions are compared with these libraries. The page of a version names the files that it equals.
-        </p>
-      </div>
-      <Refusal error={error} />
-      {libraries?.length === 0 && (
-        <EmptyState head="No sound library yet">
-          Register one below: its fingerprints are made on your machine, and no sound leaves it.
-        </EmptyState>
-      )}
-      {libraries !== undefined && libraries.length > 0 && <Libraries libraries={libraries} />}
-      <AddLibrary projectId={projectId} />
-    </div>
+    <PageHead
+      title="Sound libraries"
+      actions={
+        <>
+          <Refusal error={error} />
+          {libraries?.length === 0 && (
+            <EmptyState head="No sound library yet">
+              Register one below: its fingerprints are made on your machine, and no sound leaves it.
+            </EmptyState>
+          )}
+          {libraries !== undefined && libraries.length > 0 && <Libraries libraries={libraries} />}
+          <AddLibrary projectId={projectId} />
+        </>
+      }
+    >
+      Versions are compared with these libraries. The page of a version names the files that it equals.
+    </PageHead>
   )
 }
 

@@ -82,7 +82,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
   if (!cue) return <NoCues projectId={projectId} label={audit.label} />
   return (
     <div className={classes.room}>
-      <aside className={classes.list} aria-label="Sounds of the build">
+      <aside className={`wide-only ${classes.list}`} aria-label="Sounds of the build">
         <Head listening={listening} heard={heard.size} notes={notes.notes.length} />
         <div className="border-b p-2-14px">
           <Segmented
@@ -92,13 +92,13 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
             onChange={group}
           />
         </div>
-        <ol className={classes.scroll}>
+        <ol className="flex-1 min-h-0 overflow-y-auto">
           {cues.map((one, index) => (
             <li key={one.cue.id}>
               <Heading group={groupOf(one, order)} before={index > 0 ? groupOf(cues[index - 1] ?? one, order) : ''} />
               <button
                 type="button"
-                className={`grid gap-2 ${classes.item}`}
+                className={`grid gap-2 hover ${classes.item}`}
                 aria-current={index === at || undefined}
                 onClick={() => setAt(index)}
               >
@@ -155,7 +155,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           <h2>Notes of this pass</h2>
           <span className="dim">{figure(notes.notes.length)}</span>
         </header>
-        <ul className={classes.scroll}>
+        <ul className="flex-1 min-h-0 overflow-y-auto">
           {notes.notes.map((note) => (
             <NoteRow key={note.id} note={note} />
           ))}

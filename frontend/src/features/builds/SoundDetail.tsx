@@ -287,7 +287,7 @@ function History({ projectId, path }: { projectId: string; path: string }) {
   if (data === undefined || data.length < 2) return null
   return (
     <details className="small">
-      <summary className={classes.summary}>{`In the last ${data.length} builds`}</summary>
+      <summary className="pointer min-h-24px">{`In the last ${data.length} builds`}</summary>
       <ol className={classes.history}>
         {data.map((one) => (
           <li key={one.audit_id}>

@@ -22,7 +22,7 @@ export function SoundRow({ group, audit, projectId, isOpen, onOpen }: SoundRowPr
   const list = move?.changelist
   return (
     <li className={classes.row} data-open={isOpen || undefined}>
-      <button type="button" className={classes.rowButton} aria-expanded={isOpen} onClick={onOpen}>
+      <button type="button" className={`hover ${classes.rowButton}`} aria-expanded={isOpen} onClick={onOpen}>
         <span className="cut-text">
           <span className={isOpen ? 'strong' : undefined}>{name}</span>{' '}
           <span className="small dim">{plural(sounds.length, 'file')}</span>

@@ -98,7 +98,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
           <button
             key={what}
             type="button"
-            className={`flex items-center gap-3 ${classes.bigKey}`}
+            className={`flex items-center gap-3 hover ${classes.bigKey}`}
             data-wide={what === 'good' || undefined}
             aria-pressed={choice.said === what}
             aria-keyshortcuts={keys}

@@ -2,6 +2,7 @@ import { Link, useParams } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
 import { useTitle } from '@/app/title'
+import { PageHead } from '@/ui/PageHead'
 
 import { TasksCard } from './TasksCard'
 
@@ -10,18 +11,12 @@ export function TasksPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   useTitle('Implementation tasks')
   return (
-    <div className="page stack">
-      <div>
-        <h1>Implementation tasks</h1>
-        <p className="mid">
-          From notes of the{' '}
-          <Link className="link" to="/projects/$projectId/listening" params={{ projectId }}>
-            listening pass
-          </Link>{' '}
-          and from drift that was sent back.
-        </p>
-      </div>
-      <TasksCard projectId={projectId} />
-    </div>
+    <PageHead title="Implementation tasks" actions={<TasksCard projectId={projectId} />}>
+      From notes of the{' '}
+      <Link className="link" to="/projects/$projectId/listening" params={{ projectId }}>
+        listening pass
+      </Link>{' '}
+      and from drift that was sent back.
+    </PageHead>
   )
 }

@@ -10,6 +10,8 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
+import { PageWait } from '@/ui/PageWait'
 import { Row, Rows } from '@/ui/Rows'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
@@ -31,24 +33,18 @@ export function ChangeOrdersPage() {
   const [picked, setPicked] = useState<ChangeOffer | null>(null)
   useTitle('Change orders')
   if (!all) {
-    return (
-      <div className="page stack" aria-busy={error === null}>
-        <h1>Change orders</h1>
-        <Refusal error={error} />
-      </div>
-    )
+    return <PageWait title="Change orders" error={error} />
   }
   return (
     <div className="page stack">
-      <div className="flex wrap items-start between gap-2-4">
-        <div>
-          <h1>Change orders</h1>
-          <p className="mid">{`to ${all.title}. What is signed stays; a change order says only what is different.`}</p>
-        </div>
-        <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
-          {all.title}
-        </ButtonLink>
-      </div>
+      <PageHead
+        title="Change orders"
+        actions={
+          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+            {all.title}
+          </ButtonLink>
+        }
+      >{`to ${all.title}. What is signed stays; a change order says only what is different.`}</PageHead>
       <div className={`columns ${classes.columns}`}>
         <div className="stack">
           <OffersCard all={all} onPropose={setPicked} />

@@ -13,6 +13,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day, plural } from '@/ui/format'
+import { PageWait } from '@/ui/PageWait'
 import { Row, Rows } from '@/ui/Rows'
 import { StatusBadge } from '@/ui/StatusBadge'
 
@@ -36,12 +37,7 @@ export function ContractPage() {
   const { data: contract, error } = useQuery(contractQuery(contractId))
   useTitle(contract?.title ?? 'Contract')
   if (!contract) {
-    return (
-      <div className="page stack" aria-busy={error === null}>
-        <h1>Contract</h1>
-        <Refusal error={error} />
-      </div>
-    )
+    return <PageWait title="Contract" error={error} />
   }
   const { kind, text } = progress(contract)
   return (

@@ -11,6 +11,7 @@ import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 import { StatusBadge } from '@/ui/StatusBadge'
 
@@ -35,27 +36,30 @@ export function ContractsPage() {
   const { data: contracts, error: noContracts } = useQuery(contractsQuery(projectId))
   const runs = project?.mine.is_producer ?? false
   return (
-    <div className="page stack">
-      <div>
-        <h1>Contracts</h1>
-        <p className="mid">{project?.mine.is_team === false ? 'Your contracts with the studio.' : WHAT}</p>
-      </div>
-      <Refusal error={error ?? noContracts} />
-      {project && contracts && (
-        <div className={`columns ${classes.columns}`}>
-          <div className="stack">
-            <Listed contracts={contracts} project={project} />
-          </div>
-          {runs && (
-            <div className="stack">
-              <BeginContract project={project} contracts={contracts} />
-              <Nda project={project} />
-              <Templates project={project} />
+    <PageHead
+      title="Contracts"
+      actions={
+        <>
+          <Refusal error={error ?? noContracts} />
+          {project && contracts && (
+            <div className={`columns ${classes.columns}`}>
+              <div className="stack">
+                <Listed contracts={contracts} project={project} />
+              </div>
+              {runs && (
+                <div className="stack">
+                  <BeginContract project={project} contracts={contracts} />
+                  <Nda project={project} />
+                  <Templates project={project} />
+                </div>
+              )}
             </div>
           )}
-        </div>
-      )}
-    </div>
+        </>
+      }
+    >
+      {project?.mine.is_team === false ? 'Your contracts with the studio.' : WHAT}
+    </PageHead>
   )
 }
 

@@ -86,7 +86,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
           {preview.clauses.filter(({ key }) => isOpen(key)).map(clauseOf)}
           <button
             type="button"
-            className={`row ${classes.usual}`}
+            className={`row hover ${classes.usual}`}
             aria-expanded={isUsualOpen}
             onClick={() => setUsualOpen(!isUsualOpen)}
           >
@@ -99,7 +99,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
       )}
       <button
         type="button"
-        className={`row ${classes.usual}`}
+        className={`row hover ${classes.usual}`}
         aria-expanded={isAdding}
         onClick={() => setAdding(!isAdding)}
       >

@@ -11,6 +11,8 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day, dueDay, plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
+import { PageWait } from '@/ui/PageWait'
 import { Row, Rows } from '@/ui/Rows'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
@@ -26,24 +28,20 @@ export function EndingPage() {
   const { data: ending, error } = useQuery(endingQuery(contractId))
   useTitle('Terminate contract')
   if (!ending) {
-    return (
-      <div className="page stack" aria-busy={error === null}>
-        <h1>Terminate contract</h1>
-        <Refusal error={error} />
-      </div>
-    )
+    return <PageWait title="Terminate contract" error={error} />
   }
   return (
     <div className="page stack">
-      <div className="flex wrap items-start between gap-2-4">
-        <div>
-          <h1>{ending.state === 'settled' ? 'Settlement' : 'Terminate contract'}</h1>
-          <p className="mid">{standing(ending)}</p>
-        </div>
-        <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
-          {ending.title}
-        </ButtonLink>
-      </div>
+      <PageHead
+        title={ending.state === 'settled' ? 'Settlement' : 'Terminate contract'}
+        actions={
+          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+            {ending.title}
+          </ButtonLink>
+        }
+      >
+        {standing(ending)}
+      </PageHead>
       <div className={`columns ${classes.columns}`}>
         <Statement ending={ending} />
         <div className="stack">

@@ -8,6 +8,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { PageHead } from '@/ui/PageHead'
 
 import { type Entry, recordQuery } from './api'
 import classes from './Contracts.module.css'
@@ -20,26 +21,25 @@ export function RecordPage() {
   useTitle('Audit trail')
   return (
     <div className="page stack" aria-busy={!record && error === null}>
-      <div className="flex wrap items-start between gap-2-4">
-        <div>
-          <h1>Audit trail</h1>
-          <p className="mid">
-            {record ? `${record.title}. ` : ''}
-            Each entry contains the hash of the one before it, so any later change can be detected.
-          </p>
-        </div>
-        <div className={classes.buttons}>
-          <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
-            Back to contract
-          </ButtonLink>
-          <ButtonLink icon="download" href={`/v1/contracts/${contractId}/head.json`}>
-            Signed head
-          </ButtonLink>
-          <ButtonLink variant="primary" icon="download" href={`/v1/contracts/${contractId}/record.json`}>
-            Download a copy
-          </ButtonLink>
-        </div>
-      </div>
+      <PageHead
+        title="Audit trail"
+        actions={
+          <>
+            <ButtonLink component={Link} to={`/projects/${projectId}/contracts/${contractId}`}>
+              Back to contract
+            </ButtonLink>
+            <ButtonLink icon="download" href={`/v1/contracts/${contractId}/head.json`}>
+              Signed head
+            </ButtonLink>
+            <ButtonLink variant="primary" icon="download" href={`/v1/contracts/${contractId}/record.json`}>
+              Download a copy
+            </ButtonLink>
+          </>
+        }
+      >
+        {record ? `${record.title}. ` : ''}
+        Each entry contains the hash of the one before it, so any later change can be detected.
+      </PageHead>
       <Refusal error={error} />
       {record && record.faults.length > 0 && (
         <ErrorBanner

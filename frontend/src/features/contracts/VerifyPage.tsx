@@ -5,6 +5,7 @@ import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import { type Verified, verifyPdf } from './api'
@@ -43,36 +44,37 @@ export function VerifyPage() {
     mutate(file)
   }
   return (
-    <div className="page stack">
-      <div>
-        <h1>Verify a contract</h1>
-        <p className="mid">
-          Choose the PDF of a signed contract to see whether it is unchanged and what it binds. The file is compared and
-          not kept.
-        </p>
-      </div>
-      <Card aria-label="The PDF">
-        <div className={classes.form}>
-          <label htmlFor={inputId} className="strong">
-            PDF of the contract, up to 8 MiB
-          </label>
-          <input
-            id={inputId}
-            type="file"
-            accept="application/pdf,.pdf"
-            onChange={({ currentTarget }) => {
-              take(currentTarget.files)
-              currentTarget.value = ''
-            }}
-          />
-        </div>
-      </Card>
-      <div role="status" aria-busy={isPending}>
-        {isPending && <p className="mid">{`Reading ${name}`}</p>}
-        {!isPending && data && <Result verified={data} name={name} />}
-      </div>
-      <Refusal error={error} />
-    </div>
+    <PageHead
+      title="Verify a contract"
+      actions={
+        <>
+          <Card aria-label="The PDF">
+            <div className={classes.form}>
+              <label htmlFor={inputId} className="strong">
+                PDF of the contract, up to 8 MiB
+              </label>
+              <input
+                id={inputId}
+                type="file"
+                accept="application/pdf,.pdf"
+                onChange={({ currentTarget }) => {
+                  take(currentTarget.files)
+                  currentTarget.value = ''
+                }}
+              />
+            </div>
+          </Card>
+          <div role="status" aria-busy={isPending}>
+            {isPending && <p className="mid">{`Reading ${name}`}</p>}
+            {!isPending && data && <Result verified={data} name={name} />}
+          </div>
+          <Refusal error={error} />
+        </>
+      }
+    >
+      Choose the PDF of a signed contract to see whether it is unchanged and what it binds. The file is compared and not
+      kept.
+    </PageHead>
   )
 }
 

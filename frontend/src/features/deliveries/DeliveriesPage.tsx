@@ -5,6 +5,7 @@ import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { PageHead } from '@/ui/PageHead'
 import { Person } from '@/ui/Person'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
@@ -25,14 +26,11 @@ export function DeliveriesPage() {
   const isTeam = project?.mine.is_team ?? false
   return (
     <div className="page stack">
-      <header>
-        <h1>Deliveries</h1>
-        <p className="mid">
-          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-            {project?.name ?? 'Project'}
-          </Link>
-        </p>
-      </header>
+      <PageHead title="Deliveries">
+        <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+          {project?.name ?? 'Project'}
+        </Link>
+      </PageHead>
       <Refusal error={error} />
       {deliveries?.length === 0 && (
         <EmptyState head="No deliveries yet">

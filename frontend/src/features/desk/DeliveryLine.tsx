@@ -18,7 +18,7 @@ export function DeliveryLine({ row, onStop, onDismiss, onRecheck }: { row: Deliv
   return (
     <>
       <span className={`mono ${classes.name}`}>{name}</span>
-      <span className={`mono dim ${classes.label}`}>{label}</span>
+      <span className={`mono dim wide-only ${classes.label}`}>{label}</span>
       <span className={`grid gap-2px wrap-anywhere ${classes.detail}`} data-bar={share !== null || undefined}>
         {share !== null && (
           <Meter thin label={`${name}: ${Math.floor(share * 100)} % here`} whole={1} parts={[{ value: share }]} />

@@ -14,6 +14,7 @@ import { moneyQuery } from '@/money/api'
 import { OwedCards } from '@/money/OwedCard'
 import { EmptyState } from '@/ui/EmptyState'
 import { KeysLine } from '@/ui/KeysLine'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 import { useLazy } from '@/ui/useLazy'
 import { filesOfField, type Picked, usePageDrop } from '@/uploads'
@@ -139,21 +140,22 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
 
   return (
     <div className="page">
-      <div className={classes.head}>
-        <div>
-          <h1>Your desk</h1>
-          <p className="mid">{deskLine(desk)}</p>
-        </div>
-        <div className="wide-only">
-          <KeysLine
-            keys={[
-              { keys: ['n'], label: 'deliver files' },
-              { keys: ['Space'], label: 'play' },
-              { keys: ['?'], label: 'shortcuts' },
-            ]}
-          />
-        </div>
-      </div>
+      <PageHead
+        title="Your desk"
+        actions={
+          <div className="wide-only">
+            <KeysLine
+              keys={[
+                { keys: ['n'], label: 'deliver files' },
+                { keys: ['Space'], label: 'play' },
+                { keys: ['?'], label: 'shortcuts' },
+              ]}
+            />
+          </div>
+        }
+      >
+        {deskLine(desk)}
+      </PageHead>
       {chooser.fields}
       <div className="columns side-356">
         <div className="stack">

@@ -126,7 +126,7 @@ function ToMakeRow({ projectId, one, onChoose, onDrop }: RowProps) {
     // The button in the row does the same without a drag.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <li
-      className={`grid items-center ${classes.make}`}
+      className={`grid items-center hover ${classes.make}`}
       data-over={over || undefined}
       onDragEnter={() => setOver(true)}
       onDragOver={(event) => event.preventDefault()}

@@ -109,7 +109,7 @@ function BatchLine({ batch, projectId, maySpeak, opened }: BatchLineProps) {
       </p>
       <Refusal inset error={cancel.error} />
       <details open={isOpen} onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-        <summary className={`small ${classes.summary}`}>
+        <summary className="small pointer min-h-24px">
           Sizes before and after<span className="visually-hidden"> of {title}</span>
         </summary>
         {isOpen && <Sizes batch={batch} />}

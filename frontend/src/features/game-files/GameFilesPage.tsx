@@ -5,6 +5,7 @@ import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 
 import { type Preset, type Target, targetsQuery } from './api'
@@ -22,36 +23,37 @@ export function GameFilesPage() {
   const mine = project?.mine
   const maySpeak = mine !== undefined && (mine.is_producer || mine.is_liaison || mine.is_approver)
   return (
-    <div className="page stack">
-      <div>
-        <h1>Game files</h1>
-        <p className="mid">
-          Rendered from each master for the targets in{' '}
-          <Link className="link" to="/projects/$projectId/spec" params={{ projectId }}>
-            the spec
-          </Link>
-          , released as{' '}
-          <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
-            packs
-          </Link>
-          . Sounds that are not accepted yet are in the{' '}
-          <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
-            list of placeholders
-          </Link>
-          .
-        </p>
-      </div>
-      <Refusal inset error={error} />
-      <div className="columns">
-        <div className="stack">
-          {data && <TargetsCard targets={data.targets} />}
-          <BatchesCard projectId={projectId} maySpeak={maySpeak} />
-        </div>
-        <aside className="stack" aria-label="Engine presets">
-          {data && <PresetsCard presets={data.presets} />}
-        </aside>
-      </div>
-    </div>
+    <PageHead
+      title="Game files"
+      actions={
+        <>
+          <Refusal inset error={error} />
+          <div className="columns">
+            <div className="stack">
+              {data && <TargetsCard targets={data.targets} />}
+              <BatchesCard projectId={projectId} maySpeak={maySpeak} />
+            </div>
+            <aside className="stack" aria-label="Engine presets">
+              {data && <PresetsCard presets={data.presets} />}
+            </aside>
+          </div>
+        </>
+      }
+    >
+      Rendered from each master for the targets in{' '}
+      <Link className="link" to="/projects/$projectId/spec" params={{ projectId }}>
+        the spec
+      </Link>
+      , released as{' '}
+      <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
+        packs
+      </Link>
+      . Sounds that are not accepted yet are in the{' '}
+      <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
+        list of placeholders
+      </Link>
+      .
+    </PageHead>
   )
 }
 
@@ -106,7 +108,7 @@ function PresetsCard({ presets }: { presets: readonly Preset[] }) {
               Accepts {accepts}. {why}
             </p>
             <details className="small">
-              <summary className={classes.summary}>
+              <summary className="pointer min-h-24px">
                 Show TOML<span className="visually-hidden"> for {engine}</span>
               </summary>
               <pre className={classes.preset}>{toml}</pre>

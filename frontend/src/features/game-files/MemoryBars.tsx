@@ -56,7 +56,7 @@ export function MemoryBars({ target }: { target: Target }) {
         )}
       </p>
       <details className="small">
-        <summary className={classes.summary}>Show as table</summary>
+        <summary className="pointer min-h-24px">Show as table</summary>
         <Table
           label={`Memory of ${target.name} by category`}
           rows={rows}

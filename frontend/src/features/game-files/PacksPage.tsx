@@ -12,6 +12,7 @@ import { ClearanceLinks } from '@/ui/ClearanceLinks'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day, plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { ShowMore } from '@/ui/ShowMore'
 import { StatusBadge } from '@/ui/StatusBadge'
 
@@ -40,49 +41,49 @@ export function PacksPage() {
   const packs = data?.pages.flatMap(({ items }) => items)
   const names = known?.targets.map(({ name }) => name) ?? []
   return (
-    <div className="page stack">
-      <div>
-        <h1>Packs</h1>
-        <p className="mid">
-          A sealed pack never changes: everyone who downloads it, including the game’s CI, gets the same bytes.
-          Unchanged sounds keep their file from the previous pack.{' '}
-          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-            Project
-          </Link>
-          {' · '}
-          <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }}>
-            Sound libraries
-          </Link>
-        </p>
-      </div>
-      <div className="columns">
-        <Card aria-labelledby="packs">
-          <CardHead id="packs" title="Sealed packs" note="newest first" />
-          <Refusal inset error={error} />
-          {packs?.length === 0 && (
-            <div className="p-3-inset">
-              <EmptyState head="No packs yet" level={3}>
-                Choose a target and seal the accepted sounds. The pack gets a number, checksums and a documentation key.
-              </EmptyState>
-            </div>
-          )}
-          <ul>
-            {packs?.map((pack) => (
-              <PackLine key={pack.id} pack={pack} isProducer={isProducer} />
-            ))}
-          </ul>
-          {pages.hasNextPage && (
-            <div className="p-3-inset">
-              <ShowMore list={pages}>Earlier packs</ShowMore>
-            </div>
-          )}
-        </Card>
-        <div className="stack">
-          {names.length > 0 && <SealCard projectId={projectId} targets={names} />}
-          {names.length > 0 && <PullCard projectId={projectId} targets={names} />}
+    <PageHead
+      title="Packs"
+      actions={
+        <div className="columns">
+          <Card aria-labelledby="packs">
+            <CardHead id="packs" title="Sealed packs" note="newest first" />
+            <Refusal inset error={error} />
+            {packs?.length === 0 && (
+              <div className="p-3-inset">
+                <EmptyState head="No packs yet" level={3}>
+                  Choose a target and seal the accepted sounds. The pack gets a number, checksums and a documentation
+                  key.
+                </EmptyState>
+              </div>
+            )}
+            <ul>
+              {packs?.map((pack) => (
+                <PackLine key={pack.id} pack={pack} isProducer={isProducer} />
+              ))}
+            </ul>
+            {pages.hasNextPage && (
+              <div className="p-3-inset">
+                <ShowMore list={pages}>Earlier packs</ShowMore>
+              </div>
+            )}
+          </Card>
+          <div className="stack">
+            {names.length > 0 && <SealCard projectId={projectId} targets={names} />}
+            {names.length > 0 && <PullCard projectId={projectId} targets={names} />}
+          </div>
         </div>
-      </div>
-    </div>
+      }
+    >
+      A sealed pack never changes: everyone who downloads it, including the game’s CI, gets the same bytes. Unchanged
+      sounds keep their file from the previous pack.{' '}
+      <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+        Project
+      </Link>
+      {' · '}
+      <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }}>
+        Sound libraries
+      </Link>
+    </PageHead>
   )
 }
 
@@ -130,7 +131,7 @@ function PackLine({ pack, isProducer }: { pack: SealedPack; isProducer: boolean 
       {pack.state === 'refused' && <p className="small">{sentence(pack.refusal)}</p>}
       {pack.state === 'sealed' && (
         <details className="small" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-          <summary className={classes.summary}>
+          <summary className="pointer min-h-24px">
             What changed<span className="visually-hidden"> in pack {title}</span>
           </summary>
           {data && <ChangesList changes={data.changes} />}

@@ -213,7 +213,7 @@ function BidForm({ posting, send }: { posting: Posting; send: ReturnType<typeof 
           onChange={({ currentTarget }) => put({ note: currentTarget.value })}
         />
       </div>
-      <p className={classes.total}>
+      <p className="items-baseline flex wrap gap-3 p-14px">
         <span className="strong">{`Total ${money(totalOf(now, currency), currency)}`}</span>
         {perHour !== null && (
           <span className="small mid">{`${money(perHour, currency)} an hour of the whole work`}</span>

@@ -9,6 +9,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
+import { PageHead } from '@/ui/PageHead'
 
 import { AwardDialog } from './AwardDialog'
 import { BidsTable } from './BidsTable'
@@ -76,29 +77,26 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
   ])
   return (
     <>
-      <div>
-        <h1>{`${plural(bids.length, 'bid')} on ${title}`}</h1>
-        <p className="mid">
-          {budget === null ? '' : `Budget ${money(budget, currency)}. `}
-          {`Work: ${period(comparison.work_from_on, comparison.work_to_on)}. `}
-          {pending.length > 0 && `No bid yet from ${pending.join(', ')}. `}
-          <Link className="link" to="/projects/$projectId/postings/$postingId" params={{ projectId, postingId }}>
-            The posting
-          </Link>
-          {comparison.contract_id && (
-            <>
-              {' · '}
-              <Link
-                className="link"
-                to="/projects/$projectId/contracts/$contractId/draft"
-                params={{ projectId, contractId: comparison.contract_id }}
-              >
-                The draft contract
-              </Link>
-            </>
-          )}
-        </p>
-      </div>
+      <PageHead title={`${plural(bids.length, 'bid')} on ${title}`}>
+        {budget === null ? '' : `Budget ${money(budget, currency)}. `}
+        {`Work: ${period(comparison.work_from_on, comparison.work_to_on)}. `}
+        {pending.length > 0 && `No bid yet from ${pending.join(', ')}. `}
+        <Link className="link" to="/projects/$projectId/postings/$postingId" params={{ projectId, postingId }}>
+          The posting
+        </Link>
+        {comparison.contract_id && (
+          <>
+            {' · '}
+            <Link
+              className="link"
+              to="/projects/$projectId/contracts/$contractId/draft"
+              params={{ projectId, contractId: comparison.contract_id }}
+            >
+              The draft contract
+            </Link>
+          </>
+        )}
+      </PageHead>
       <Refusal error={shortlist.error} />
       {chosen === undefined ? (
         <EmptyState head="No bid yet">

@@ -1,6 +1,7 @@
 import { money } from '@/money/words'
 import { EmptyState } from '@/ui/EmptyState'
 import { day } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 
 import type { PostingPreview } from './api'
 import { AskedCard } from './AskedCard'
@@ -37,14 +38,11 @@ export function PostingFacts({ posting, ndaOpen, postingId }: PostingFactsProps)
   const until = posting.bids_until_on ? ` until ${day(posting.bids_until_on)}` : ''
   return (
     <>
-      <div>
-        <h1>{title}</h1>
-        <p className="mid">
-          {project ? `${studio}, ${project}. ` : `${studio}. `}
-          {posting.takes_bids ? `Bids are taken${until}. ` : 'No bids are taken now. '}
-          {`Work: ${period(posting.work_from_on, posting.work_to_on)}.`}
-        </p>
-      </div>
+      <PageHead title={title}>
+        {project ? `${studio}, ${project}. ` : `${studio}. `}
+        {posting.takes_bids ? `Bids are taken${until}. ` : 'No bids are taken now. '}
+        {`Work: ${period(posting.work_from_on, posting.work_to_on)}.`}
+      </PageHead>
       {ndaOpen ? (
         <EmptyState head="An NDA comes first">
           The studio shows what it asks for once you have signed its NDA. It invites you to the project and sends the

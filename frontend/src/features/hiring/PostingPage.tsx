@@ -11,6 +11,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
 import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 import { Select } from '@/ui/Select'
 
@@ -68,55 +69,56 @@ interface HeadProps {
 function Head({ posting, projectId, move, open, children }: HeadProps) {
   const { state, bids } = posting
   return (
-    <div className="stack">
-      <div>
-        <h1>{posting.title}</h1>
-        <p className="mid">
-          {`${STATE_WORDS[state]}. ${plural(bids ?? 0, 'bid')}. `}
-          {state === 'draft' && 'Next: say what you ask for, then open it. '}
-          {state === 'open' && !posting.takes_bids && 'Bidding is closed. Set a later last day to take more bids. '}
-          <Link className="link" to="/projects/$projectId/postings" params={{ projectId }}>
-            All postings
-          </Link>
-        </p>
-      </div>
-      <div className="row wrap">
-        {open && (state === 'draft' || state === 'closed') && (
-          <Button
-            variant={state === 'draft' ? 'primary' : 'plain'}
-            aria-busy={move.isPending || open.isSaving}
-            onClick={open.run}
-          >
-            {openWords(state, open.isChanged)}
-          </Button>
-        )}
-        {state === 'open' && (
-          <Button aria-busy={move.isPending} onClick={() => move.mutate('close')}>
-            Close
-          </Button>
-        )}
-        {(bids ?? 0) > 0 && (
-          <Link
-            className="link"
-            to="/projects/$projectId/postings/$postingId/bids"
-            params={{ projectId, postingId: posting.id }}
-          >
-            {`Compare ${plural(bids ?? 0, 'bid')}`}
-          </Link>
-        )}
-        {posting.contract_id && (
-          <Link
-            className="link"
-            to="/projects/$projectId/contracts/$contractId/draft"
-            params={{ projectId, contractId: posting.contract_id }}
-          >
-            Open the draft contract
-          </Link>
-        )}
-      </div>
-      {children}
-      <Refusal error={move.error} />
-    </div>
+    <PageHead
+      title={posting.title}
+      actions={
+        <>
+          <div className="row wrap">
+            {open && (state === 'draft' || state === 'closed') && (
+              <Button
+                variant={state === 'draft' ? 'primary' : 'plain'}
+                aria-busy={move.isPending || open.isSaving}
+                onClick={open.run}
+              >
+                {openWords(state, open.isChanged)}
+              </Button>
+            )}
+            {state === 'open' && (
+              <Button aria-busy={move.isPending} onClick={() => move.mutate('close')}>
+                Close
+              </Button>
+            )}
+            {(bids ?? 0) > 0 && (
+              <Link
+                className="link"
+                to="/projects/$projectId/postings/$postingId/bids"
+                params={{ projectId, postingId: posting.id }}
+              >
+                {`Compare ${plural(bids ?? 0, 'bid')}`}
+              </Link>
+            )}
+            {posting.contract_id && (
+              <Link
+                className="link"
+                to="/projects/$projectId/contracts/$contractId/draft"
+                params={{ projectId, contractId: posting.contract_id }}
+              >
+                Open the draft contract
+              </Link>
+            )}
+          </div>
+          {children}
+          <Refusal error={move.error} />
+        </>
+      }
+    >
+      {`${STATE_WORDS[state]}. ${plural(bids ?? 0, 'bid')}. `}
+      {state === 'draft' && 'Next: say what you ask for, then open it. '}
+      {state === 'open' && !posting.takes_bids && 'Bidding is closed. Set a later last day to take more bids. '}
+      <Link className="link" to="/projects/$projectId/postings" params={{ projectId }}>
+        All postings
+      </Link>
+    </PageHead>
   )
 }
 

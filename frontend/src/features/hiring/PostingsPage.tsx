@@ -10,6 +10,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type PostingAdd, type PostingSummary, postingsQuery, useCreatePosting } from './api'
@@ -23,20 +24,17 @@ export function PostingsPage() {
   const { data: postings, error } = useQuery(postingsQuery(projectId))
   return (
     <div className={`page stack ${classes.sheet}`} aria-busy={!postings && error === null}>
-      <div>
-        <h1>Postings</h1>
-        <p className="mid">
-          Offer work of this project to designers, compare their bids, and award one. You can also{' '}
-          <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
-            invite a designer directly
-          </Link>
-          , or look on the{' '}
-          <Link className="link" to="/roster">
-            roster
-          </Link>
-          .
-        </p>
-      </div>
+      <PageHead title="Postings">
+        Offer work of this project to designers, compare their bids, and award one. You can also{' '}
+        <Link className="link" to="/projects/$projectId/people" params={{ projectId }}>
+          invite a designer directly
+        </Link>
+        , or look on the{' '}
+        <Link className="link" to="/roster">
+          roster
+        </Link>
+        .
+      </PageHead>
       <Refusal error={error} />
       {postings && (
         <>

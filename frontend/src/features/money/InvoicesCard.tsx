@@ -229,7 +229,7 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
       noValidate
       aria-label={`New invoice, ${contract.title}`}
     >
-      <div className={`${classes.wide} ${classes.lines}`}>
+      <div className={`${classes.wide} mb-2`}>
         {draft.lines.map((line, place) => (
           <p key={`${place} ${line.text}`} className={classes.line}>
             <span className="mid">{line.text}</span> <span>{amount(line.amount_minor, currency)}</span>

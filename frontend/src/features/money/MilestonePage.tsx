@@ -14,6 +14,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { average, day, deviation, dueDay, figure, plural, shortDay } from '@/ui/format'
+import { PageWait } from '@/ui/PageWait'
 import { Row, Rows } from '@/ui/Rows'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 import { Table } from '@/ui/Table'
@@ -32,12 +33,7 @@ export function MilestonePage() {
   useTitle(sheet?.milestone.name ?? 'Milestone')
   if (error instanceof ApiProblem && error.status === 404) return <NotFoundPage />
   if (!sheet) {
-    return (
-      <div className="page stack" aria-busy={error === null}>
-        <h1>Milestone</h1>
-        <Refusal error={error} />
-      </div>
-    )
+    return <PageWait title="Milestone" error={error} />
   }
   const side: Side = project?.part === 'designer' ? 'designer' : 'team'
   return (

@@ -8,6 +8,7 @@ import { MilestonesCard } from '@/money/MilestonesCard'
 import { MoneyLine } from '@/money/MoneyLine'
 import { ButtonLink } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 
 import { BonusCard } from './BonusCard'
@@ -16,7 +17,6 @@ import { EstimatesCard } from './EstimatesCard'
 import { HoursCard } from './HoursCard'
 import { InvoicesCard } from './InvoicesCard'
 import { LedgerCard } from './LedgerCard'
-import classes from './Page.module.css'
 import { RoundsCard } from './RoundsCard'
 
 /** What was agreed in a project, what is due and paid, and every line that says why. */
@@ -29,21 +29,21 @@ export function MoneyPage() {
   const side = project?.part === 'designer' ? 'designer' : 'team'
   return (
     <div className="page">
-      <header className={classes.head}>
-        <div>
-          <h1>Money</h1>
-          <p className="mid">
-            {data &&
-              data.contracts.length > 0 &&
-              `${side === 'designer' ? 'You are paid' : 'You pay'} for accepted cues and the deposit. Each entry shows its cue, its clause and who triggered it.`}
-          </p>
-        </div>
-        {data && data.contracts.length > 0 && (
-          <ButtonLink icon="download" href={`/v1/projects/${projectId}/journal.csv`} download>
-            Journal (CSV)
-          </ButtonLink>
-        )}
-      </header>
+      <PageHead
+        title="Money"
+        actions={
+          data &&
+          data.contracts.length > 0 && (
+            <ButtonLink icon="download" href={`/v1/projects/${projectId}/journal.csv`} download>
+              Journal (CSV)
+            </ButtonLink>
+          )
+        }
+      >
+        {data &&
+          data.contracts.length > 0 &&
+          `${side === 'designer' ? 'You are paid' : 'You pay'} for accepted cues and the deposit. Each entry shows its cue, its clause and who triggered it.`}
+      </PageHead>
       <Refusal error={error} />
       {project && !mayLook && (
         <EmptyState head="You don’t have access to money in this project">

@@ -24,6 +24,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { PageWait } from '@/ui/PageWait'
 import { useDebounced } from '@/ui/useDebounced'
 
 import classes from './Plan.module.css'
@@ -52,12 +53,7 @@ export function PlanPage() {
   const problem = error ?? noPlan ?? noCues
   if (contract && !contract.may.change) return <Fixed contract={contract} projectId={projectId} />
   if (!contract || !plan || !cues) {
-    return (
-      <div className="page stack" aria-busy={problem === null}>
-        <h1>Plan</h1>
-        <Refusal error={problem} />
-      </div>
-    )
+    return <PageWait title="Plan" error={problem} />
   }
   return <Editor key={contractId} contract={contract} plan={plan} cues={cues} projectId={projectId} />
 }

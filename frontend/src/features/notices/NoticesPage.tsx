@@ -7,6 +7,7 @@ import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { ago } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { UnreadDot } from '@/ui/UnreadDot'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
@@ -29,23 +30,22 @@ export function NoticesPage() {
   useHotkeys([{ keys: 'shift+r', label: 'Mark all as read', group: 'Notices', run: markAll }])
   return (
     <div className="page page-narrow stack">
-      <div className="row wrap">
-        <div className="grow">
-          <h1>Notices</h1>
-          <p className="mid">
-            The news that emails are about.{' '}
-            <Link className="link" to="/account">
-              Choose what is emailed to you
-            </Link>
-            .
-          </p>
-        </div>
-        {newest && (
-          <Button icon="tick" keys="shift+R" disabled={!unread || mark.isPending} onClick={markAll}>
-            Mark all as read
-          </Button>
-        )}
-      </div>
+      <PageHead
+        title="Notices"
+        actions={
+          newest && (
+            <Button icon="tick" keys="shift+R" disabled={!unread || mark.isPending} onClick={markAll}>
+              Mark all as read
+            </Button>
+          )
+        }
+      >
+        The news that emails are about.{' '}
+        <Link className="link" to="/account">
+          Choose what is emailed to you
+        </Link>
+        .
+      </PageHead>
       {[error, mark.error].map((error, at) => (
         <Refusal key={at} error={error} />
       ))}

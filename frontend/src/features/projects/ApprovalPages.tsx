@@ -4,6 +4,7 @@ import type { ReactNode } from 'react'
 
 import { projectQuery, studioPeopleQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 
 import type { Project } from './api'
@@ -25,15 +26,18 @@ function Frame({ title, note, children }: FrameProps) {
   const { projectId = '' } = useParams({ strict: false })
   const { data: project, error } = useQuery(projectQuery(projectId))
   return (
-    <div className="page page-narrow stack">
-      <div>
-        <h1>{title}</h1>
-        <p className="mid">{note}</p>
-      </div>
-      <Refusal inset error={error} />
-      {project?.mine.is_team === false && <p>Only the game team sees this page.</p>}
-      {project?.mine.is_team && children(project)}
-    </div>
+    <PageHead
+      title={title}
+      actions={
+        <>
+          <Refusal inset error={error} />
+          {project?.mine.is_team === false && <p>Only the game team sees this page.</p>}
+          {project?.mine.is_team && children(project)}
+        </>
+      }
+    >
+      {note}
+    </PageHead>
   )
 }
 

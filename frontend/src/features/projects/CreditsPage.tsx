@@ -11,6 +11,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Credit, type Credits, creditsQuery, useAddCredit, useRemoveCredit, useSaveMyCredit } from './credits'
@@ -24,24 +25,23 @@ export function CreditsPage() {
   const isTeam = data?.is_team ?? false
   return (
     <div className="page">
-      <header className={classes.head}>
-        <div>
-          <h1>Credits</h1>
-          <p className="mid">
-            {isTeam ? 'Who worked on the sound, for the game’s credits.' : 'How the game’s credits name you.'}
-          </p>
-        </div>
-        {isTeam && (
-          <p className="flex wrap gap-2">
-            <ButtonLink icon="download" href={`/v1/projects/${projectId}/credits.txt`} download>
-              Text
-            </ButtonLink>
-            <ButtonLink icon="download" href={`/v1/projects/${projectId}/credits.csv`} download>
-              CSV
-            </ButtonLink>
-          </p>
-        )}
-      </header>
+      <PageHead
+        title="Credits"
+        actions={
+          isTeam && (
+            <p className="flex wrap gap-2">
+              <ButtonLink icon="download" href={`/v1/projects/${projectId}/credits.txt`} download>
+                Text
+              </ButtonLink>
+              <ButtonLink icon="download" href={`/v1/projects/${projectId}/credits.csv`} download>
+                CSV
+              </ButtonLink>
+            </p>
+          )
+        }
+      >
+        {isTeam ? 'Who worked on the sound, for the game’s credits.' : 'How the game’s credits name you.'}
+      </PageHead>
       <Refusal inset error={error} />
       {data && (
         <div className="columns">

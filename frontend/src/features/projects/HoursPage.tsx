@@ -10,6 +10,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { figure, plural, shortDay } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Table } from '@/ui/Table'
 
 import classes from './Hours.module.css'
@@ -37,17 +38,14 @@ export function HoursPage() {
   const { data, error } = useQuery(hoursQuery(projectId))
   return (
     <div className="page stack" aria-busy={!data && error === null}>
-      <div>
-        <h1>Hours</h1>
-        <p className="mid">
-          Estimates of the cues under contract that are not accepted yet, by the week in which they are due, against the
-          hours a week and the booked days on the{' '}
-          <Link className="link" to="/roster">
-            roster
-          </Link>
-          . What is not known is counted, and nothing is guessed for it.
-        </p>
-      </div>
+      <PageHead title="Hours">
+        Estimates of the cues under contract that are not accepted yet, by the week in which they are due, against the
+        hours a week and the booked days on the{' '}
+        <Link className="link" to="/roster">
+          roster
+        </Link>
+        . What is not known is counted, and nothing is guessed for it.
+      </PageHead>
       <Refusal inset error={error} />
       {data && <Shown data={data} projectId={projectId} />}
     </div>

@@ -141,7 +141,7 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
                   return (
                     <label
                       key={key}
-                      className={`flex items-start gap-2 ${classes.preset}`}
+                      className={`flex items-start gap-2 hover ${classes.preset}`}
                       data-chosen={preset === key || undefined}
                     >
                       <input
@@ -196,7 +196,7 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
       {choices.map(({ value, head, about }) => (
         <label
           key={head}
-          className={`flex items-start gap-2 ${classes.preset}`}
+          className={`flex items-start gap-2 hover ${classes.preset}`}
           data-chosen={isSample === value || undefined}
         >
           <input

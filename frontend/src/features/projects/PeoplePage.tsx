@@ -3,6 +3,7 @@ import { Link, useParams } from '@tanstack/react-router'
 
 import { studioPeopleQuery, projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 
 import { type Project } from './api'
@@ -21,33 +22,34 @@ export function PeoplePage() {
     enabled: isTeam,
   })
   return (
-    <div className="page stack">
-      <div>
-        <h1>People</h1>
-        <p className="mid">
-          {`The people on ${project?.name ?? 'the project'} and their roles. `}
-          <Link className="link" to="/projects/$projectId/credits" params={{ projectId }}>
-            Credits
-          </Link>
-          {project?.mine.is_producer && (
-            <>
-              {' · '}
-              <Link className="link" to="/projects/$projectId/hours" params={{ projectId }}>
-                Hours
-              </Link>
-            </>
+    <PageHead
+      title="People"
+      actions={
+        <>
+          <Refusal inset error={error ?? noMembers} />
+          {project && !isTeam && <p>{`${approversOf(project)} Only the game team can see its members.`}</p>}
+          {project && isTeam && (
+            <div className={`columns ${classes.columns}`}>
+              <DesignersCard project={project} />
+              <TeamCard project={project} members={members} />
+            </div>
           )}
-        </p>
-      </div>
-      <Refusal inset error={error ?? noMembers} />
-      {project && !isTeam && <p>{`${approversOf(project)} Only the game team can see its members.`}</p>}
-      {project && isTeam && (
-        <div className={`columns ${classes.columns}`}>
-          <DesignersCard project={project} />
-          <TeamCard project={project} members={members} />
-        </div>
+        </>
+      }
+    >
+      {`The people on ${project?.name ?? 'the project'} and their roles. `}
+      <Link className="link" to="/projects/$projectId/credits" params={{ projectId }}>
+        Credits
+      </Link>
+      {project?.mine.is_producer && (
+        <>
+          {' · '}
+          <Link className="link" to="/projects/$projectId/hours" params={{ projectId }}>
+            Hours
+          </Link>
+        </>
       )}
-    </div>
+    </PageHead>
   )
 }
 

@@ -3,6 +3,7 @@ import { useParams } from '@tanstack/react-router'
 
 import { projectQuery } from '@/api/project'
 import { useTitle } from '@/app/title'
+import { PageHead } from '@/ui/PageHead'
 
 import { TokensCard } from './Tokens'
 
@@ -12,13 +13,16 @@ export function TokensPage() {
   const { projectId } = useParams({ from: '/shell/projects/$projectId/tokens' })
   const { data: project } = useQuery(projectQuery(projectId))
   return (
-    <div className="page page-narrow stack">
-      <div>
-        <h1>Tokens</h1>
-        <p className="mid">For the CI of the game and for programs of your own.</p>
-      </div>
-      {project?.mine.is_producer === false && <p>Only producers make tokens.</p>}
-      {project?.mine.is_producer && <TokensCard projectId={projectId} />}
-    </div>
+    <PageHead
+      title="Tokens"
+      actions={
+        <>
+          {project?.mine.is_producer === false && <p>Only producers make tokens.</p>}
+          {project?.mine.is_producer && <TokensCard projectId={projectId} />}
+        </>
+      }
+    >
+      For the CI of the game and for programs of your own.
+    </PageHead>
   )
 }

@@ -58,7 +58,7 @@ export function ReferencesPage(): ReactNode {
       )}
       {groupsOf(references ?? []).map(({ key, name, kind, references: own }) => (
         <section key={key} aria-label={name} className="grid gap-3">
-          <header className={classes.groupHead}>
+          <header className={`row wrap ${classes.groupHead}`}>
             <h2>{name}</h2>
             {KINDS[kind] && <span className="small dim">{KINDS[kind]}</span>}
             <Count of={own.length} />

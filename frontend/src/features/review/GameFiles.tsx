@@ -17,7 +17,7 @@ export function GameFiles({ take: { renders } }: { take: ReviewTake }) {
   return (
     <section className={classes.block} aria-label={`Game file for ${file.target}`}>
       {renders.length > 1 && (
-        <p className={classes.targets}>
+        <p className="mb-2">
           <Segmented
             label="Target"
             options={renders.map(({ target }) => ({ value: target, label: target }))}

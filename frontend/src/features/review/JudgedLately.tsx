@@ -17,7 +17,7 @@ export function JudgedLately({ projectId }: { projectId: string }) {
         {judged.map(({ cue, status }) => (
           <li key={cue.id}>
             <Link
-              className={`row ${classes.judged}`}
+              className={`row hover ${classes.judged}`}
               to="/projects/$projectId/review/$cueId"
               params={{ projectId, cueId: cue.id }}
               search={{}}

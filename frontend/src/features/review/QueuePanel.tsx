@@ -79,7 +79,7 @@ export function QueuePanel(props: QueuePanelProps) {
       {isFiltering && Filters && (
         <Filters projectId={projectId} cueId={cueId} filter={filter} onClose={() => onFiltering(false)} />
       )}
-      <div className={classes.scroll} onScroll={onScroll}>
+      <div className="flex-1 min-h-0 overflow-y-auto" onScroll={onScroll}>
         <ul ref={list}>
           {waiting.map((item) => (
             <QueueLine
@@ -146,7 +146,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
     <li className={classes.item}>
       <Link
         ref={ref}
-        className={`grid items-baseline ${classes.itemLink}`}
+        className={`grid items-baseline hover ${classes.itemLink}`}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
         search={filter}

@@ -12,6 +12,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { ago, day, place, plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Person } from '@/ui/Person'
 import { Select } from '@/ui/Select'
 import { ShowMore } from '@/ui/ShowMore'
@@ -77,10 +78,7 @@ export function ReasonsPage() {
   const isNothing = counts !== undefined && counts.change.length + counts.pick.length === 0
   return (
     <div className="page stack" ref={page} aria-busy={counts === undefined && error === null}>
-      <div>
-        <h1>Reasons</h1>
-        <p className="mid">How often each reason was given with a verdict, and of which versions.</p>
-      </div>
+      <PageHead title="Reasons">How often each reason was given with a verdict, and of which versions.</PageHead>
       <Refusal error={error} />
       {counts && (!isNothing || isFiltered) && (
         <div className="flex wrap gap-3">
@@ -158,7 +156,7 @@ function Counts({ kind, title, counts, search }: CountsProps) {
           <li key={reason}>
             <Link
               data-row
-              className={classes.row}
+              className={`hover ${classes.row}`}
               to="/projects/$projectId/reasons"
               params={{ projectId }}
               search={{ ...search, kind, reason }}
@@ -216,7 +214,7 @@ function Version({ found }: { found: Found }) {
   return (
     <Link
       data-row
-      className={`flex-col wrap-anywhere ${classes.version}`}
+      className={`flex-col wrap-anywhere hover ${classes.version}`}
       to="/takes/$takeId"
       params={{ takeId: found.take_id }}
       search={{ at: startS ?? undefined }}

@@ -50,7 +50,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
               <WaveThumb peaks={take.thumb} highlighted={take.id === handId} heightPx={24} />
             </span>
             <span className="small mid num">{length(soundOf(take, MASTER).durationS)}</span>
-            <span className={`small cut-text ${classes.setSays}`}>
+            <span className="small cut-text wide-only">
               {take.label !== null && `${take.label}, `}
               <CueProgress take={take} odd={odd?.take.id === take.id} />
             </span>

@@ -90,7 +90,12 @@ export function SidePanel(props: SidePanelProps) {
           </button>
         ))}
       </div>
-      <div role="tabpanel" id={`panel-${tab}`} aria-labelledby={`tab-${tab}`} className={classes.panel}>
+      <div
+        role="tabpanel"
+        id={`panel-${tab}`}
+        aria-labelledby={`tab-${tab}`}
+        className="flex-1 min-h-0 overflow-y-auto"
+      >
         {blind ? (
           <p className={`${classes.quiet} mid`}>
             Comments and details are hidden until you pick, or press <Key keys="d" />

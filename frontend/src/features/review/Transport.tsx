@@ -75,7 +75,7 @@ export function Transport({ player, playing, durationS, trouble, isSilent, onNex
       >
         Loop
       </HotkeyButton>
-      <span className={`small dim ${classes.heardHow}`}>{says.join('. ')}</span>
+      <span className={`small dim wide-only ${classes.heardHow}`}>{says.join('. ')}</span>
       {trouble && (
         <span role="status" className="small mid">
           {trouble}

@@ -219,7 +219,7 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
               <button type="button" className={`flex items-center ${classes.sound}`} onClick={() => void play(index)}>
                 <span className="strong cut-text">{titleOf(sound)}</span>
               </button>
-              <span className={classes.thumb}>
+              <span className={`wide-only ${classes.thumb}`}>
                 <WaveThumb peaks={sound.thumb} highlighted={index === at} />
               </span>
               <span className="small mid num nowrap">{sound.duration_s === null ? '' : length(sound.duration_s)}</span>

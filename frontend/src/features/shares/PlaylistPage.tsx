@@ -267,7 +267,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                   {take.label !== null && <span className="small cut-text">{take.label}</span>}
                   {take.is_heard === false && <NotHeard />}
                 </button>
-                <span className={classes.thumb}>
+                <span className={`wide-only ${classes.thumb}`}>
                   <WaveThumb peaks={take.thumb} highlighted={take.take_id === currentId} />
                 </span>
                 <span className="small mid num nowrap">{take.duration_s === null ? '' : length(take.duration_s)}</span>

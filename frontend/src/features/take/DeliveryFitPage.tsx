@@ -9,6 +9,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { PageHead } from '@/ui/PageHead'
 import { Table } from '@/ui/Table'
 
 import { deliveryFitQuery } from './api'
@@ -41,17 +42,14 @@ export function DeliveryFitPage() {
   }
   return (
     <div className="page stack">
-      <header>
-        <h1>Delivery {fit.number} compared with earlier work</h1>
-        <p className="mid">
-          From {fit.designer.name}
-          {fit.is_first && ', their first delivery here'}
-          {fit.made_before_by.length > 0 && `; approved earlier: sounds by ${fit.made_before_by.join(', ')}`}.{' '}
-          <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId: fit.project_id }}>
-            Sound list
-          </Link>
-        </p>
-      </header>
+      <PageHead title={<>Delivery {fit.number} compared with earlier work</>}>
+        From {fit.designer.name}
+        {fit.is_first && ', their first delivery here'}
+        {fit.made_before_by.length > 0 && `; approved earlier: sounds by ${fit.made_before_by.join(', ')}`}.{' '}
+        <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId: fit.project_id }}>
+          Sound list
+        </Link>
+      </PageHead>
       {fit.shifts.length === 0 ? <Nothing fit={fit} /> : <Shifts fit={fit} />}
       {fit.takes.length > 0 && <Takes fit={fit} />}
     </div>

@@ -71,7 +71,7 @@ function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
   const others = new Map(measures.flatMap((one) => one.others.map((each) => [each.cue.id, each])))
   return (
     <details>
-      <summary className={`small ${classes.more}`}>All figures by sound</summary>
+      <summary className="small pointer min-h-24px pt-3px">All figures by sound</summary>
       <div className="overflow-x-auto">
         <table className={`small ${classes.table}`} aria-label="This sound and the sounds it is compared with">
           <thead>

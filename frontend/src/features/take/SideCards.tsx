@@ -105,7 +105,7 @@ function Lost({ renderId, target }: { renderId: string; target: string }) {
   const [open, setOpen] = useState(false)
   return (
     <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-      <summary className={`small ${classes.lost}`}>
+      <summary className="small pointer min-h-24px pt-3px">
         Quality loss<span className="visually-hidden"> for {target}</span>
       </summary>
       {open && <LossPanel renderId={renderId} target={target} />}

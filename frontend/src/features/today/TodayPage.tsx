@@ -21,6 +21,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { PageHead } from '@/ui/PageHead'
 
 import { todayQuery } from './api'
 import { NextUpCard } from './NextUpCard'
@@ -89,32 +90,31 @@ export function TodayPage(): ReactNode {
 
   return (
     <div className="page" ref={page}>
-      <header className={classes.top}>
-        <div>
-          <h1>{day(now)}</h1>
-          <p className="mid">
-            {loaded
-              ? headline({
-                  cues: queue.waits,
-                  questions: questions.length,
-                  drafts,
-                  mayApprove,
-                  mayAnswer: mayApprove || project?.is_producer === true || project?.is_liaison === true,
-                  steps: steps.length,
-                })
-              : '\u00a0'}
-          </p>
-        </div>
-        <div className="wide-only">
-          <KeysLine
-            keys={[
-              { keys: ['j', 'k'], label: 'next, previous' },
-              { keys: ['Enter'], label: 'open' },
-              { keys: ['?'], label: 'shortcuts' },
-            ]}
-          />
-        </div>
-      </header>
+      <PageHead
+        title={day(now)}
+        actions={
+          <div className="wide-only">
+            <KeysLine
+              keys={[
+                { keys: ['j', 'k'], label: 'next, previous' },
+                { keys: ['Enter'], label: 'open' },
+                { keys: ['?'], label: 'shortcuts' },
+              ]}
+            />
+          </div>
+        }
+      >
+        {loaded
+          ? headline({
+              cues: queue.waits,
+              questions: questions.length,
+              drafts,
+              mayApprove,
+              mayAnswer: mayApprove || project?.is_producer === true || project?.is_liaison === true,
+              steps: steps.length,
+            })
+          : '\u00a0'}
+      </PageHead>
       {failed && (
         <ErrorBanner
           detail={failed.detail}

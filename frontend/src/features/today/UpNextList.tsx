@@ -88,12 +88,11 @@ function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: 
     <li>
       <Link
         data-stop
-        className={`grid items-center gap-3 ${classes.line}`}
+        className={`grid items-center gap-3 hover ${classes.line}`}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
       >
-        <span className={`mono dim ${classes.number}`}>{cue.label}</span>{' '}
-        <span className="strong cut-text">{cue.name}</span>{' '}
+        <span className="mono dim wide-only">{cue.label}</span> <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid cut-text ${classes.why}`}>
           {blocked && <span className="tone-warn toned">{blocked}. </span>}
           {waits.before}
@@ -105,10 +104,10 @@ function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: 
             </span>
           )}
         </span>
-        <span className={classes.lineWave}>
+        <span className={`wide-only ${classes.lineWave}`}>
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} heightPx={26} />
         </span>
-        <span className={classes.state}>
+        <span className="wide-only">
           {isNoted(item) ? (
             <StatusBadge kind="change_requested">Draft, not sent</StatusBadge>
           ) : (
@@ -140,22 +139,21 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
       <button
         type="button"
         data-stop
-        className={`grid items-center gap-3 ${classes.line}`}
+        className={`grid items-center gap-3 hover ${classes.line}`}
         aria-expanded={open}
         aria-controls={placeId}
         onClick={() => setOpen(!open)}
       >
-        <span className={`mono dim ${classes.number}`}>{cue.label}</span>{' '}
-        <span className="strong cut-text">{cue.name}</span>{' '}
+        <span className="mono dim wide-only">{cue.label}</span> <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid ${open ? '' : 'cut-text'} ${classes.why}`}>“{question.text}”</span>
-        <span className={`small mid ${classes.lineWave}`}>
+        <span className={`small mid wide-only ${classes.lineWave}`}>
           <Person
             name={question.asked_by.name}
             picture={question.asked_by.picture}
             role={roleOf(question.asked_by.id)}
           />
         </span>
-        <span className={classes.state}>
+        <span className="wide-only">
           <StatusBadge kind="question" />
         </span>
         <span className="dim num small nowrap">{age(question.asked_at)}</span>

@@ -80,7 +80,7 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
           <h2>{scene || 'Without a scene'}</h2>
           <ul>
             {own.map((line) => (
-              <li key={line.id} className={classes.line}>
+              <li key={line.id} className={`hover ${classes.line}`}>
                 <span className="strong">{line.character.name}</span>
                 <span className={classes.words}>
                   <button type="button" data-line className={classes.open} onClick={() => setOpened(line.id)}>

@@ -335,7 +335,7 @@ function Rows({ read }: { read: ScriptRead }) {
       {read.errors.length > 0 && (
         <Card aria-labelledby="errors">
           <CardHead id="errors" title="Errors" count={read.errors.length} />
-          <ul className={classes.preview}>
+          <ul className={`grid gap-3 ${classes.preview}`}>
             {read.errors.slice(0, SHOWN).map(({ row, column, message }) => (
               <li key={`${row} ${column} ${message}`}>
                 <span className="strong">
@@ -355,7 +355,7 @@ function Rows({ read }: { read: ScriptRead }) {
             title="Lines"
             note={shown.length < read.rows.length ? `${shown.length} of ${read.rows.length} shown` : undefined}
           />
-          <ul className={classes.preview}>
+          <ul className={`grid gap-3 ${classes.preview}`}>
             {shown.map((row) => (
               <li key={row.row}>
                 <p>

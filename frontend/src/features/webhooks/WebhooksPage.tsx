@@ -9,6 +9,7 @@ import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { ago } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 import { PageSkeleton } from '@/ui/Skeleton'
@@ -39,20 +40,21 @@ export function WebhooksPage() {
   }
   return (
     <div className="page page-narrow stack">
-      <div className="row wrap">
-        <div className="grow">
-          <h1>Webhooks</h1>
-          <p className="mid">A program or a chat is called when something happens in the projects of {studio.name}.</p>
-        </div>
-        {studios.length > 1 && (
-          <Segmented
-            label="Studio"
-            options={studios.map(({ id, name }) => ({ value: id, label: name }))}
-            value={studio.id}
-            onChange={(id) => void navigate({ search: { studio: id } })}
-          />
-        )}
-      </div>
+      <PageHead
+        title="Webhooks"
+        actions={
+          studios.length > 1 && (
+            <Segmented
+              label="Studio"
+              options={studios.map(({ id, name }) => ({ value: id, label: name }))}
+              value={studio.id}
+              onChange={(id) => void navigate({ search: { studio: id } })}
+            />
+          )
+        }
+      >
+        A program or a chat is called when something happens in the projects of {studio.name}.
+      </PageHead>
       <Webhooks key={studio.id} studioId={studio.id} />
     </div>
   )

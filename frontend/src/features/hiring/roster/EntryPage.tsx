@@ -10,6 +10,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { plural, shortDay } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 
 import forms from '../Hiring.module.css'
@@ -71,53 +72,54 @@ function Head({ entry }: { entry: Entry }) {
   const navigate = useNavigate()
   const isFree = entry.free_from_on <= new Date().toISOString().slice(0, 10)
   return (
-    <div className="row wrap">
-      <div className="grow">
-        <h1>{entry.name}</h1>
-        <p className="mid">
-          <a className="link" href={`mailto:${entry.email}`}>
-            {entry.email}
-          </a>
-          {`, ${isFree ? 'free now' : `free from ${shortDay(entry.free_from_on)}`}. `}
-          <Link className="link" to="/roster">
-            The roster
-          </Link>
-        </p>
-      </div>
-      <Button variant="quiet" onClick={() => setRemoving(true)}>
-        Remove from the roster
-      </Button>
-      {removing && (
-        <Dialog title={`Remove ${entry.name} from the roster?`} opened onClose={() => setRemoving(false)}>
-          <div className="grid gap-3">
-            <p>
-              Everything noted here is deleted: facts, notes, dates and reel. Projects, bids and contracts stay as they
-              are.
-            </p>
-            <Refusal error={remove.error} />
-            <div className="row">
-              <Button data-autofocus onClick={() => setRemoving(false)}>
-                Keep
-              </Button>
-              <Button
-                variant="primary"
-                aria-busy={remove.isPending}
-                onClick={() =>
-                  remove.mutate(undefined, {
-                    onSuccess: () => {
-                      showToast(`${entry.name} was removed from the roster.`)
-                      void navigate({ to: '/roster' })
-                    },
-                  })
-                }
-              >
-                Remove
-              </Button>
-            </div>
-          </div>
-        </Dialog>
-      )}
-    </div>
+    <PageHead
+      title={entry.name}
+      actions={
+        <>
+          <Button variant="quiet" onClick={() => setRemoving(true)}>
+            Remove from the roster
+          </Button>
+          {removing && (
+            <Dialog title={`Remove ${entry.name} from the roster?`} opened onClose={() => setRemoving(false)}>
+              <div className="grid gap-3">
+                <p>
+                  Everything noted here is deleted: facts, notes, dates and reel. Projects, bids and contracts stay as
+                  they are.
+                </p>
+                <Refusal error={remove.error} />
+                <div className="row">
+                  <Button data-autofocus onClick={() => setRemoving(false)}>
+                    Keep
+                  </Button>
+                  <Button
+                    variant="primary"
+                    aria-busy={remove.isPending}
+                    onClick={() =>
+                      remove.mutate(undefined, {
+                        onSuccess: () => {
+                          showToast(`${entry.name} was removed from the roster.`)
+                          void navigate({ to: '/roster' })
+                        },
+                      })
+                    }
+                  >
+                    Remove
+                  </Button>
+                </div>
+              </div>
+            </Dialog>
+          )}
+        </>
+      }
+    >
+      <a className="link" href={`mailto:${entry.email}`}>
+        {entry.email}
+      </a>
+      {`, ${isFree ? 'free now' : `free from ${shortDay(entry.free_from_on)}`}. `}
+      <Link className="link" to="/roster">
+        The roster
+      </Link>
+    </PageHead>
   )
 }
 

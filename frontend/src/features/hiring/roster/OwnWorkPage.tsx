@@ -2,6 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 
 import { useTitle } from '@/app/title'
 import { EmptyState } from '@/ui/EmptyState'
+import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
 
 import forms from '../Hiring.module.css'
@@ -14,12 +15,9 @@ export function OwnWorkPage() {
   const { data: studios, error } = useQuery(ownWorkQuery)
   return (
     <div className={`page stack ${forms.sheet}`} aria-busy={studios === undefined && error === null}>
-      <div>
-        <h1>Your work</h1>
-        <p className="mid">
-          What each studio sees of your work there, computed from what was decided and logged. No other studio sees it.
-        </p>
-      </div>
+      <PageHead title="Your work">
+        What each studio sees of your work there, computed from what was decided and logged. No other studio sees it.
+      </PageHead>
       <Refusal error={error} />
       {studios?.length === 0 && (
         <EmptyState head="No work yet">

@@ -16,6 +16,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
 import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Select } from '@/ui/Select'
 import { PageSkeleton } from '@/ui/Skeleton'
 
@@ -54,18 +55,17 @@ export function RosterImportPage() {
   const studio = studios.find(({ id }) => id === wanted) ?? studios[0]
   return (
     <div className="page stack">
-      <div className="row wrap">
-        <div className="grow">
-          <h1>Import into the roster</h1>
-          <p className="mid">
-            Rows are matched by email: people on file are changed where a cell is filled, others are added. Nothing is
-            imported while any row has an error, and nobody is mailed.
-          </p>
-        </div>
-        <ButtonLink component={Link} to="/roster" keys="Escape">
-          Back to the roster
-        </ButtonLink>
-      </div>
+      <PageHead
+        title="Import into the roster"
+        actions={
+          <ButtonLink component={Link} to="/roster" keys="Escape">
+            Back to the roster
+          </ButtonLink>
+        }
+      >
+        Rows are matched by email: people on file are changed where a cell is filled, others are added. Nothing is
+        imported while any row has an error, and nobody is mailed.
+      </PageHead>
       {studio ? (
         <Sheet key={studio.id} studioId={studio.id} />
       ) : (

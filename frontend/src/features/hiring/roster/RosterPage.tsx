@@ -13,6 +13,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { countOf, plural, shortDay } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
@@ -53,25 +54,26 @@ export function RosterPage() {
   }
   return (
     <div className="page stack">
-      <div className="row wrap">
-        <div className="grow">
-          <h1>Roster</h1>
-          <p className="mid">
-            Sound designers on file at {studio.name}. They are not informed, and do not see this page.
-          </p>
-        </div>
-        {studios.length > 1 && (
-          <Segmented
-            label="Studio"
-            options={studios.map(({ id, name }) => ({ value: id, label: name }))}
-            value={studio.id}
-            onChange={(id) => void navigate({ search: { studio: id } })}
-          />
-        )}
-        <ButtonLink component={Link} to={`/roster/import?studio=${studio.id}`} icon="upload">
-          Import a sheet
-        </ButtonLink>
-      </div>
+      <PageHead
+        title="Roster"
+        actions={
+          <>
+            {studios.length > 1 && (
+              <Segmented
+                label="Studio"
+                options={studios.map(({ id, name }) => ({ value: id, label: name }))}
+                value={studio.id}
+                onChange={(id) => void navigate({ search: { studio: id } })}
+              />
+            )}
+            <ButtonLink component={Link} to={`/roster/import?studio=${studio.id}`} icon="upload">
+              Import a sheet
+            </ButtonLink>
+          </>
+        }
+      >
+        Sound designers on file at {studio.name}. They are not informed, and do not see this page.
+      </PageHead>
       <Found key={studio.id} studioId={studio.id} search={search} />
     </div>
   )

@@ -191,7 +191,7 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
   return (
     <>
       <h3 className={classes.part}>Invite a designer</h3>
-      <form onSubmit={send} noValidate className={classes.invite} aria-label="Invite a designer">
+      <form onSubmit={send} noValidate className={`grid gap-3 ${classes.invite}`} aria-label="Invite a designer">
         <TextInput
           label="Email"
           type="email"

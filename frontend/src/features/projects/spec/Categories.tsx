@@ -81,7 +81,7 @@ function Category({ name, cues }: { name: string; cues: number }) {
   const differs = differences(tables, name, checks)
   return (
     <details className={classes.category} open={open} onToggle={({ currentTarget }) => setOpened(currentTarget.open)}>
-      <summary className={`flex wrap items-center ${classes.summary}`}>
+      <summary className={`flex wrap items-center hover ${classes.summary}`}>
         <Icon name="right" />
         <span className="strong">{name}</span>
         <span className="small dim nowrap">{cues > 0 ? plural(cues, 'cue') : 'no cue'}</span>

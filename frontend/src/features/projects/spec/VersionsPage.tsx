@@ -9,6 +9,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
@@ -46,53 +47,54 @@ export function VersionsPage() {
   ])
   const takeUp = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
   return (
-    <div className="page">
-      <div className={classes.head}>
-        <h1>Versions of the delivery spec</h1>
-        <p className="mid">
-          <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-            {project?.name ?? 'Project'}
-          </Link>
-        </p>
-      </div>
-      <Refusal inset error={error} />
-      <div className={`grid items-start gap-4 ${classes.columns}`}>
-        <Card aria-label="Versions">
-          <Rows aria-label="Versions">
-            {versions.map((one) => (
-              <Row key={one.version} selected={one.version === version} className={classes.version}>
-                <button
-                  type="button"
-                  className={`grid wrap-anywhere ${classes.pick}`}
-                  onClick={() => show({ version: one.version })}
-                >
-                  <span className="strong">{`Version ${one.version}`}</span>
-                  <span className="small mid">{one.note || 'No note.'}</span>
-                  <span className="small dim">{`${one.author.name}, ${day(one.created_at)}`}</span>
-                </button>
-              </Row>
-            ))}
-          </Rows>
-          {list.hasNextPage && (
-            <div className="p-3-inset">
-              <ShowMore list={list}>Earlier versions</ShowMore>
-            </div>
-          )}
-        </Card>
-        {version !== undefined && (
-          <OneVersion
-            key={version}
-            projectId={projectId}
-            version={version}
-            against={against}
-            numbers={Array.from({ length: newest ?? version }, (_, index) => (newest ?? version) - index)}
-            onAgainst={(other) => show({ version, against: other })}
-            newest={newest ?? version}
-            onTakeUp={project && canActForStudio(project) ? takeUp : undefined}
-          />
-        )}
-      </div>
-    </div>
+    <PageHead
+      title="Versions of the delivery spec"
+      actions={
+        <>
+          <Refusal inset error={error} />
+          <div className={`grid items-start gap-4 ${classes.columns}`}>
+            <Card aria-label="Versions">
+              <Rows aria-label="Versions">
+                {versions.map((one) => (
+                  <Row key={one.version} selected={one.version === version} className={classes.version}>
+                    <button
+                      type="button"
+                      className={`grid wrap-anywhere ${classes.pick}`}
+                      onClick={() => show({ version: one.version })}
+                    >
+                      <span className="strong">{`Version ${one.version}`}</span>
+                      <span className="small mid">{one.note || 'No note.'}</span>
+                      <span className="small dim">{`${one.author.name}, ${day(one.created_at)}`}</span>
+                    </button>
+                  </Row>
+                ))}
+              </Rows>
+              {list.hasNextPage && (
+                <div className="p-3-inset">
+                  <ShowMore list={list}>Earlier versions</ShowMore>
+                </div>
+              )}
+            </Card>
+            {version !== undefined && (
+              <OneVersion
+                key={version}
+                projectId={projectId}
+                version={version}
+                against={against}
+                numbers={Array.from({ length: newest ?? version }, (_, index) => (newest ?? version) - index)}
+                onAgainst={(other) => show({ version, against: other })}
+                newest={newest ?? version}
+                onTakeUp={project && canActForStudio(project) ? takeUp : undefined}
+              />
+            )}
+          </div>
+        </>
+      }
+    >
+      <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+        {project?.name ?? 'Project'}
+      </Link>
+    </PageHead>
   )
 }
 

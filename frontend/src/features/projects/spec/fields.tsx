@@ -125,7 +125,7 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
           <button
             type="button"
             key={option.value}
-            className={classes.choice}
+            className={`hover ${classes.choice}`}
             aria-pressed={chosen.includes(option.value)}
             onClick={() => toggle(option.value)}
           >
@@ -133,7 +133,12 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
           </button>
         ))}
         {mayBeAny && (
-          <button type="button" className={classes.choice} aria-pressed={any} onClick={() => set(place, 'any')}>
+          <button
+            type="button"
+            className={`hover ${classes.choice}`}
+            aria-pressed={any}
+            onClick={() => set(place, 'any')}
+          >
             any
           </button>
         )}

@@ -14,6 +14,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
+import { PageHead } from '@/ui/PageHead'
 import { Select } from '@/ui/Select'
 
 import { type Cue, problemIn, useRights } from '../api'
@@ -59,18 +60,17 @@ export function ColumnsPage(): ReactNode {
   const { data, error } = useQuery(columnsQuery(projectId))
   return (
     <div className={`page ${classes.page}`}>
-      <header className={classes.top}>
-        <div>
-          <h1>Columns</h1>
-          <p className="mid">
-            Facts of your own for every cue: a bank, a mood, a scene. They are shown in the list under Content, and go
-            out and in with its spreadsheet.
-          </p>
-        </div>
-        <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`}>
-          Back to the list
-        </ButtonLink>
-      </header>
+      <PageHead
+        title="Columns"
+        actions={
+          <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`}>
+            Back to the list
+          </ButtonLink>
+        }
+      >
+        Facts of your own for every cue: a bank, a mood, a scene. They are shown in the list under Content, and go out
+        and in with its spreadsheet.
+      </PageHead>
       <Refusal error={error} />
       {rights.known && !rights.edits && (
         <EmptyState head="Only producers and audio leads can change columns">You can read them in the list.</EmptyState>

@@ -226,7 +226,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
           <History cue={cue} versions={delivered} changes={changes} />
         </div>
       </div>
-      <footer className={classes.foot}>
+      <footer className="min-h-24px">
         <KeysLine
           keys={[
             { keys: ['j', 'k'], label: 'next, previous cue' },

@@ -60,7 +60,7 @@ function How({ how, onChange }: HowProps) {
   const ms = join === 'gap' ? how.gap_ms : how.crossfade_ms
   return (
     <details className="small">
-      <summary className={classes.how}>Playback options</summary>
+      <summary className="pointer min-h-24px pt-3px">Playback options</summary>
       <div className={`row wrap ${classes.howFields}`}>
         <Segmented
           label="Between versions"

@@ -18,6 +18,7 @@ import { FieldError } from '@/ui/FieldError'
 import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { PageHead } from '@/ui/PageHead'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
@@ -185,17 +186,16 @@ export function ImportPage(): ReactNode {
 
   return (
     <div className="page stack content-start">
-      <header className="flex wrap items-start between gap-2">
-        <div>
-          <h1>Paste or import</h1>
-          <p className="mid">
-            Turn the rows of a spreadsheet into cues. Rows with an error are left out until you fix them.
-          </p>
-        </div>
-        <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`} keys="Escape">
-          Back to the list
-        </ButtonLink>
-      </header>
+      <PageHead
+        title="Paste or import"
+        actions={
+          <ButtonLink component={Link} to={`/projects/${projectId}/sound-list`} keys="Escape">
+            Back to the list
+          </ButtonLink>
+        }
+      >
+        Turn the rows of a spreadsheet into cues. Rows with an error are left out until you fix them.
+      </PageHead>
 
       <Card aria-labelledby="sheet">
         <CardHead

@@ -12,6 +12,7 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { figure, length, plural } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
+import { PageHead } from '@/ui/PageHead'
 
 import { type CueAdd, problemIn, useAddCues, useRights } from '../api'
 import { type Kit, kitQuery, type KitRow, kitsQuery, useUndoAddition } from './api'
@@ -44,22 +45,19 @@ export function KitsPage() {
   }
   return (
     <div className="page stack" aria-busy={!kits && error === null}>
-      <div>
-        <h1>{kit ? `${kit.name} kit` : 'Start from a kit'}</h1>
-        <p className="mid">
-          {kit
-            ? 'Strike out what the game does not have. The rest is added at the end of the list.'
-            : 'A kit has the cues that a game of its kind usually needs, described so that a designer can make them.'}{' '}
-          <Link
-            className="link"
-            to={kit ? '/projects/$projectId/sound-list/kits' : '/projects/$projectId/sound-list'}
-            params={{ projectId }}
-            search={{}}
-          >
-            {kit ? 'All kits' : 'Back to the sound list'}
-          </Link>
-        </p>
-      </div>
+      <PageHead title={kit ? `${kit.name} kit` : 'Start from a kit'}>
+        {kit
+          ? 'Strike out what the game does not have. The rest is added at the end of the list.'
+          : 'A kit has the cues that a game of its kind usually needs, described so that a designer can make them.'}{' '}
+        <Link
+          className="link"
+          to={kit ? '/projects/$projectId/sound-list/kits' : '/projects/$projectId/sound-list'}
+          params={{ projectId }}
+          search={{}}
+        >
+          {kit ? 'All kits' : 'Back to the sound list'}
+        </Link>
+      </PageHead>
       <Refusal error={error} />
       {kits && !kit && <KitCards kits={kits} projectId={projectId} />}
       {kit && <ChosenKit key={kit.key} kit={kit} projectId={projectId} />}

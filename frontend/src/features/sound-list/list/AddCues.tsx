@@ -120,7 +120,7 @@ export function AddCues({ projectId, categories, name, onAdded, onClose }: AddCu
   const wrong = rows.filter((row) => Object.keys(row.faults).length + row.whole.length > 0).length
 
   return (
-    <Card aria-labelledby="new-cues" className={classes.card}>
+    <Card aria-labelledby="new-cues" className="mb-2">
       <CardHead
         id="new-cues"
         title="New cues"
