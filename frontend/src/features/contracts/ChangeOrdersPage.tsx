@@ -1,14 +1,13 @@
-import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import { useState } from 'react'
 
+import { ReasonForm } from '@/app/ReasonForm'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { PageWait } from '@/ui/PageWait'
@@ -156,28 +155,17 @@ function Sign({ order, contractId }: { order: ChangeOrder; contractId: string })
 
 function Close({ order, contractId, does }: { order: ChangeOrder; contractId: string; does: 'refuse' | 'withdraw' }) {
   const close = useChangeOrder(contractId)
-  const [reason, setReason] = useState('')
   const word = does === 'refuse' ? 'Refuse' : 'Withdraw'
   return (
-    <form
+    <ReasonForm
+      label={`${word} change order ${order.number}`}
+      draftKey={`change-order-${does}:${contractId}:${order.number}`}
+      field={`${word}, reason`}
+      mutation={close}
+      onSend={(reason, onSuccess) => close.mutate({ does, number: order.number, reason }, { onSuccess })}
       className={classes.inner}
-      aria-label={`${word} change order ${order.number}`}
-      onSubmit={(event) => {
-        event.preventDefault()
-        if (!close.isPending && reason.trim() !== '')
-          close.mutate({ does, number: order.number, reason: reason.trim() })
-      }}
     >
-      <TextInput
-        label={`${word}, reason`}
-        value={reason}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setReason(currentTarget.value)}
-      />
-      <Refusal error={close.error} />
-      <Button type="submit" disabled={reason.trim() === ''} aria-busy={close.isPending}>
-        {word}
-      </Button>
-    </form>
+      {word}
+    </ReasonForm>
   )
 }

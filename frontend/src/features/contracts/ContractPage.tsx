@@ -4,6 +4,7 @@ import { Link, useParams } from '@tanstack/react-router'
 import { type FormEvent, useState } from 'react'
 
 import { contractQuery } from '@/api/project'
+import { ReasonForm } from '@/app/ReasonForm'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
@@ -251,29 +252,17 @@ function AskChange({ contract }: { contract: Contract }) {
 
 function Recall({ contract }: { contract: Contract }) {
   const take = useContractAction(contract.id)
-  const [reason, setReason, draft] = useDraft(`contract-back:${contract.id}`, '')
   return (
-    <form
+    <ReasonForm
+      label="Recall"
+      draftKey={`contract-back:${contract.id}`}
+      field="Recall it, reason"
+      mutation={take}
+      onSend={(reason, onSuccess) => take.mutate({ does: 'take back', reason }, { onSuccess })}
       className={classes.inner}
-      aria-label="Recall"
-      onSubmit={(event) => {
-        event.preventDefault()
-        if (!take.isPending && reason.trim() !== '') {
-          take.mutate({ does: 'take back', reason: reason.trim() }, { onSuccess: draft.discard })
-        }
-      }}
     >
-      <TextInput
-        label="Recall it, reason"
-        value={reason}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setReason(currentTarget.value)}
-      />
-      <Refusal error={take.error} />
-      <Button type="submit" disabled={reason.trim() === ''} aria-busy={take.isPending}>
-        Recall
-      </Button>
-    </form>
+      Recall
+    </ReasonForm>
   )
 }
 
@@ -390,31 +379,19 @@ function KeepAsTemplate({ contract }: { contract: Contract }) {
 
 function End({ contract }: { contract: Contract }) {
   const end = useContractAction(contract.id)
-  const [reason, setReason, draft] = useDraft(`contract-end:${contract.id}`, '')
   return (
     <details className={classes.end}>
       <summary>{contract.state === 'agreed' ? 'End this contract' : 'Withdraw contract'}</summary>
-      <form
+      <ReasonForm
+        label="End"
+        draftKey={`contract-end:${contract.id}`}
+        field="Reason"
+        mutation={end}
+        onSend={(reason, onSuccess) => end.mutate({ does: 'end', reason }, { onSuccess })}
         className={classes.inner}
-        aria-label="End"
-        onSubmit={(event) => {
-          event.preventDefault()
-          if (!end.isPending && reason.trim() !== '') {
-            end.mutate({ does: 'end', reason: reason.trim() }, { onSuccess: draft.discard })
-          }
-        }}
       >
-        <TextInput
-          label="Reason"
-          value={reason}
-          maxLength={2000}
-          onChange={({ currentTarget }) => setReason(currentTarget.value)}
-        />
-        <Refusal error={end.error} />
-        <Button type="submit" disabled={reason.trim() === ''} aria-busy={end.isPending}>
-          {`End ${contract.title}`}
-        </Button>
-      </form>
+        {`End ${contract.title}`}
+      </ReasonForm>
     </details>
   )
 }

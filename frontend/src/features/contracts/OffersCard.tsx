@@ -1,11 +1,9 @@
-import { TextInput } from '@mantine/core'
-import { type FormEvent, useId, useState } from 'react'
+import { useId, useState } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { ReasonForm } from '@/app/ReasonForm'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
@@ -72,34 +70,27 @@ function Offer({ offer, contractId, onPropose }: OfferProps) {
 
 function Dismiss({ offer: { offer, text }, contractId }: { offer: ChangeOffer; contractId: string }) {
   const dismiss = useChangeOrder(contractId)
-  const [reason, setReason, draft] = useDraft(`dismiss-offer:${contractId}:${offer}`, '')
-  const submit = (event: FormEvent) => {
-    event.preventDefault()
-    if (dismiss.isPending || reason.trim() === '') return
-    dismiss.mutate(
-      { does: 'dismiss', offer, reason: reason.trim() },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast('Dismissed. The record keeps the reason.')
-        },
-      },
-    )
-  }
   return (
-    <form onSubmit={submit} className={classes.inner} aria-label={`Dismiss: ${text}`}>
-      <TextInput
-        label="Why no change order is needed"
-        description="For your side only: the other side still sees the change, and reads this reason."
-        value={reason}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setReason(currentTarget.value)}
-      />
-      <DraftNote draft={draft} />
-      <Refusal error={dismiss.error} />
-      <Button type="submit" disabled={reason.trim() === ''} aria-busy={dismiss.isPending}>
-        Dismiss with this reason
-      </Button>
-    </form>
+    <ReasonForm
+      label={`Dismiss: ${text}`}
+      draftKey={`dismiss-offer:${contractId}:${offer}`}
+      field="Why no change order is needed"
+      description="For your side only: the other side still sees the change, and reads this reason."
+      mutation={dismiss}
+      onSend={(reason, onSent) =>
+        dismiss.mutate(
+          { does: 'dismiss', offer, reason },
+          {
+            onSuccess: () => {
+              onSent()
+              showToast('Dismissed. The record keeps the reason.')
+            },
+          },
+        )
+      }
+      className={classes.inner}
+    >
+      Dismiss with this reason
+    </ReasonForm>
   )
 }
