@@ -28,6 +28,8 @@ export const VERSION = {
   clauses: CLAUSES,
   terms: { rounds_included: 2 },
 }
+/** The version as a list of versions has it. */
+const BRIEF = Object.fromEntries(Object.entries(VERSION).filter(([name]) => !/^(blocks|clauses|terms)$/.test(name)))
 export const MAY = { change: false, send: false, recall: false, request_change: false, accept: false, end: false }
 export const CONTRACT = {
   id: 'c1',
@@ -90,7 +92,7 @@ export const contractAnswers = (more: Answers = {}): Answers => ({
   'GET /v1/me': ME,
   'GET /v1/contracts/c1': CONTRACT,
   'GET /v1/contracts/c1/master-retention': NO_MASTERS,
-  'GET /v1/contracts/c1/versions': [VERSION, { ...VERSION, number: 1 }],
+  'GET /v1/contracts/c1/versions': [BRIEF, { ...BRIEF, number: 1 }],
   ...more,
 })
 export const PAGE = '/projects/p1/contracts/c1'

@@ -109,7 +109,6 @@ type Part = 'producer' | 'reviewer' | 'designer'
 
 const PARTS = {
   producer: {
-    is_team: true,
     is_producer: true,
     is_liaison: false,
     is_approver: false,
@@ -117,7 +116,6 @@ const PARTS = {
     nda_open: false,
   },
   reviewer: {
-    is_team: true,
     is_producer: false,
     is_liaison: false,
     is_approver: false,
@@ -125,7 +123,6 @@ const PARTS = {
     nda_open: false,
   },
   designer: {
-    is_team: false,
     is_producer: false,
     is_liaison: false,
     is_approver: false,
@@ -150,7 +147,7 @@ export const aProject = (part: Part = 'producer', more: Record<string, unknown> 
   engagements: [
     { id: 'e1', designer: WHO.designer, kind: 'contract', created_at: '2026-11-02T10:00:00Z', ended_at: null },
   ],
-  mine: PARTS[part],
+  mine: { is_team: part !== 'designer', ...PARTS[part] },
   spec_version: 3,
   ...more,
 })
