@@ -213,6 +213,7 @@ export function aMe(project: Partial<Me['projects'][number]> = {}): Me {
     email: 'approver@studio.example',
     email_verified_at: null,
     is_operator: false,
+    has_contracts: true,
     studios: [{ id: 'studio-1', name: 'Studio', roles: ['liaison'] }],
     projects: [
       {

@@ -273,7 +273,7 @@ describe('the plan of a draft', () => {
     await userEvent.keyboard('n')
     type(within(screen.getByRole('group', { name: 'milestone 1' })).getByLabelText('Name'), 'Alpha')
     const path = app.at()
-    const away = screen.getAllByRole('link', { name: /^Project/ })[0]!
+    const away = screen.getAllByRole('link', { name: 'Sounds' })[0]!
     await userEvent.click(away)
     const dialog = within(await screen.findByRole('dialog', { name: 'Leave this page?' }))
     expect(await faults()).toEqual([])
