@@ -1,18 +1,19 @@
 """The text of a contract as PDF: the same text gives the same bytes, on any machine."""
 
 import hashlib
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
 from typing import Self
 
 from app.agreements.clauses.text import Block, Span, blocks_of
-from app.core.typesetting import typeset
+from app.core.typesetting import typeset, undrawn_scripts
 
 PDF = "application/pdf"
 _LOOK = """
 #set document(title: {title}, date: {date}, keywords: {keywords})
-#set text(font: "Libertinus Serif", size: 10.5pt, lang: "en")
+#set text(font: serif, size: 10.5pt, lang: "en")
 #set par(leading: 0.62em, spacing: 0.9em)
 #set heading(numbering: none)
 #show heading.where(level: 1): it => block(below: 1.2em, text(size: 18pt, weight: 500, it.body))
@@ -21,9 +22,10 @@ _LOOK = """
 }}
 #set table(stroke: 0.4pt + luma(70%), inset: 5pt)
 #set page(paper: "a4", margin: (x: 24mm, y: 24mm), footer: context {{
-  set text(size: 8pt, fill: luma(35%))
-  let hash = text(font: "DejaVu Sans Mono", size: 6.5pt, {sha256})
+  set text(size: 8pt, fill: luma(35%), dir: ltr)
+  let hash = text(font: mono, size: 6.5pt, {sha256})
   grid(columns: (1fr, auto), hash, counter(page).display("1 of 1", both: true))
+  {missing}
 }})
 """
 
@@ -90,7 +92,10 @@ def _day(day: date) -> str:
 
 def _source(title: str, markdown: str, *, day: str = "none", keywords: str = "()") -> str:
     sha256 = _string(f"SHA-256 of the text {sha256_of(markdown)}")
-    return _LOOK.format(title=_string(title), sha256=sha256, date=day, keywords=keywords) + _blocks(markdown)
+    scripts = ", ".join(undrawn_scripts(markdown))
+    missing = f"This PDF has no font made for {scripts}: such letters may show as boxes." if scripts else ""
+    look = _LOOK.format(title=_string(title), sha256=sha256, date=day, keywords=keywords, missing=_string(missing))
+    return look + _blocks(markdown)
 
 
 def _blocks(markdown: str) -> str:
@@ -100,9 +105,9 @@ def _blocks(markdown: str) -> str:
 def _typst(block: Block) -> str:
     match block.kind:
         case "head":
-            return f"#heading(level: {block.level}, {_content(block.spans)})"
+            return _directed(block.spans, f"#heading(level: {block.level}, {_content(block.spans)})")
         case "item":
-            return f"#list({_content(block.spans)})"
+            return _directed(block.spans, f"#list({_content(block.spans)})")
         case "table":
             head, *rows = block.rows
             columns = max(len(row) for row in block.rows)
@@ -110,7 +115,14 @@ def _typst(block: Block) -> str:
             heads = ", ".join(f"strong({_content(cell)})" for cell in _wide(head, columns))
             return f"#table(columns: {columns}, table.header({heads}), {', '.join(cells)})"
         case "text":
-            return f"#par({_content(block.spans)})"
+            return _directed(block.spans, f"#par({_content(block.spans)})")
+
+
+def _directed(spans: Sequence[Span], source: str) -> str:
+    """Return a block that runs as its first letter with a direction does, as Unicode sets a paragraph."""
+    directions = map(unicodedata.bidirectional, "".join(span.text for span in spans))
+    first = next((direction for direction in directions if direction in ("L", "R", "AL")), "L")
+    return source if first == "L" else f"#[#set text(dir: rtl)\n{source}]"
 
 
 def _wide(row: Sequence[list[Span]], columns: int) -> list[list[Span]]:
@@ -119,11 +131,22 @@ def _wide(row: Sequence[list[Span]], columns: int) -> list[list[Span]]:
 
 def _content(spans: Sequence[Span]) -> str:
     """Return spans as code that joins to content; all text is in string literals, so none of it is executed."""
-    return f"[{''.join(f'#{_weight(span)}({_string(span.text)});' for span in spans)}]"
+    return f"[{''.join(map(_span, spans))}]"
 
 
-def _weight(span: Span) -> str:
-    return "strong" if span.strong else "emph" if span.emphatic else "text"
+def _span(span: Span) -> str:
+    text = f"text({_string(span.text)}{_language(span.text)})"
+    return f"#{'strong' if span.strong else 'emph'}({text});" if span.strong or span.emphatic else f"#{text};"
+
+
+def _language(text: str) -> str:
+    """Return the argument that gives Chinese characters the forms of the language that the text around them is in."""
+    scripts = {unicodedata.name(letter, "").split(" ")[0] for letter in text}
+    if not scripts & {"CJK", "HIRAGANA", "KATAKANA", "HANGUL"}:
+        return ""
+    if scripts & {"HIRAGANA", "KATAKANA"}:
+        return ', lang: "ja"'
+    return ', lang: "ko"' if "HANGUL" in scripts else ', lang: "zh"'
 
 
 def _string(text: str) -> str:

@@ -11,11 +11,8 @@ from app.agreements.drafts.documents import CertificatePart
 from app.agreements.models import Contract
 from app.agreements.rules import Party
 from app.agreements.signing.drawn_signatures import Strokes, drawing_sha256, drawing_svg
-from app.agreements.signing.rules import BY_CODE, CONSENT, WITHOUT_CODE, is_drawn
-
-UNDRAWN = (
-    "This name has letters that the fonts of this PDF do not have, so they may show as boxes. The audit trail has them."
-)
+from app.agreements.signing.rules import BY_CODE, CONSENT, WITHOUT_CODE
+from app.core.typesetting import undrawn_scripts
 
 
 class Signed(Protocol):
@@ -88,10 +85,15 @@ def signature_part(signature: Signed, zone: ZoneInfo) -> CertificatePart:
     ]
     lines = [
         f"## {literal(signature.name)}, for the {signature.party}",
-        *([] if is_drawn(signature.name) else [UNDRAWN]),
+        *([_undrawn(scripts)] if (scripts := undrawn_scripts(signature.name)) else []),
         "\n".join(facts),
     ]
     return CertificatePart("\n\n".join(lines), drawing_svg(signature.drawing) if signature.drawing else None)
+
+
+def _undrawn(scripts: Sequence[str]) -> str:
+    named = ", ".join(scripts)
+    return f"This PDF has no font made for {named}, so this name may show boxes. The audit trail has its letters."
 
 
 def in_both(at: datetime | None, zone: ZoneInfo) -> str:

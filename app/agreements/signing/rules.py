@@ -1,6 +1,5 @@
 """A text's order of signers, and a signature's content, stated without a database."""
 
-import unicodedata
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from datetime import timedelta
@@ -16,27 +15,6 @@ CODE_LIFETIME = timedelta(minutes=10)
 MAX_SIGNERS = 2  # of a studio
 AGENT_LENGTH = 300
 BY_CODE, WITHOUT_CODE = "a code mailed to that address was typed", "none was asked for: this server sends no mail"
-
-
-# Scripts whose letters the fonts of PDFs have, as Unicode names begin.
-DRAWN_SCRIPTS = (
-    "LATIN",
-    "GREEK",
-    "CYRILLIC",
-    "MODIFIER",
-    "COMBINING",
-    "MICRO",
-    "FEMININE",
-    "MASCULINE",
-    "OHM",
-    "KELVIN",
-)
-
-
-def is_drawn(text: str) -> bool:
-    """Whether the fonts of PDFs have the letters of a text; digits and punctuation count as drawn."""
-    letters = (letter for letter in text if unicodedata.category(letter)[0] in "LM")
-    return all(unicodedata.name(letter, "").startswith(DRAWN_SCRIPTS) for letter in letters)
 
 
 @dataclass(frozen=True)

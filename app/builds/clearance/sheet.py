@@ -72,7 +72,7 @@ LOOK = """
   paper: "a4", flipped: true, margin: (x: 14mm, y: 14mm),
   footer: context text(8pt, fill: luma(90))[#sheet.title #h(1fr) #counter(page).display("1 of 1", both: true)],
 )
-#set text(font: "Libertinus Serif", size: 9pt)
+#set text(font: serif, size: 9pt)
 #set par(leading: 0.5em)
 #text(16pt)[Clearance sheet]
 #linebreak()
@@ -87,7 +87,7 @@ LOOK = """
   table.header[*File*][*Sound*][*Made by, and under*][*Made from*][*Open*],
   ..for row in sheet.rows {
     (
-      text(font: "DejaVu Sans Mono", size: 7.5pt, row.file),
+      text(font: mono, size: 7.5pt, row.file),
       ..for lines in (row.sound, row.by, row.sources, row.open) {
         (lines.filter(line => line != "").map(line => [#line]).join(linebreak()),)
       },

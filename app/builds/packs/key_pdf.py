@@ -16,7 +16,7 @@ LOOK = """
   paper: "a4", flipped: true, margin: (x: 14mm, y: 14mm),
   footer: context text(8pt, fill: luma(90))[#key.title #h(1fr) #counter(page).display("1 of 1", both: true)],
 )
-#set text(font: "Libertinus Serif", size: 9pt)
+#set text(font: serif, size: 9pt)
 #set par(leading: 0.5em)
 #text(16pt)[Documentation key]
 #linebreak()
@@ -31,7 +31,7 @@ LOOK = """
   table.header[*File*][*Cue*][*Name*][*What it is and what it is for*][*Format*][*Note*],
   ..for row in key.rows {
     (
-      text(font: "DejaVu Sans Mono", size: 7.5pt, row.file), row.cue, row.name,
+      text(font: mono, size: 7.5pt, row.file), row.cue, row.name,
       row.what.filter(line => line != "").map(line => [#line]).join(linebreak()),
       row.format, row.note,
     )

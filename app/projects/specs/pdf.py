@@ -15,7 +15,7 @@ LOOK = """
   paper: "a4", margin: (x: 16mm, y: 14mm),
   footer: context text(8pt, fill: luma(90))[#spec.title #h(1fr) #counter(page).display("1 of 1", both: true)],
 )
-#set text(font: "Libertinus Serif", size: 9.5pt)
+#set text(font: serif, size: 9.5pt)
 #set par(leading: 0.5em)
 #let facts(rows) = table(
   columns: (46mm, 1fr), stroke: (x, y) => (bottom: 0.25pt + luma(170)), inset: (x: 1mm, y: 1.1mm),
