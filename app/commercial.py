@@ -6,7 +6,12 @@ SOUNDLIST_COMMERCIAL=no leaves them out, with their endpoints.
 from typing import Any
 
 from app.agreements.deemed_acceptance.cues import answer_last_days
-from app.agreements.record.project_changes import record_list_revision, record_spec_version
+from app.agreements.record.project_changes import (
+    record_answer,
+    record_list_revision,
+    record_question,
+    record_spec_version,
+)
 from app.agreements.signing.service import end_signers_of_member
 from app.agreements.sources import ensure_stated_to_accept
 from app.core.events import Handler, Receiver, Signal
@@ -46,6 +51,8 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
 HANDLERS: dict[str, tuple[Handler, ...]] = {
     "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
     "list.revised": (record_list_revision,),
+    "question.asked": (record_question,),
+    "question.answered": (record_answer,),
     "spec.changed": (record_spec_version,),
     "member.changed": (end_signers_of_member, revoke_posting_links, revoke_calendars),  # the first may refuse it
 }

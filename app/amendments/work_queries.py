@@ -1,6 +1,7 @@
 """Verdicts, comments and list changes under a contract, to hold its record against; callers check who looks."""
 
 from collections.abc import Collection, Sequence
+from datetime import datetime
 from typing import Any
 from uuid import UUID
 
@@ -9,8 +10,8 @@ from sqlalchemy.orm import Session
 
 from app.agreements.models import Contract, ContractCue, ContractEvent
 from app.deliveries.models import Take
-from app.reviews.models import Comment, Verdict
-from app.sound_lists.models import CueChange, Revision
+from app.reviews.models import ChangeRequest, Comment, Feedback, Verdict
+from app.sound_lists.models import CueChange, Question, Revision
 
 
 def verdicts_under(session: Session, contract: Contract) -> Sequence[Verdict]:
@@ -42,6 +43,28 @@ def comments_under(session: Session, contract: Contract) -> Sequence[Row[UUID, C
         .join(ContractCue, ContractCue.cue_id == Take.cue_id)
         .where(ContractCue.contract_id == contract.id, Take.designer_id == contract.designer_id)
         .order_by(Comment.id)
+    ).all()
+
+
+def change_requests_under(session: Session, contract: Contract) -> Sequence[Row[UUID, ChangeRequest, datetime]]:
+    """Return the change requests that were sent on the designer's takes, each with its cue and when it was sent."""
+    return session.execute(
+        select(ContractCue.cue_id, ChangeRequest, Feedback.created_at)
+        .join(Feedback, Feedback.id == ChangeRequest.feedback_id)
+        .join(Take, Take.id == ChangeRequest.take_id)
+        .join(ContractCue, ContractCue.cue_id == ChangeRequest.cue_id)
+        .where(ContractCue.contract_id == contract.id, Take.designer_id == contract.designer_id)
+        .order_by(ChangeRequest.id)
+    ).all()
+
+
+def questions_under(session: Session, contract: Contract) -> Sequence[Question]:
+    """Return the questions that the designer asked on cues that the contract covers."""
+    return session.scalars(
+        select(Question)
+        .join(ContractCue, ContractCue.cue_id == Question.cue_id)
+        .where(ContractCue.contract_id == contract.id, Question.asked_by == contract.designer_id)
+        .order_by(Question.id)
     ).all()
 
 

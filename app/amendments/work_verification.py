@@ -1,4 +1,4 @@
-"""The work under a contract held against its record: versions, takes, verdicts, comments and the sound list."""
+"""The work under a contract held against its record: takes, verdicts, comments, questions and the sound list."""
 
 import json
 from collections.abc import Iterator, Sequence
@@ -17,11 +17,13 @@ from app.reviews.rules import VerdictKind
 
 
 def work_faults(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
-    """Yield, in words, where versions, takes, verdicts, comments or the sound list differ from the record."""
+    """Yield, in words, where versions, takes, verdicts, comments, questions or the list differ from the record."""
     yield from _later_versions(session, contract, entries)
     yield from _verdicts(session, contract, entries)
     yield from _approved_takes(session, contract)
     yield from _comments(session, contract, entries)
+    yield from _change_requests(session, contract, entries)
+    yield from _questions(session, contract, entries)
     yield from _revisions(session, contract, entries)
 
 
@@ -83,10 +85,24 @@ def _comments(session: Session, contract: Contract, entries: Sequence[Entry]) ->
             yield f"the comment {comment.id} is in no entry"
 
 
+def _change_requests(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
+    since, known = _since(entries), _recorded_ids(session, contract, "change request")
+    for cue_id, request, sent_at in work_queries.change_requests_under(session, contract):
+        if str(request.id) not in known and _is_under(contract, since.get(str(cue_id)), sent_at):
+            yield f"the change request {request.id} is in no entry"
+
+
+def _questions(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
+    since, known = _since(entries), _recorded_ids(session, contract, "question")
+    for question in work_queries.questions_under(session, contract):
+        if str(question.id) not in known and _is_under(contract, since.get(str(question.cue_id)), question.asked_at):
+            yield f"the question {question.id} is in no entry"
+
+
 def _recorded_ids(session: Session, contract: Contract, name: str) -> set[str]:
     """Return the ids of rows that a record of the project's contracts with this designer has."""
     payloads = work_queries.entries_with_this_designer(
-        session, contract, ["judged", "commented", "accepted", "adopted"]
+        session, contract, ["judged", "commented", "question_asked", "accepted", "adopted"]
     )
     return {id_ for payload in payloads for id_ in json.loads(payload).get("rows", {}).get("added", {}).get(name, ())}
 

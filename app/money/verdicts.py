@@ -47,7 +47,7 @@ def record_verdict(session: Session, judged: TakeJudged) -> None:
     if is_deemed:
         facts["clause"] = SILENCE
     by = None if is_deemed else verdict.given_by
-    rows = RowChanges().add(verdict, take)
+    rows = RowChanges().add(verdict, take, *judged.sent_with)
     record_work(session, WorkDone(take.cue_id, take.designer_id, "judged", facts, by, verdict.on_behalf_of, rows))
 
 

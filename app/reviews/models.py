@@ -302,4 +302,6 @@ Index(
 
 
 declare(Verdict, "verdict", owners=None, left_out=("dropped_draft",))  # which its designer never saw
+declare(Feedback, "feedback", owners=None)
+declare(ChangeRequest, "change request", owners=None, left_out=("feedback_id", "sends_at", "mentions"))
 declare(Comment, "comment", owners=None, left_out=("resolved_at", "resolved_by", "mentions"))

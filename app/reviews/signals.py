@@ -7,7 +7,7 @@ from uuid import UUID
 
 from app.core.events import Signal
 from app.deliveries.models import Take
-from app.reviews.models import Comment, Verdict
+from app.reviews.models import ChangeRequest, Comment, Feedback, Verdict
 from app.reviews.rules import PausedBy, VerdictKind
 from app.sound_lists.models import Cue
 
@@ -18,6 +18,7 @@ class TakeJudged(Signal[None]):
 
     verdict: Verdict
     take: Take
+    sent_with: Sequence[Feedback | ChangeRequest] = ()
 
 
 @dataclass(frozen=True)

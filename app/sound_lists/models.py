@@ -12,6 +12,7 @@ from app.accounts.models import Person
 from app.core import clock
 from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
+from app.core.recorded_rows import declare
 from app.sound_lists.own_columns.rules import ColumnKind
 from app.sound_lists.rules import CueState, Need, Reverb, folded
 
@@ -180,3 +181,6 @@ class Question(ProjectOwned, Base):
     owner: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[owner_id])
     asker: Mapped[Person] = relationship(lazy="raise", foreign_keys=[asked_by])
     answerer: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[answered_by])
+
+
+declare(Question, "question", owners=None, left_out=("owner_id", "due_on", "blocks"))

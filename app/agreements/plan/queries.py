@@ -6,16 +6,17 @@ from typing import Any
 from uuid import UUID
 from zoneinfo import ZoneInfo
 
-from sqlalchemy import Row, exists, select
+from sqlalchemy import Row, exists, or_, select
 from sqlalchemy.orm import Session, joinedload
 
+from app.accounts.models import Membership
 from app.accounts.queries import time_zones_of
 from app.agreements.clauses.rules import Clause, terms_in_force
 from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract, ContractCue, ContractVersion, Milestone
 from app.agreements.rules import ContractState
 from app.core import clock
-from app.sound_lists.models import Cue, CueChange, Revision
+from app.sound_lists.models import Cue, CueChange, Question, Revision
 from app.sound_lists.rules import CueState
 
 
@@ -58,6 +59,22 @@ def running_cue(session: Session, cue_id: UUID, designer_ids: Collection[UUID] |
     if designer_ids is not None:
         query = query.where(Contract.designer_id.in_(designer_ids))
     return session.scalars(query).first()
+
+
+def contracts_for_question(session: Session, question: Question) -> Sequence[ContractCue]:
+    """Return the cue of a question as each running contract covers it whose designer asked it, or its team did."""
+    of_team = exists().where(Membership.studio_id == question.studio_id, Membership.person_id == question.asked_by)
+    return session.scalars(
+        select(ContractCue)
+        .join(Contract, Contract.id == ContractCue.contract_id)
+        .where(
+            ContractCue.cue_id == question.cue_id,
+            Contract.state == ContractState.AGREED,
+            or_(Contract.designer_id == question.asked_by, of_team),
+        )
+        .options(joinedload(ContractCue.cue))
+        .order_by(ContractCue.contract_id)
+    ).all()
 
 
 def cue_of(session: Session, contract_id: UUID, cue_id: UUID) -> ContractCue | None:

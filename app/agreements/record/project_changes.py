@@ -1,4 +1,4 @@
-"""Changes in a project under running contracts, list and delivery spec, written into the contracts' records."""
+"""Changes of list, questions and delivery spec under running contracts, written into the contracts' records."""
 
 from collections.abc import Mapping
 from itertools import groupby
@@ -11,8 +11,10 @@ from app.agreements.drafts.documents import sha256_of
 from app.agreements.plan import queries as plan_queries
 from app.agreements.record import service as record
 from app.agreements.record.sealed_facts import sealed
+from app.core.recorded_rows import TABLES, RowChanges
 from app.projects.models import Project
 from app.projects.queries import spec_version
+from app.sound_lists.models import Question
 from app.sound_lists.rules import label
 
 
@@ -29,6 +31,32 @@ def record_list_revision(session: Session, event: Mapping[str, Any]) -> None:
             "sha256": {str(row.cue_id): sealed(row.after) for row in rows},
         }
         record.append(session, contract_id, "list_revised", facts, by=UUID(event["actor_id"]))
+
+
+def record_question(session: Session, event: Mapping[str, Any]) -> None:
+    """Write a question on a cue into the record of each running contract that it belongs to."""
+    question = session.get_one(Question, UUID(event["question_id"]))
+    rows = RowChanges().add(question)
+    _record_on_cue(session, question, "question_asked", {"text": question.text}, question.asked_by, rows)
+
+
+def record_answer(session: Session, event: Mapping[str, Any]) -> None:
+    """Write the answer to a question into the record of each running contract that it belongs to."""
+    question = session.get_one(Question, UUID(event["question_id"]))
+    rows = RowChanges()
+    rows.change(question, TABLES[Question].facts(question))  # whole: it may have been asked before the contract
+    facts = {"text": question.text, "answer": question.answer}
+    _record_on_cue(session, question, "question_answered", facts, question.answered_by, rows)
+
+
+def _record_on_cue(
+    session: Session, question: Question, kind: str, facts: Mapping[str, Any], by: UUID | None, rows: RowChanges
+) -> None:
+    prefix = session.get_one(Project, question.project_id).cue_prefix
+    for covered in plan_queries.contracts_for_question(session, question):
+        cue = f"{label(prefix, covered.cue.number)} {covered.cue.name}"
+        said = {"cue": cue, "cue_id": str(covered.cue_id), "question_id": str(question.id), **facts}
+        record.append(session, covered.contract_id, kind, said, by=by, rows=rows)
 
 
 def record_spec_version(session: Session, event: Mapping[str, Any]) -> None:

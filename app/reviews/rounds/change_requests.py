@@ -123,6 +123,7 @@ def send_changes(
             action_id,
             reasons=draft.reasons,
             on_behalf_of=for_whom,
+            sent_with=(sending, draft),
         )
         session.add(verdict)
         given.append(GivenVerdict(verdict, draft.take, draft.id))

@@ -14,7 +14,7 @@ from app.deliveries.sources.service import record_sources
 from app.deliveries.take_states import change_state
 from app.reviews import queries
 from app.reviews.errors import NotReviewable
-from app.reviews.models import Verdict
+from app.reviews.models import ChangeRequest, Feedback, Verdict
 from app.reviews.rules import VerdictKind, missing_variations
 from app.reviews.signals import CueDecided, GivenVerdict, TakeJudged, VerdictsOnFile
 from app.sound_lists.models import Cue
@@ -133,6 +133,7 @@ def new_verdict(
     deemed_by_contract_id: UUID | None = None,
     without_listening: bool = False,
     withdraws_id: UUID | None = None,
+    sent_with: Sequence[Feedback | ChangeRequest] = (),
 ) -> Verdict:
     """Return a verdict to add before the take moves, and send it."""
     verdict = Verdict(
@@ -154,5 +155,5 @@ def new_verdict(
         withdraws_id=withdraws_id,
         created_at=clock.now(),
     )
-    send(session, TakeJudged(verdict, take))
+    send(session, TakeJudged(verdict, take, sent_with))
     return verdict

@@ -37,9 +37,9 @@ from app.deliveries.rules import TakeState
 from app.money.ledger.rules import LineKind
 from app.money.models import ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Spec
-from app.reviews.models import ClockPause, Comment, Verdict
+from app.reviews.models import ChangeRequest, ClockPause, Comment, Feedback, Verdict
 from app.reviews.rules import VerdictKind
-from app.sound_lists.models import CueChange
+from app.sound_lists.models import CueChange, Question
 from tests.app.agreements.conftest import Contracts
 from tests.app.money.agreed import TODAY, deposit, milestone
 from tests.app.reviews.making import Stage, body_of
@@ -90,6 +90,10 @@ def scene(world: World, contracts: Contracts) -> Scene:
     contracts.ask(world.reviewer, "POST", f"/takes/{take}/comments", json={"text": "A little dull."})
     stage.draft(take)
     stage.send()
+    path_of_questions = f"/cues/{cues['reactor_hum']}/questions"
+    asked = contracts.ask(world.designer, "POST", path_of_questions, json={"text": "Which size?"})
+    answer = {"text": "Large", "joins": False}
+    contracts.ask(world.producer, "POST", f"/questions/{asked['id']}/answer", json=answer)
     body_of(world.producer.patch(f"/v1/cues/{cues['reactor_hum']}", json={"edition": 1, "use": "the engine room"}))
     spec = world.producer.get(f"/v1{project}/spec").json()
     another = spec["toml"].replace("head_silence_ms = 5", "head_silence_ms = 9")
@@ -541,6 +545,17 @@ ALTERATIONS: tuple[Alteration, ...] = (
     changed(Comment, "created_at", LONG_AGO),
     deleted(Comment),
     inserted(Comment, "the comment .* is in no entry", created_at=lambda _scene: datetime.now(UTC)),
+    changed(ChangeRequest, "text", "Perfect."),
+    changed(ChangeRequest, "written_by", STRANGER),
+    changed(ChangeRequest, "start_s", 9.5),
+    deleted(ChangeRequest),
+    changed(Feedback, "note", "All is well."),
+    changed(Question, "text", "Any size?"),
+    changed(Question, "answer", "Any size."),
+    changed(Question, "asked_by", STRANGER),
+    changed(Question, "answered_at", LONG_AGO),
+    deleted(Question),
+    inserted(Question, "the question .* is in no entry", asked_at=lambda _scene: datetime.now(UTC)),
     changed(ApproverChange, "person_id", STRANGER),
     changed(ApproverChange, "changed_by", STRANGER),
     changed(ApproverChange, "reason", "None"),

@@ -2,8 +2,10 @@
 
 import json
 from typing import Any
+from uuid import UUID
 
 import pytest
+from fastapi.testclient import TestClient
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -55,7 +57,9 @@ def test_what_is_judged(agreed: Agreed) -> None:
     agreed.agree(milestone("Alpha", cue, amount_minor=18_000))
     first = agreed.take(cue)
     agreed.draft(first, note="a duller clank")
-    sent = agreed.world.approver.post(f"/v1/projects/{agreed.world.project_id}/feedback", json={"note": ""})
+    sent = agreed.world.approver.post(
+        f"/v1/projects/{agreed.world.project_id}/feedback", json={"note": "All of one metal"}
+    )
     assert sent.is_success, sent.text
     second = agreed.take(cue)
     agreed.approve(second)
@@ -67,3 +71,37 @@ def test_what_is_judged(agreed: Agreed) -> None:
         ("approve", 2, "", "Audio director"),
         ("withdraw", 2, "", "Audio director"),
     ]
+    rows = recorded(agreed, "judged")[0]["rows"]["added"]
+    [request] = rows["change request"].values()
+    assert (request["text"], request["take_id"]) == ("a duller clank", str(first))
+    [sending] = rows["feedback"].values()
+    assert sending["note"] == "All of one metal"
+
+
+def test_what_is_asked_and_answered(world: World, agreed: Agreed) -> None:
+    inside, outside = agreed.cue("radar_ping"), agreed.cue("dock_clamp")
+    before = ask(world.designer, inside, "Which size?")
+    agreed.agree(milestone("Alpha", inside, amount_minor=18_000))
+    ask(world.designer, outside, "Which metal?")
+    asked = ask(world.designer, inside, "How far away?")
+    ask(world.producer, inside, "Is two seconds enough?")
+    for question, text in ((before, "Large"), (asked, "Ten metres")):
+        answer = world.producer.post(f"/v1/questions/{question['id']}/answer", json={"text": text, "joins": False})
+        assert answer.is_success, answer.text
+    assert [(each["text"], each["by"]) for each in recorded(agreed, "question_asked")] == [
+        ("How far away?", "Sound designer"),
+        ("Is two seconds enough?", "Producer"),
+    ]
+    answers = recorded(agreed, "question_answered")
+    assert [(each["text"], each["answer"]) for each in answers] == [
+        ("Which size?", "Large"),
+        ("How far away?", "Ten metres"),
+    ]
+    [row] = answers[0]["rows"]["changed"]["question"].values()
+    assert row["answer"] == "Large"
+
+
+def ask(client: TestClient, cue: UUID, text: str) -> dict[str, Any]:
+    answer = client.post(f"/v1/cues/{cue}/questions", json={"text": text})
+    assert answer.is_success, answer.text
+    return answer.json()
