@@ -25,6 +25,7 @@ from app.voice_lines.cast_reading import read_script
 from app.voice_lines.errors import (
     CharacterNotFound,
     ScriptUnreadable,
+    SpeakerMissing,
     VoiceLineInvalid,
     VoiceLineNotFound,
     VoiceTextChanged,
@@ -135,7 +136,7 @@ async def _parsed(project_id: UUID, body: ScriptAsk, request: Request) -> SentSc
 
 @router.post(
     "/projects/{project_id}/voice-lines/import",
-    responses=problems(ProjectNotFound, TeamNeeded, ScriptUnreadable, VoiceLineInvalid, ParsingBusy),
+    responses=problems(ProjectNotFound, TeamNeeded, ScriptUnreadable, SpeakerMissing, VoiceLineInvalid, ParsingBusy),
 )
 @accepts_body(LARGE_BODY_BYTES)
 def import_voice_lines(

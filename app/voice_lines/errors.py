@@ -23,5 +23,9 @@ class ScriptUnreadable(Invalid):
     """A script cannot be read as it was sent."""
 
 
+class SpeakerMissing(Invalid):
+    """A sheet of voice lines does not say who speaks."""
+
+
 class VoiceLineInvalid(Invalid):
     """A value does not fit; `errors` names each field."""

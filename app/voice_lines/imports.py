@@ -13,7 +13,7 @@ from app.projects.models import Project
 from app.projects.service import project_access
 from app.sound_lists.names.service import refusals_of_edits
 from app.sound_lists.queries import lock_list, stem_owners
-from app.sound_lists.rules import NEW_CUE, folded
+from app.sound_lists.rules import NEW_CUE, folded, tidy_line
 from app.sound_lists.save_edits import Edit, row_faults, save, whole_facts
 from app.sound_lists.schemas import ImportTab, RefusedNames
 from app.sound_lists.sheets.imports import encoding_read, filled_down, hidden_rows
@@ -22,7 +22,7 @@ from app.voice_lines import queries
 from app.voice_lines.models import Character, VoiceLine, VoiceSettings, VoiceText, VoiceTextVersion
 from app.voice_lines.rules import CATEGORY, merged_order
 from app.voice_lines.schemas import LineChange, ScriptAsk, ScriptColumn, ScriptFault, ScriptRead, ScriptRow
-from app.voice_lines.script_rows import Column, KnownLines, RowFault, SpokenRow, Words, columns_of, spoken_rows
+from app.voice_lines.script_rows import Column, KnownLines, RowFault, Speaker, SpokenRow, Words, columns_of, spoken_rows
 from audio_checks import stem_in_language
 
 SAMPLES = 3
@@ -65,8 +65,9 @@ def import_script(
     lock_list(session, project.id)
     lines = queries.lines_of(session, project.id)
     texts = {(text.line_id, text.language): text for text in queries.texts_of(session, project.id)}
-    columns = columns_of(sheet, language, ask.mapping or {}, {of for _, of in texts})
-    spoken, faults = spoken_rows(sheet, columns, _known(lines, texts, language), language)
+    speaker = Speaker(tidy_line(ask.speaker), ask.speaker_in_key)
+    columns = columns_of(sheet, language, ask.mapping or {}, {of for _, of in texts}, speaker)
+    spoken, faults = spoken_rows(sheet, columns, _known(lines, texts, language), language, speaker)
     by_key = {line.folded: line for line in lines}
     delivered = queries.cues_with_takes(session, project.id)
     plans = [_plan(row, by_key.get(folded(row.key)), texts, delivered) for row in spoken]

@@ -43,6 +43,10 @@ class ScriptAsk(Schema):
         None,
         description="Column → `key`, `character`, `scene`, `direction`, `file_name`, `text`, `ignore` or a language.",
     )
+    speaker: str = Field("", max_length=100, description="Who speaks the lines that name no one.")
+    speaker_in_key: bool = Field(
+        False, description="The ids of lines that name no one begin with the character, as in `anna_010`."
+    )
     dry_run: bool = Field(description="Only say what would happen.")
     atomic: bool = Field(
         False, description="Import nothing while any row has an error. Without it such rows are left out and named."

@@ -1,11 +1,12 @@
 """Rows of a sheet of voice lines, read by their columns: without a database."""
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from app.sound_lists.rules import folded, tidy_line, tidy_text, typed_text
 from app.sound_lists.sheets.rules import Sheet
-from app.voice_lines.errors import ScriptUnreadable
+from app.voice_lines.errors import ScriptUnreadable, SpeakerMissing
 from app.voice_lines.rules import (
     MAX_DIRECTION_CHARS,
     MAX_KEY_CHARS,
@@ -25,6 +26,10 @@ LONGEST: Mapping[str, int] = {
     ScriptField.DIRECTION: MAX_DIRECTION_CHARS,
     ScriptField.FILE_NAME: MAX_KEY_CHARS,
 }
+NO_CHARACTERS = frozenset({"vo", "dx", "dlg", "dia", "line", "dialog", "dialogue"})  # before the name, in ids of lines
+WHO_SPEAKS = (
+    "map a column to the character, name one speaker for all lines, or say that line ids begin with the speaker"
+)
 Words = tuple[str, str, str]  # folded character, scene and text in the language of the script
 
 
@@ -67,8 +72,30 @@ class KnownLines:
     by_words: Mapping[Words, Sequence[str]] = field(default_factory=dict)
 
 
+@dataclass(frozen=True)
+class Speaker:
+    """Who speaks a line that names no one: one person, or whoever its id begins with."""
+
+    name: str = ""
+    is_in_key: bool = False
+
+    def of(self, key: str) -> str:
+        """Return the character of a line by its id; empty where neither says one."""
+        if not self.is_in_key:
+            return self.name
+        words = [word for word in re.split(r"[\W\d_]+", key) if word and word.casefold() not in NO_CHARACTERS]
+        return words[0] if words else self.name
+
+
+UNNAMED = Speaker()
+
+
 def columns_of(
-    sheet: Sheet, language: str, mapping: Mapping[str, str], languages: Collection[str] = ()
+    sheet: Sheet,
+    language: str,
+    mapping: Mapping[str, str],
+    languages: Collection[str] = (),
+    speaker: Speaker = UNNAMED,
 ) -> list[Column]:
     """Return the reading of each column; raise ScriptUnreadable for an impossible mapping.
 
@@ -95,10 +122,20 @@ def columns_of(
     spoken = [column.meaning for column in columns if column.meaning not in set(ScriptField)]
     if len(spoken) > MAX_LANGUAGES:
         raise ScriptUnreadable(f"a script may have {MAX_LANGUAGES} languages; this one has {len(spoken)}")
-    if ScriptField.CHARACTER not in taken or not spoken:
-        missing = "characters" if ScriptField.CHARACTER not in taken else f"text, as in Text or {language}"
-        raise ScriptUnreadable(f"no column has the {missing}; the columns are {', '.join(sheet.columns)}")
+    if not spoken:
+        raise ScriptUnreadable(f"no column has the text, as in Text or {language}; {_heads(sheet)}")
+    if ScriptField.CHARACTER not in taken and not speaker.name:
+        if not speaker.is_in_key:
+            raise SpeakerMissing(f"no column has the characters; {_heads(sheet)}", fix=WHO_SPEAKS)
+        if ScriptField.KEY not in taken:
+            raise SpeakerMissing(
+                f"no column has the ids that begin with the characters; {_heads(sheet)}", fix=WHO_SPEAKS
+            )
     return columns
+
+
+def _heads(sheet: Sheet) -> str:
+    return f"the columns are {', '.join(sheet.columns)}"
 
 
 def _mapped(name: str, meaning: str) -> str:
@@ -122,7 +159,11 @@ def _take(taken: dict[str, str], meaning: str, name: str) -> None:
 
 
 def spoken_rows(
-    sheet: Sheet, columns: Sequence[Column], known_lines: KnownLines, language: str
+    sheet: Sheet,
+    columns: Sequence[Column],
+    known_lines: KnownLines,
+    language: str,
+    speaker: Speaker = UNNAMED,
 ) -> tuple[list[SpokenRow], list[RowFault]]:
     """Return the rows that can be read, and what is wrong with the others."""
     faults = [] if sheet.rows else [RowFault(sheet.header_row or 1, None, "there are no rows below the header")]
@@ -134,6 +175,7 @@ def spoken_rows(
     for row, given in cells_of:
         # A scene is written once, in a merged cell or before its first line, and holds until the next.
         scene = given.get(ScriptField.SCENE) or scene
+        given[ScriptField.CHARACTER] = given.get(ScriptField.CHARACTER) or speaker.of(given.get(ScriptField.KEY, ""))
         faults_of_row = list(_faults_of(row, given))
         if not faults_of_row:
             spoken = keys.spoken_row(row, given, scene or None)

@@ -253,3 +253,29 @@ def test_on_both_databases_a_designer_reads_and_another_studio_sees_nothing(worl
     [first, *_] = lines(world).values()
     assert world.stranger.patch(f"/v1/voice-lines/{first['id']}", json={"scene": "x"}).status_code == 404
     assert world.designer.patch(f"/v1/voice-lines/{first['id']}", json={"scene": "x"}).status_code == 403
+
+
+TABLE = "Line ID,Text\nVO_Anna_010,Hold the line.\nVO_Ben_010,I am trying!\nVO_Anna_020,Good.\n"
+
+
+def test_a_table_without_speakers_asks_who_speaks(world: World) -> None:
+    answer = send(world, text=TABLE)
+    assert (answer.status_code, answer.json()["code"]) == (422, "speaker-missing")
+    assert answer.json()["detail"] == "no column has the characters; the columns are Line ID, Text"
+    assert "name one speaker for all lines" in answer.json()["fix"]
+    without_ids = send(world, text="Text\nHold the line.\n", speaker_in_key=True)
+    assert without_ids.json()["detail"].startswith("no column has the ids that begin with the characters")
+
+
+def test_one_speaker_has_all_lines_of_a_file(world: World) -> None:
+    imported(world, TABLE, speaker=" Anna ")
+    assert {line["character"]["name"] for line in lines(world).values()} == {"Anna"}
+    mixed = sent(world, "Line ID,Speaker,Text\nx_1,Ben,Yes.\nx_2,,No.\n", speaker="Anna", dry_run=True)
+    assert [row["character"] for row in mixed["rows"]] == ["Ben", "Anna"], "the sheet comes first"
+
+
+def test_a_speaker_is_read_from_the_id_of_the_line(world: World) -> None:
+    read = imported(world, TABLE + "0099,Who is this?\n", speaker_in_key=True, speaker="Narrator")
+    assert [row["character"] for row in read["rows"]] == ["Anna", "Ben", "Anna", "Narrator"]
+    nameless = sent(world, "Line ID,Text\n0100,Who?\n", speaker_in_key=True, dry_run=True)
+    assert nameless["errors"][0]["message"] == "no character; wanted the name of the one who speaks"

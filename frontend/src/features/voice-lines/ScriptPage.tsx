@@ -1,4 +1,4 @@
-import { Textarea, TextInput } from '@mantine/core'
+import { Checkbox, Textarea, TextInput } from '@mantine/core'
 import { useDebouncedValue } from '@mantine/hooks'
 import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
@@ -33,6 +33,8 @@ const EMPTY = {
   text: '',
   form: 'paste' as 'paste' | 'script',
   language: 'en',
+  speaker: '',
+  inKey: false,
   mapping: {} as Record<string, string>,
   tab: null as string | null,
   encoding: null as string | null,
@@ -68,6 +70,8 @@ export function ScriptPage(): ReactNode {
     ...(file ? { format: file.format, content_base64: file.content } : { format: typed.form, text: typed.text }),
     language: typed.language.trim() || 'en',
     mapping: typed.mapping,
+    speaker: typed.speaker.trim(),
+    speaker_in_key: typed.inKey,
     atomic: false,
     keep_hidden: false,
     ...(file && { tab: typed.tab, encoding: typed.encoding }),
@@ -200,6 +204,22 @@ export function ScriptPage(): ReactNode {
               onChange={(event) => change({ language: event.currentTarget.value })}
             />
           </div>
+          {(problem?.code === 'speaker-missing' || typed.speaker !== '' || typed.inKey) && (
+            <fieldset className={classes.acts}>
+              <legend>Who speaks lines that name no one</legend>
+              <TextInput
+                label="Speaker of the file"
+                maxLength={100}
+                value={typed.speaker}
+                onChange={(event) => change({ speaker: event.currentTarget.value })}
+              />
+              <Checkbox
+                label="The line ID begins with the speaker: anna_010"
+                checked={typed.inKey}
+                onChange={(event) => change({ inKey: event.currentTarget.checked })}
+              />
+            </fieldset>
+          )}
           <DraftNote draft={draft} />
           {unread && <FieldError>{unread}</FieldError>}
           <Refusal error={problem} />

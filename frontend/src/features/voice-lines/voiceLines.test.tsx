@@ -210,6 +210,17 @@ test('a script is read before it is imported, with errors by row', async () => {
   expect(await violations()).toEqual([])
 })
 
+test('a table without speakers asks who speaks', async () => {
+  const missing = refusal(422, 'speaker-missing', 'no column has the characters; the columns are Line ID, Text')
+  const asked = open('/projects/p1/voice-lines/import', { 'POST /v1/projects/p1/voice-lines/import': missing })
+  await userEvent.type(await screen.findByRole('textbox', { name: 'Pasted rows' }), 'Line ID')
+  const sent = () => wrote(asked, 'POST /v1/projects/p1/voice-lines/import').at(-1)?.body
+  await userEvent.type(await screen.findByRole('textbox', { name: 'Speaker of the file' }), 'Anna')
+  await waitFor(() => expect(sent()).toMatchObject({ speaker: 'Anna', speaker_in_key: false }))
+  await userEvent.click(screen.getByRole('checkbox', { name: /The line ID begins with the speaker/ }))
+  await waitFor(() => expect(sent()).toMatchObject({ speaker_in_key: true }))
+})
+
 test('a project without a script says how to begin', async () => {
   open('/projects/p1/voice-lines', { 'GET /v1/projects/p1/voice-script': { ...SCRIPT, lines: 0 } })
   expect(await screen.findByRole('heading', { name: 'No voice lines yet' })).toBeVisible()
