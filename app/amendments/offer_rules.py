@@ -39,6 +39,8 @@ PRICED_FACTS = {
     "use": "use in the game",
     "category": "category",
     "duration_s": "length",
+    "duration_min_s": "shortest length",
+    "duration_max_s": "longest length",
     "length_locked": "exact length",
     "loop": "loop",
     "reverb": "reverb",
@@ -76,7 +78,7 @@ def _value(fact: str, value: Any) -> str:
         return "none"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return f"{value:g} s" if fact == "duration_s" else str(value)
+    return f"{value:g} s" if fact.startswith("duration_") else str(value)
 
 
 def without_answers(changes: Sequence[ListChange], answers: Sequence[str]) -> Iterator[ListChange]:

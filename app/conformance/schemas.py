@@ -198,6 +198,8 @@ class CueLength(Schema):
     """The length that a cue asks for."""
 
     duration_s: float | None
+    duration_min_s: float | None
+    duration_max_s: float | None
     length_locked: bool
     frame_rate_fps: float | None
 

@@ -216,6 +216,8 @@ class ToMake(Schema):
     use: str
     category: str
     duration_s: float | None
+    duration_min_s: float | None
+    duration_max_s: float | None
     loop: bool
     variations: int
     missing: int

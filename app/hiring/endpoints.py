@@ -111,6 +111,8 @@ def list_asked_cues(posting_id: UUID, session: DbSession, actor: Actor = allows(
             name=cue.name,
             variations=cue.variations,
             duration_s=cue.duration_s,
+            duration_min_s=cue.duration_min_s,
+            duration_max_s=cue.duration_max_s,
             loop=cue.loop,
             is_concept=cue.state is CueState.CONCEPT,
         )

@@ -92,6 +92,8 @@ class AskedCue(Schema):
     name: str
     variations: int
     duration_s: float | None = Field(description="How long one file is, as far as it is known.")
+    duration_min_s: float | None
+    duration_max_s: float | None
     loop: bool
     is_concept: bool = Field(description="An idea still: what is ordered for it may change or go.")
 

@@ -41,6 +41,7 @@ class Cue(StudioOwned, Dated, Base):
         ),
         CheckConstraint("variations between 1 and 99", name="variations_in_range"),
         CheckConstraint("duration_s is null or duration_s > 0", name="duration_positive"),
+        CheckConstraint("duration_min_s > 0 and duration_max_s >= duration_min_s", name="duration_bounds_in_order"),
         CheckConstraint("(state = 'cut') = (cut_at is not null)", name="cut_is_dated"),
     )
 
@@ -54,7 +55,9 @@ class Cue(StudioOwned, Dated, Base):
     description: Mapped[str] = mapped_column(default="")
     use: Mapped[str] = mapped_column(default="")
     trigger: Mapped[str] = mapped_column(default="")
-    duration_s: Mapped[float | None]
+    duration_s: Mapped[float | None]  # asked for, within a quarter; with bounds, what is planned with
+    duration_min_s: Mapped[float | None]
+    duration_max_s: Mapped[float | None]
     length_locked: Mapped[bool] = mapped_column(default=False)
     frame_rate_fps: Mapped[float | None]
     loop: Mapped[bool] = mapped_column(default=False)

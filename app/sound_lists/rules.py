@@ -41,6 +41,7 @@ MAX_PAGE = 500
 MAX_VARIATIONS = 99
 MAX_LABEL_CHARS = 60
 MAX_DURATION_S = 86_400.0
+LENGTHS = ("duration_s", "duration_min_s", "duration_max_s")  # to plan with, and the bounds where the list has some
 Facts = dict[str, Any]  # what the list says of one cue, by the names of NEW_CUE
 
 NEW_CUE: Mapping[str, Any] = {
@@ -51,6 +52,8 @@ NEW_CUE: Mapping[str, Any] = {
     "use": "",
     "trigger": "",
     "duration_s": None,
+    "duration_min_s": None,
+    "duration_max_s": None,
     "length_locked": False,
     "frame_rate_fps": None,
     "loop": False,
@@ -69,7 +72,7 @@ NEW_CUE: Mapping[str, Any] = {
 CueOrdering = Literal["list", "playback_priority"]
 NO_PLAYBACK_PRIORITY = 1_001  # after every playback priority, which end at 1000; 0 comes first
 PEOPLE: Mapping[str, str] = {"implementer": "implementer_id", "recorder": "recorder_id"}  # columns of sheets, facts
-CHECKED_FACTS = frozenset({"category", "duration_s", "length_locked", "frame_rate_fps", "loop", "reverb"})
+CHECKED_FACTS = frozenset({"category", *LENGTHS, "length_locked", "frame_rate_fps", "loop", "reverb"})
 NAMING_FACTS = frozenset({"name", "file_name", "variations"})
 LINES = {"name": 200, "file_name": 200, "category": 60}
 TEXTS = {"description": 10_000, "use": 2_000, "trigger": 2_000}
@@ -130,8 +133,9 @@ def tidy(facts: Mapping[str, Any]) -> Facts:
         kept[field] = tidy_text(kept[field])
     if "category" in kept:  # the spec names categories by slugs, and [categories.ui] is meant for "UI" as well
         kept["category"] = kept["category"].lower().replace(" ", "-")
-    if kept.get("duration_s") is not None:
-        kept["duration_s"] = round(kept["duration_s"], DURATION_DECIMALS)
+    for field in LENGTHS:
+        if kept.get(field) is not None:
+            kept[field] = round(kept[field], DURATION_DECIMALS)
     if kept.get("name") == "" and kept.get("file_name"):
         kept["name"] = audio_checks.stems_of("", kept["file_name"], 1)[0]
     return kept
@@ -176,13 +180,25 @@ def _fault_of_file_name(file_name: str) -> str | None:
 def _faults_of_figures(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     if not 1 <= facts["variations"] <= MAX_VARIATIONS:
         yield "variations", f"{facts['variations']} variations; wanted 1 to {MAX_VARIATIONS}"
-    for field, highest in (("duration_s", MAX_DURATION_S), ("frame_rate_fps", 1000.0)):
+    for field, highest in (*((length, MAX_DURATION_S) for length in LENGTHS), ("frame_rate_fps", 1000.0)):
         value = facts[field]
         if value is not None and not 0 < value <= highest:  # nan fails too
             yield field, f"{value:g}; wanted a number above 0, at most {highest:g}"
+    low, high = facts["duration_min_s"], facts["duration_max_s"]
+    if low is not None and high is not None and low > high:
+        yield "duration_min_s", f"at least {low:g} s and at most {high:g} s; wanted the smaller one first"
     priority = facts["playback_priority"]
     if priority is not None and not 0 <= priority <= 1000:
         yield "playback_priority", f"{priority}; wanted 0 to 1000"
+
+
+def length_in_words(duration_s: float | None, min_s: float | None, max_s: float | None) -> str:
+    """Return the length that a cue asks for, as a contract states it; empty where it asks for none."""
+    if min_s is not None and max_s is not None:
+        return f"{min_s:g} to {max_s:g} s"
+    if min_s is not None or max_s is not None:
+        return f"at least {min_s:g} s" if min_s is not None else f"at most {max_s:g} s"
+    return f"{duration_s:.2f} s" if duration_s else ""
 
 
 def spreadsheet_safe(text: str) -> str:

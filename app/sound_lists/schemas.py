@@ -41,7 +41,9 @@ class CueRead(Schema):
     description: str
     use: str
     trigger: str
-    duration_s: float | None
+    duration_s: float | None = Field(description="Asked for, within a quarter; with bounds, the length to plan with.")
+    duration_min_s: float | None = Field(description="The sound is at least this long; null: no bound.")
+    duration_max_s: float | None = Field(description="The sound is at most this long; null: no bound.")
     length_locked: bool
     frame_rate_fps: float | None
     loop: bool
@@ -90,6 +92,8 @@ class CueFields(Schema):
     use: Text = ""
     trigger: Text = ""
     duration_s: Figure | None = None
+    duration_min_s: Figure | None = None
+    duration_max_s: Figure | None = None
     length_locked: bool = False
     frame_rate_fps: Figure | None = None
     loop: bool = False
@@ -237,6 +241,8 @@ ImportField = Literal[
     "use",
     "trigger",
     "duration_s",
+    "duration_min_s",
+    "duration_max_s",
     "length_locked",
     "frame_rate_fps",
     "loop",
@@ -305,7 +311,7 @@ class ImportAsk(Schema):
         default_factory=list, max_length=20_000, description="Rows to read as cues although they look like none."
     )
     frame_rate_fps: float | None = Field(None, gt=0, le=1000, description="For lengths in frames.")
-    sample_rate_hz: float | None = Field(None, gt=0, le=1_000_000, description="For lengths in samples.")
+    sample_rate_hz: float = Field(48_000, gt=0, le=1_000_000, description="For lengths in samples.")
     day_first: bool | None = Field(
         None,
         description="Whether 4/5/2026 is in May; otherwise other days of its column show it, or it is an error.",
@@ -346,6 +352,13 @@ class ImportEncoding(Schema):
     name: str
     is_guess: bool = Field(description="It is neither UTF-8 nor UTF-16, and was chosen by how likely its text is.")
     others: list[str] = Field(description="Other encodings in which the file is text, the likeliest first.")
+
+
+class SheetRow(Schema):
+    """A row of the sheet, as it is read: repaired and filled down."""
+
+    row: int
+    cells: list[str] = Field(description="In the order of the columns; of a long cell, its beginning.")
 
 
 class SkippedRow(Schema):
@@ -438,6 +451,8 @@ class ImportRow(Schema):
     category: str
     description: str
     duration_s: float | None
+    duration_min_s: float | None
+    duration_max_s: float | None
     loop: bool
     variations: int
     state: CueState
@@ -465,6 +480,7 @@ class ImportRead(Schema):
     unread: list[UnreadColumn]
     skipped: list[SkippedRow]
     guesses: list[CellGuess]
+    cells: list[SheetRow] = Field(description="The sheet itself, for a dry run; otherwise none.")
     rows: list[ImportRow]
     errors: list[ImportFault]
     left_out: list[int] = Field(description="The rows that have an error, and are not imported.")
@@ -487,6 +503,8 @@ class PreviewCue(Schema):
     description: str
     use: str
     duration_s: float | None
+    duration_min_s: float | None
+    duration_max_s: float | None
     loop: bool
     variations: int
     state: CueState

@@ -16,7 +16,7 @@ from app.projects.service import ProjectAccess, project_access
 from app.sound_lists import queries, save_edits
 from app.sound_lists.errors import CueChanged, CueIsCut, CueNotFound, OrderInvalid, RowsInvalid
 from app.sound_lists.models import Cue
-from app.sound_lists.rules import NO_PLAYBACK_PRIORITY, CueOrdering, CueState, facts_seen, label
+from app.sound_lists.rules import LENGTHS, NO_PLAYBACK_PRIORITY, CueOrdering, CueState, facts_seen, label
 from app.sound_lists.save_edits import Edit, facts_of, whole_facts
 from app.sound_lists.schemas import CueRead, PreviewCue
 
@@ -66,7 +66,7 @@ def cues_read(session: Session, access: ProjectAccess, cues: Sequence[Cue]) -> l
 
 def preview_cues(cues: Sequence[Cue], cue_prefix: str) -> list[PreviewCue]:
     """Return the cues that are still wanted, as an invited designer sees them before having an account."""
-    shown = ("number", "name", "file_name", "category", "description", "use", "duration_s", "loop", "variations")
+    shown = ("number", "name", "file_name", "category", "description", "use", *LENGTHS, "loop", "variations")
     return [
         PreviewCue(label=label(cue_prefix, cue.number), state=cue.state, **{fact: getattr(cue, fact) for fact in shown})
         for cue in cues
@@ -82,6 +82,8 @@ def cue_facts(cue: Cue) -> audio_checks.CueFacts:
         file_name=cue.file_name,
         category=cue.category or None,
         duration_s=cue.duration_s,
+        duration_min_s=cue.duration_min_s,
+        duration_max_s=cue.duration_max_s,
         length_locked=cue.length_locked,
         frame_rate_fps=cue.frame_rate_fps,
         loop=cue.loop,

@@ -1,11 +1,13 @@
 """`duration`: the sound is as long as the project accepts, and about as long as its cue asks.
 
 Why: memory is budgeted by length, and a sound cut to an animation must fit it. Other requests
-are estimates, so a length beyond a quarter more or less only warns; where the sound list locks
-a length, more than one video frame is an error.
+are estimates, so a length beyond a quarter more or less only warns, as does one beyond the bounds
+that the sound list gives ("at most 2 s"); where the list locks a length, more than one video frame
+is an error.
 How to fix: trim or extend the sound in the session; if the request is what is wrong, say so on
 the cue.
-Source: the delivery spec, `[accept] duration_s`; the sound list, `duration_s` and `length_locked`.
+Source: the delivery spec, `[accept] duration_s`; the sound list, `duration_s`, `duration_min_s`,
+`duration_max_s` and `length_locked`.
 """
 
 from collections.abc import Iterator
@@ -30,11 +32,11 @@ SPREAD = Fraction(1, 4)  # of the length asked for, either way
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
     """Apply where the spec bounds lengths, or the cue asks for one."""
-    return bool(spec.accept.duration_s) or (cue is not None and cue.duration_s is not None)
+    return bool(spec.accept.duration_s) or (cue is not None and (cue.duration_s is not None or cue.has_length_bounds))
 
 
 def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterator[Finding]:
-    """Yield `duration:short`, `duration:long` against the spec, `duration:cue`, `duration:locked` against the cue."""
+    """Yield `duration:short`, `:long` against the spec, and `:cue`, `:bounds` or `:locked` against the cue."""
     length = Fraction(file.facts.frames, file.facts.sample_rate_hz)
     low, high = spec.accept.duration_s.min, spec.accept.duration_s.max
     if low is not None and length < _exact(low):
@@ -57,8 +59,33 @@ def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None) -> Iterat
             start_s=high,
             end_s=float(length),
         )
-    if cue is not None and cue.duration_s is not None:
+    if cue is not None and cue.has_length_bounds:
+        yield from _against_bounds(length, cue)
+    elif cue is not None and cue.duration_s is not None:
         yield from _against_request(length, _exact(cue.duration_s), cue)
+
+
+def _against_bounds(length: Fraction, cue: CueFacts) -> Iterator[Finding]:
+    low, high = cue.duration_min_s, cue.duration_max_s
+    is_short = low is not None and length < _exact(low)
+    limit = low if is_short else high
+    if limit is None or not (is_short or length > _exact(limit)):
+        return
+    yield Finding(
+        code="duration:bounds",
+        message=f"{_seconds(length)} long; the brief says {_bounds(low, high)}",
+        fix=f"{'lengthen' if is_short else 'shorten'} the sound by {_seconds(abs(length - _exact(limit)))} or more",
+        severity="error" if cue.length_locked else "warning",
+        measured=float(length),
+        limit=limit,
+        unit="s",
+    )
+
+
+def _bounds(low: float | None, high: float | None) -> str:
+    if low is None or high is None:
+        return f"at least {low:g} s" if low is not None else f"at most {high:g} s"
+    return f"{low:g} to {high:g} s"
 
 
 def _against_request(length: Fraction, asked: Fraction, cue: CueFacts) -> Iterator[Finding]:

@@ -7,7 +7,7 @@ import math
 import re
 import unicodedata
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date, timedelta
 from typing import Any
 
@@ -231,6 +231,8 @@ class Reading:
     value: Any
     note: str = ""
     is_part: bool = False  # the cell says more than the value, which the list has no field for
+    low: float | None = None  # the bounds of a length: "at least 1 s", "0.5–1 s"
+    high: float | None = None
 
 
 PLAIN = CellContext()
@@ -280,28 +282,35 @@ def _bounded_length(plain: str, text: str, context: CellContext) -> Reading:
     for pattern, words in ((_MOST, "at most"), (_LEAST, "at least")):
         if (match := pattern.match(plain)) and (rest := plain[match.end() :]):
             value = _seconds_in(rest, text, context)
-            return Reading(value, f"{words} {number_text(value)} s; the list keeps one length", is_part=True)
+            return _bound(words, value)
     for pattern, words in ((_MOST_AFTER, "at most"), (_LEAST_AFTER, "at least"), (_ABOUT_AFTER, "about")):
         if (match := pattern.search(plain)) and match.start():
             value = _seconds_in(plain[: match.start()], text, context)
-            return Reading(
-                value, f"{words} {number_text(value)} s; the list keeps one length", is_part=words != "about"
-            )
+            return _bound(words, value)
     if match := _ABOUT.match(plain):
         reading = _bounded_length(plain[match.end() :], text, context) if match.end() < len(plain) else None
         if reading is None:
             raise _no_length(text)
-        return Reading(reading.value, reading.note or f"about {number_text(reading.value)} s", reading.is_part)
+        return replace(reading, note=reading.note or f"about {number_text(reading.value)} s")
     if match := re.fullmatch(r"(.{1,20}?)\s*(?:±|\+/-|\+-)\s*.{1,20}", plain):
         value = _seconds_in(match[1], text, context)
         return Reading(value, "the tolerance is not kept; the spec has one for lengths", is_part=True)
     try:
-        return _with_clock_note(plain, _seconds_in(plain, text, context))
+        reading = _with_clock_note(plain, _seconds_in(plain, text, context))
+        unit = _WITH_UNIT.fullmatch(plain)
+        if unit and COUNTED_UNITS.get(unit[2]) == "samples":
+            return replace(reading, note=f"at {context.sample_rate_hz:,g} Hz")
+        return reading
     except ValueError:
         ends = _RANGE_MARK.split(_BETWEEN.sub("", plain))
         if len(ends) != 2 or not all(ends):
             raise
     return _middle(ends[0], ends[1], text, context)
+
+
+def _bound(words: str, value: float) -> Reading:
+    low, high = value if words == "at least" else None, value if words == "at most" else None
+    return Reading(value, f"{words} {number_text(value)} s", low=low, high=high)
 
 
 def _middle(first: str, last: str, text: str, context: CellContext) -> Reading:
@@ -311,7 +320,7 @@ def _middle(first: str, last: str, text: str, context: CellContext) -> Reading:
     if low > high:
         raise _no_length(text)
     value = round((low + high) / 2, 6)
-    return Reading(value, f"the middle of {number_text(low)} to {number_text(high)} s", is_part=True)
+    return Reading(value, f"{number_text(low)} to {number_text(high)} s", low=low, high=high)
 
 
 def _with_clock_note(plain: str, value: float) -> Reading:
@@ -544,7 +553,7 @@ def _year(digits: str) -> int:
 
 
 READERS: Mapping[str, Callable[[str, CellContext], Reading]] = {
-    "duration_s": _read_duration,
+    **dict.fromkeys(("duration_s", "duration_min_s", "duration_max_s"), _read_duration),
     "frame_rate_fps": _read_rate,
     "variations": _read_count,
     "playback_priority": _read_priority,

@@ -16,13 +16,13 @@ from audio_checks.spec.list_cells import (
     unreadable,
 )
 from audio_checks.spec.list_heads import head_of
-from audio_checks.spec.sound_names import AUDIO_SUFFIXES, slug
+from audio_checks.spec.sound_names import AUDIO_SUFFIXES, slug, stems_of
 from audio_checks.system.plural import counted, verb
 
 SHOWN_CELLS = 3
 ASSET_ENDINGS = frozenset({".uasset", ".asset", ".meta", ".wem", ".fsb", ".bank", ".import"})  # made of a sound
 FIELD_WORDS = {
-    "duration_s": "lengths",
+    **dict.fromkeys(("duration_s", "duration_min_s", "duration_max_s"), "lengths"),
     "frame_rate_fps": "frame rates",
     "variations": "whole numbers",
     "playback_priority": "whole numbers",
@@ -74,6 +74,8 @@ def guess_column(name: str, cells: Sequence[str], rates: CellContext, *, has_rat
     if head.counted and not _has_rate(head.counted, rates, has_rate_column=has_rate_column):
         rate = "frame rate" if head.counted == "frames" else "sample rate"
         return ColumnGuess(None, context, note=f"a length in {head.counted}; say the {rate} to read it")
+    if head.counted == "samples":
+        note = f"{note} at {rates.sample_rate_hz:,g} Hz"
     filled = [cell for cell in cells if cell.strip() and not is_broken_formula(cell)][:SAMPLED]
     judged = replace(context, counted="") if has_rate_column else context
     wrong = unreadable(field, filled, judged)
@@ -91,6 +93,17 @@ def _has_rate(counted: str, rates: CellContext, *, has_rate_column: bool) -> boo
     return bool(rates.sample_rate_hz)
 
 
+def _ending_of(file: str) -> str:
+    """Return the ending of a sound file; empty for any other text."""
+    ending = "." + file.strip().rpartition(".")[2].lower()
+    return ending if ending in AUDIO_SUFFIXES else ""
+
+
+def _stem_of(file: str) -> str:
+    name = re.split(r"[/\\]", file.strip())[-1]
+    return unicodedata.normalize("NFC", name[: -len(_ending_of(name))])
+
+
 @dataclass(frozen=True)
 class RowNames:
     """The names that a row gives its cue."""
@@ -98,14 +111,33 @@ class RowNames:
     name: str
     file_name: str
     note: str = ""  # what was taken away, and from what
+    variations: int | None = None  # where the row names several files, which are one numbered set
 
 
 def names_in_row(name: str, file_name: str) -> RowNames:
     """Return the names of a row's cue: a name that is a file's names the file too, and no folder is part of a name.
 
-    `laser.wav` in the column of names is the cue `laser`, whose file is `laser.wav`.
+    `laser.wav` in the column of names is the cue `laser`, whose file is `laser.wav`. `hit_01.wav, hit_02.wav` in the
+    column of files are two variations of `hit`.
+
+    Raises
+    ------
+    ValueError
+        The row names several files that are no numbered set.
     """
     notes = []
+    files = [part for part in re.split(r"[,;|\n]", file_name) if _ending_of(part)]
+    if len(files) > 1:
+        stems = [_stem_of(part) for part in files]
+        base = re.sub(r"[_\s-]*\d+$", "", stems[0])
+        if not base or stems != stems_of("", base, len(stems)):
+            raise ValueError(
+                f'"{file_name.strip()[:80]}" are {len(files)} files and no set such as hit_01.wav, hit_02.wav; '
+                "give each a row of its own"
+            )
+        note = f"{len(files)} files are the variations of {base}"
+        named = names_in_row(name, base)
+        return RowNames(named.name, base, "; ".join(filter(None, (note, named.note))), len(files))
     bare_file = re.split(r"[/\\]", file_name.strip())[-1]
     if bare_file != file_name.strip() and bare_file:
         notes.append(f'"{file_name.strip()[:80]}" is read as {bare_file[:80]}; folders are not part of a name')

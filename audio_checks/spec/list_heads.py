@@ -29,6 +29,7 @@ HEADS: Mapping[str, str] = {
     "|类别|分类|类型|類別|類型|카테고리|분류|종류|категория|тип|группа|kategoria|rodzaj|grupa|categoria do som|gruppo"
     "|categorie geluid|soort",
     "description": "description|desc|descr|details|detail|brief|sound description|what it is|short description|"
+    "what we hear|"
     "beschreibung|kurzbeschreibung|descripcion|descripción|détails|detalles|説明|内容|詳細|概要"
     "|描述|说明|備註說明|설명|описание|opis|descrição|descrizione|omschrijving|beschrijving",
     "use": "use|usage|context|use in game|use in the game|used in|used for|in game use|ingame use|verwendung|einsatz|"
@@ -45,6 +46,8 @@ HEADS: Mapping[str, str] = {
     "長さ|尺|時間|再生時間|秒数|長さ秒"
     "|时长|长度|時長|長度|길이|재생 시간|длительность|длина|продолжительность|czas trwania|długość|czas|duração"
     "|comprimento|tempo di durata|durata|lunghezza|duur|lengte",
+    "duration_min_s": "shortest length|mindestlänge",
+    "duration_max_s": "longest length|höchstlänge",
     "length_locked": "locked|length locked|locked length|fixed length|exact length|duration locked|länge fest|"
     "長さ固定|尺固定",
     "frame_rate_fps": "fps|frame rate|framerate|bildrate|フレームレート",
@@ -55,7 +58,7 @@ HEADS: Mapping[str, str] = {
     "|循环|是否循环|循環|루프|반복|цикл|зацикленный|зациклить|луп|pętla|zapętlony|em loop|ciclo|ciclico|in loop"
     "|lus",
     "reverb": "reverb|reverb tail|hall|reverb type|réverbération|reverberación|リバーブ|残響",
-    "variations": "variations|variation|variants|variant|vars|var|count|qty|quantity|num variations|"
+    "variations": "variations|how many|variation|variants|variant|vars|var|count|qty|quantity|num variations|"
     "varianten|variationen|variante|anzahl|files|versions|alternates|alts|round robins|round robin|rr|takes|"
     "anz|stück|dateien|variantes|variaciones|variación|variante|nombre de variations|nb variations|nb de variations|"
     "número de variaciones|cantidad|quantité|バリエーション|バリエーション数|差分|差分数|数|個数|本数|ファイル数"

@@ -193,7 +193,8 @@ class CueFacts:
     """The sound list's facts on one cue, as far as a check or a render needs them.
 
     `more` keeps the columns that no check reads (description, use, trigger, and any of the writer's own).
-    `says_loop` is whether the list has a column for loops at all.
+    `duration_min_s` and `duration_max_s` are set where the list gives bounds ("at most 2 s"); `duration_s` is then the
+    length to plan with. `says_loop` is whether the list has a column for loops at all.
     """
 
     number: str
@@ -201,6 +202,8 @@ class CueFacts:
     file_name: str = ""
     category: str | None = None
     duration_s: float | None = None
+    duration_min_s: float | None = None
+    duration_max_s: float | None = None
     length_locked: bool = False
     frame_rate_fps: float | None = None
     loop: bool = False
@@ -209,6 +212,11 @@ class CueFacts:
     state: str = "concept"
     more: Mapping[str, str] = field(default_factory=dict, compare=False)
     says_loop: bool = True
+
+    @property
+    def has_length_bounds(self) -> bool:
+        """Whether the list bounds the length, in place of asking for one."""
+        return self.duration_min_s is not None or self.duration_max_s is not None
 
     @property
     def plays_once(self) -> bool:

@@ -30,6 +30,8 @@ COLUMNS = (
     "use",
     "trigger",
     "duration_s",
+    "duration_min_s",
+    "duration_max_s",
     "length_locked",
     "frame_rate_fps",
     "loop",
@@ -37,7 +39,8 @@ COLUMNS = (
     "variations",
     "state",
 )
-TYPED = frozenset({"duration_s", "length_locked", "frame_rate_fps", "loop", "reverb", "variations", "state"})
+LENGTHS = ("duration_s", "duration_min_s", "duration_max_s")
+TYPED = frozenset({*LENGTHS, "length_locked", "frame_rate_fps", "loop", "reverb", "variations", "state"})
 _MOST_VARIATIONS = 999
 
 
@@ -235,7 +238,11 @@ def _cue(columns: Sequence[_Column], row: int, cells: Sequence[str], notes: list
                 reading = reading_of(column.field or "", text, context)
             except ValueError as error:
                 raise ValueError(f"{column.field}: {error}") from None
-            facts[column.field or ""] = reading.value
+            if column.field != "duration_s":
+                facts[column.field or ""] = reading.value
+            else:
+                lengths = zip(LENGTHS, (reading.value, reading.low, reading.high), strict=True)
+                facts = dict(lengths) | {name: value for name, value in facts.items() if value is not None}
             if reading.note:
                 notes.append(f'row {row}, {column.name}: "{text[:40]}" is read as {reading.value}: {reading.note}')
         elif column.field:
@@ -251,7 +258,8 @@ def _cue(columns: Sequence[_Column], row: int, cells: Sequence[str], notes: list
     number = more.pop("number", "") or names.name or stem_of_file(names.file_name)
     if not number:
         raise ValueError("number: a cue needs a number or a name")
-    variations = facts.pop("variations", 1)
+    variations = facts.pop("variations", 1) if names.variations is None else names.variations
+    facts.pop("variations", None)
     if not 1 <= variations <= _MOST_VARIATIONS:
         raise ValueError(f'variations: wanted a whole number from 1 to {_MOST_VARIATIONS}, found "{variations}"')
     if not (facts.get("frame_rate_fps") or 1) > 0:

@@ -137,6 +137,16 @@ def levels() -> Iterator[tuple[str, bytes, str, Facts]]:
     for fps in (None, 60.0, 29.97, 23.976):
         locked = {"duration_s": 0.05, "length_locked": True, "frame_rate_fps": fps}
         yield f"locked at {fps} fps", pcm(tone(frames=100), 8, 1_000), FREE, locked
+    for bounds in ({"duration_min_s": 0.2}, {"duration_max_s": 0.05}, {"duration_min_s": 0.01, "duration_max_s": 0.09}):
+        yield (
+            f"the cue bounds its length: {bounds}",
+            pcm(tone(frames=100), 8, 1_000),
+            FREE,
+            {"duration_s": 0.1} | bounds,
+        )
+    exact = {"duration_min_s": 0.1, "duration_max_s": 0.1, "length_locked": True}
+    yield "the cue bounds its length to what it has", pcm(tone(frames=100), 8, 1_000), FREE, exact
+    yield "the cue locks its bounds", pcm(tone(frames=101), 8, 1_000), FREE, exact
     within = {"duration_s": 0.1, "length_locked": True, "frame_rate_fps": 60.0}
     yield "locked, within a frame", pcm(tone(frames=110), 8, 1_000), FREE, within
 

@@ -23,7 +23,7 @@ from app.projects.models import Project
 from app.projects.queries import current_spec
 from app.sound_lists.models import Cue
 from app.sound_lists.queries import cues_of, questions_of, revision_number
-from app.sound_lists.rules import CueState, label
+from app.sound_lists.rules import CueState, label, length_in_words
 
 RELEASE_SENTENCES = {
     ReleaseClause.PER_CUE: "Each cue's share is due when the cue is accepted.",
@@ -146,7 +146,7 @@ def _cue_table(cues: Sequence[Cue], prices: Mapping[UUID, int | None], cue_prefi
     heads = ["Number", "Sound", "Files", "Length", *(["Price"] if any(prices.values()) else [])]
     rows = [heads, ["---"] * len(heads)]
     for cue in cues:
-        length = f"{cue.duration_s:.2f} s" if cue.duration_s else ""
+        length = length_in_words(cue.duration_s, cue.duration_min_s, cue.duration_max_s)
         name = literal(cue.name) + (" (loop)" if cue.loop else "")
         price = prices.get(cue.id)
         cells = [label(cue_prefix, cue.number), name, str(cue.variations), length]

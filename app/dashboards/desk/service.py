@@ -180,6 +180,8 @@ def _to_make(project: Project, cue: Cue, row: ListRow) -> schemas.ToMake:
         use=cue.use,
         category=cue.category,
         duration_s=cue.duration_s,
+        duration_min_s=cue.duration_min_s,
+        duration_max_s=cue.duration_max_s,
         loop=cue.loop,
         variations=cue.variations,
         missing=sum(status is CueStatus.TO_MAKE for status in statuses_of(row.facts, row.variations)),

@@ -1,5 +1,6 @@
 """A spreadsheet becomes rows of the list: the rows without errors, each guess and each row left out named."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -19,7 +20,18 @@ from app.sound_lists.own_columns.rules import Column as OwnColumn
 from app.sound_lists.own_columns.rules import by_key, kept_name, key_of, read_value
 from app.sound_lists.people.rules import KnownPeople
 from app.sound_lists.people.service import known_people
-from app.sound_lists.rules import NEW_CUE, PEOPLE, CueState, Facts, label, read_label, tidy_text, typed_text
+from app.sound_lists.rules import (
+    LENGTHS,
+    LINES,
+    NEW_CUE,
+    PEOPLE,
+    CueState,
+    Facts,
+    label,
+    read_label,
+    tidy_text,
+    typed_text,
+)
 from app.sound_lists.save_edits import Edit, RowFault, row_faults, save, whole_facts, with_fitted_values
 from app.sound_lists.schemas import (
     CellEdit,
@@ -32,6 +44,7 @@ from app.sound_lists.schemas import (
     ImportRead,
     ImportRow,
     ImportTab,
+    SheetRow,
     SkippedRow,
     UnreadColumn,
 )
@@ -51,6 +64,8 @@ SAMPLES = 3
 MISMAPPED = 3  # wrong cells of one column, from which on they are one fault
 MAX_ROUNDS = 10  # of leaving out rows whose names depend on a row that was left out
 SHOWN_HEADS = 8
+SECTION_WORDS = re.compile(r"\s+(sounds?|sfx|sound effects|audio)$", re.IGNORECASE)
+MAX_CELL_SHOWN = 200  # characters
 KEPT: frozenset[str] = frozenset({"extra", "ignore"})
 NAMES = frozenset({"name", "file_name", "number"})
 OWN = "own:"  # before the name of a column of the project's own
@@ -94,6 +109,7 @@ def import_sheet(session: Session, actor: Actor, project_id: UUID, sheet: Sheet,
     columns = _columns(sheet, _Known(project.cue_prefix, own, kept, people), ask)
     filled = _fill_down(sheet, ask.fill_down_columns)
     skipped = _skipped(sheet, columns, ask)
+    filled += _fill_from_sections(sheet, columns, skipped) if ask.fill_down else []
     without = {row.row for row in skipped}
     read = replace(sheet, rows=[(row, cells) for row, cells in sheet.rows if row not in without])
     plan = _plan(cues, project, read, columns, ask.match, _Into(project.cue_prefix, own, people))
@@ -130,6 +146,10 @@ def import_sheet(session: Session, actor: Actor, project_id: UUID, sheet: Sheet,
         unread=_unread(columns, sheet),
         skipped=skipped,
         guesses=sorted([*filled, *plan.guesses], key=lambda guess: guess.row),
+        cells=[
+            SheetRow(row=row, cells=[cell[:MAX_CELL_SHOWN] for cell in cells])
+            for row, cells in (sheet.rows if ask.dry_run else ())
+        ],
         rows=rows,
         errors=[
             ImportFault(
@@ -237,6 +257,24 @@ def _fill_down(sheet: Sheet, names: Sequence[str]) -> list[CellGuess]:
                 cells[column] = above
                 guesses.append(_filled(row, sheet.columns[column], above, "filled from the cell above, as asked"))
             above = cells[column] or above
+    return guesses
+
+
+def _fill_from_sections(sheet: Sheet, columns: Sequence[Column], skipped: Sequence[SkippedRow]) -> list[CellGuess]:
+    """Give the cues below the title of a section its category, where theirs is empty, and return these cells."""
+    category = next((column.place for column in columns if column.field == "category"), None)
+    if category is None:
+        return []
+    passed = {row.row: row for row in skipped}
+    section, guesses = "", []
+    for row, cells in sheet.rows:
+        if row in passed:
+            if passed[row].kind == "section":
+                title = SECTION_WORDS.sub("", passed[row].text).strip()
+                section = title if re.fullmatch(r"[^\W_][\w -]*", title) and len(title) <= LINES["category"] else ""
+        elif section and not cells[category]:
+            cells[category] = section
+            guesses.append(_filled(row, sheet.columns[category], section, "from the title of the section above"))
     return guesses
 
 
@@ -456,6 +494,7 @@ def _read_row(
     """Add a row's values to `given` and its guesses to `guesses`, and yield the cells that cannot be read."""
     extra: dict[str, str] = {}
     as_written: dict[str, str] = {}
+    bounds: dict[str, float | None] = {}  # in columns of their own
 
     def note(column: Column, kind: str, text: str, value: object, why: str) -> None:
         guesses.append(
@@ -497,13 +536,27 @@ def _read_row(
             except ValueError as error:
                 yield RowFault(row, column.field, str(error))
                 continue
-            given[column.field] = text if cell != text and reading.value == cell else reading.value
+            value = text if cell != text and reading.value == cell else reading.value
+            if column.field in LENGTHS[1:]:
+                bounds[column.field] = value
+                continue
+            given[column.field] = value
+            if column.field == "duration_s":
+                given |= {"duration_min_s": reading.low, "duration_max_s": reading.high}
             if reading.note:
-                note(column, "reading", text, "" if reading.value is None else reading.value, reading.note)
+                is_bound = reading.low is not None or reading.high is not None
+                shown = reading.note if is_bound else "" if reading.value is None else reading.value
+                note(column, "reading", text, shown, "bounds of a length" if is_bound else reading.note)
             if reading.is_part:
                 as_written[AS_WRITTEN.format(column.name)[:100]] = tidy_text(text)
     if "name" in given or "file_name" in given:
-        names = names_in_row(given.get("name", ""), given.get("file_name", ""))
+        try:
+            names = names_in_row(given.get("name", ""), given.get("file_name", ""))
+        except ValueError as error:
+            yield RowFault(row, "file_name" if "file_name" in given else "name", str(error))
+            return
+        if names.variations is not None:
+            given["variations"] = names.variations
         if names.note:
             column = next(column for column in columns if column.field in ("name", "file_name"))
             shown = given.get("name") or given.get("file_name", "")
@@ -512,6 +565,7 @@ def _read_row(
             given["name"] = names.name
         if "file_name" in given or names.file_name:
             given["file_name"] = names.file_name
+    given |= {field: value for field, value in bounds.items() if value is not None or field not in given}
     given["extra"] = extra | as_written
 
 
@@ -558,7 +612,7 @@ def _row_read(edit: Edit, cue_prefix: str, people: KnownPeople) -> ImportRow:
         if before and before[fact] != value
     ]
     number = edit.cue.number if edit.cue else edit.number
-    shown = ("name", "file_name", "category", "description", "duration_s", "loop", "variations", "state", "due_on")
+    shown = ("name", "file_name", "category", "description", *LENGTHS, "loop", "variations", "state", "due_on")
     return ImportRow(
         row=edit.row,
         action="add" if edit.cue is None else "change" if changes else "same",

@@ -184,7 +184,27 @@ function* duration({ layout, spec, length: asked }: Subject): Iterable<Found> {
       end_s: measured,
     }
   }
-  if (asked?.duration_s != null) yield* againstRequest(length, asked.duration_s, asked)
+  if (asked?.duration_min_s != null || asked?.duration_max_s != null) yield* againstBounds(length, asked)
+  else if (asked?.duration_s != null) yield* againstRequest(length, asked.duration_s, asked)
+}
+
+function* againstBounds(length: Fraction, { duration_min_s: low, duration_max_s: high, length_locked }: CueLength) {
+  const isShort = low !== null && isMore(exactly(low), length)
+  const limit = isShort ? low : high
+  if (limit === null || !(isShort || isMore(length, exactly(limit)))) return
+  const asked =
+    low === null || high === null
+      ? `${low === null ? 'at most' : 'at least'} ${general(low ?? high ?? 0)} s`
+      : `${general(low)} to ${general(high)} s`
+  yield {
+    code: 'duration:bounds',
+    message: `${seconds(length)} long; the brief says ${asked}`,
+    fix: `${isShort ? 'lengthen' : 'shorten'} the sound by ${seconds(size(minus(length, exactly(limit))))} or more`,
+    severity: length_locked ? ('error' as const) : ('warning' as const),
+    measured: toNumber(length),
+    limit,
+    unit: 's',
+  }
 }
 
 function* againstRequest(length: Fraction, askedS: number, { length_locked, frame_rate_fps }: CueLength) {

@@ -22,6 +22,8 @@ export function aCue(number: number, name: string, cue: Partial<Cue> = {}): Cue 
     use: '',
     trigger: '',
     duration_s: 0.8,
+    duration_min_s: null,
+    duration_max_s: null,
     length_locked: false,
     frame_rate_fps: null,
     loop: false,

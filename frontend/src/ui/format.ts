@@ -74,6 +74,22 @@ export function length(s: number): string {
   return `${figure(s, 2)} s`
 }
 
+interface LengthAsked {
+  duration_s: number | null
+  duration_min_s: number | null
+  duration_max_s: number | null
+}
+
+/** How long a cue is to be: "0.80 s", "0.5–1 s", "at most 2 s"; empty where nothing is asked. */
+export function lengthAsked({ duration_s, duration_min_s: least, duration_max_s: most }: LengthAsked): string {
+  if (least !== null && most !== null) return `${exact(least)}–${exact(most)} s`
+  if (least !== null) return `at least ${exact(least)} s`
+  if (most !== null) return `at most ${exact(most)} s`
+  return duration_s === null ? '' : length(duration_s)
+}
+
+const exact = (s: number): string => String(Number(s.toFixed(6)))
+
 /** A place in words, for those who listen to the page: "0.286 seconds". */
 export function placeInWords(s: number): string {
   return `${figure(s, 3)} seconds`

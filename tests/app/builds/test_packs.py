@@ -231,7 +231,9 @@ def test_packs_and_journals_that_left_are_in_the_security_log(world: World) -> N
     name = world.producer.get(f"/v1/projects/{world.project_id}").json()["name"]
     download(world)
     assert world.producer.get(f"/v1/projects/{world.project_id}/journal.csv").status_code == 200
-    lines = world.producer.get(f"/v1/studios/{world.studio_id}/security-events", params={"kind": "export"}).json()["items"]
+    lines = world.producer.get(f"/v1/studios/{world.studio_id}/security-events", params={"kind": "export"}).json()[
+        "items"
+    ]
     assert [line["summary"] for line in lines] == [f"downloaded the journal of {name}", f"downloaded {name} game.zip"]
     assert {line["person"]["id"] for line in lines} == {str(world.producer_id)}
     assert all(line["network"] for line in lines)

@@ -91,14 +91,15 @@ def test_what_is_read_otherwise_than_it_is_written_is_marked_and_kept(world: Wor
     text += "laser.wav,1-2 s,High,checked,3-5,1-Dec-26,Jane\nUI_Click.ogg,<1s,Low,,2,46357,Jane\n"
     read = send(world, text)
     assert {(guess["row"], guess["column"], guess["value"]) for guess in read["guesses"]} == {
-        (2, "Asset", "laser"), (2, "Length", "1.5"), (2, "Priority", "must"), (2, "# of variations", "5"),
-        (3, "Asset", "UI_Click"), (3, "Length", "1.0"), (3, "Priority", "wish"), (3, "Due", "2026-12-01"),
+        (2, "Asset", "laser"), (2, "Length", "1 to 2 s"), (2, "Priority", "must"), (2, "# of variations", "5"),
+        (3, "Asset", "UI_Click"), (3, "Length", "at most 1 s"), (3, "Priority", "wish"), (3, "Due", "2026-12-01"),
     }  # fmt: skip
     assert [(column["name"], column["cells"]) for column in read["unread"]] == [("Assignee", 2)]
     laser, click = cues(world)
     assert (laser["stems"][0], laser["duration_s"], laser["need"], laser["loop"]) == ("laser_01", 1.5, "must", True)
     assert (click["stems"], click["due_on"]) == (["UI_Click_01", "UI_Click_02"], "2026-12-01")
-    assert laser["extra"]["Length (as written)"] == "1-2 s"
+    assert (laser["duration_min_s"], laser["duration_max_s"]) == (1, 2)
+    assert laser["extra"]["# of variations (as written)"] == "3-5"
     assert {column["name"]: bool(column["why"]) for column in read["columns"]}["Priority"] is True
 
 
@@ -195,3 +196,65 @@ def test_a_repair_of_a_cell_that_is_not_there_is_refused(world: World, row: int,
     edits = [{"row": row, "column": column, "text": "1"}]
     problem = refused(world, "Name,Length\nhall_door,soon\n", edits=edits)
     assert (problem["code"], words in problem["detail"]) == ("column-unknown", True)
+
+
+def test_lengths_with_bounds_come_in_and_go_with_a_plain_length(world: World) -> None:
+    text = "name,length\nRain,0.5–1 s\nHit,≤ 500 ms\nDoor,about 3 s\nHum,at least 20 s\n"
+    assert send(world, text)["errors"] == []
+    lengths = ("duration_s", "duration_min_s", "duration_max_s")
+    assert {cue["name"]: [cue[length] for length in lengths] for cue in cues(world)} == {
+        "Rain": [0.75, 0.5, 1],
+        "Hit": [0.5, None, 0.5],
+        "Door": [3, None, None],
+        "Hum": [20, 20, None],
+    }
+    assert all(cue["extra"] == {} for cue in cues(world)), "nothing of the cell is left over"
+    send(world, "name,length\nRain,2\n", match="name")
+    assert [cues(world)[0][length] for length in lengths] == [2, None, None]
+    (rain, *_) = cues(world)
+    crossed = {"edition": rain["edition"], "duration_min_s": 3, "duration_max_s": 2}
+    refused = world.producer.patch(f"/v1/cues/{rain['id']}", json=crossed)
+    assert refused.status_code == 422
+    assert "wanted the smaller one first" in refused.text
+
+
+def test_lengths_in_samples_are_read_at_48_khz_and_it_is_said(world: World) -> None:
+    text = "name,Length (samples)\nRain,96000\n"
+    read = send(world, text, dry_run=True)
+    assert (read["rows"][0]["duration_s"], read["columns"][1]["why"]) == (2, "a length in samples at 48,000 Hz")
+    assert send(world, text, dry_run=True, sample_rate_hz=96_000)["rows"][0]["duration_s"] == 1
+    cell = send(world, "name,length\nRain,24000 samples\n", dry_run=True)
+    assert (cell["rows"][0]["duration_s"], cell["guesses"][0]["why"]) == (0.5, "at 48,000 Hz")
+
+
+def test_a_dry_run_shows_the_sheet_as_it_is_read(world: World) -> None:
+    text = "name,category\nUI SOUNDS,\nClick,ui\nHover,\n"
+    read = send(world, text, dry_run=True)
+    assert read["cells"] == [
+        {"row": 2, "cells": ["UI SOUNDS", ""]},
+        {"row": 3, "cells": ["Click", "ui"]},
+        {"row": 4, "cells": ["Hover", "UI"]},
+    ]
+    assert [row["row"] for row in read["skipped"]] == [2]
+    assert send(world, text)["cells"] == []
+
+
+def test_several_files_of_a_row_are_its_variations(world: World) -> None:
+    read = send(world, 'name,file name\nHit,"hit_01.wav, hit_02.wav"\nMix,"a.wav, b.wav"\n')
+    assert [(error["row"], error["column"]) for error in read["errors"]] == [(3, "file name")]
+    (hit,) = cues(world)
+    assert (hit["stems"], hit["variations"]) == (["hit_01", "hit_02"], 2)
+
+
+def test_the_title_of_a_section_is_the_category_of_its_rows(world: World) -> None:
+    text = "name,category,length\nUI SOUNDS,,\nClick,,0.1\nHover,menu,0.1\nAMBIENCE,,\nRain,,20\nTOTAL,,3\n"
+    read = send(world, text, dry_run=True)
+    assert {row["name"]: row["category"] for row in read["rows"]} == {
+        "Click": "ui",
+        "Hover": "menu",
+        "Rain": "ambience",
+    }
+    filled = [(guess["row"], guess["value"]) for guess in read["guesses"] if guess["kind"] == "filled_down"]
+    assert filled == [(3, "UI"), (6, "AMBIENCE")]
+    plain = send(world, text, dry_run=True, fill_down=False)
+    assert [row["category"] for row in plain["rows"]] == ["", "menu", ""]

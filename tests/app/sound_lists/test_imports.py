@@ -15,10 +15,10 @@ import audio_checks
 from tests.app.sound_lists.lists import add, cut, the_list
 from tests.support.server import World
 
-HEAD = "number,name,file_name,category,description,use,trigger,duration_s,length_locked,frame_rate_fps,loop,reverb,"
+HEAD = "number,name,file_name,category,description,use,trigger,duration_s,duration_min_s,duration_max_s,"
 
 
-HEAD += "variations,state"
+HEAD += "length_locked,frame_rate_fps,loop,reverb,variations,state"
 
 
 def send(world: World, content: bytes | str, by: TestClient | None = None, **more: object) -> dict[str, Any]:
@@ -258,7 +258,8 @@ def wild_rows() -> list[dict[str, Any]]:
          "playback_priority": 3, "placeholder": True, "palette": True},
         {"name": "＝1＋1", "file_name": "wide", "description": "＋2", "use": "－3", "trigger": "＠home",
          "extra": {"Mood": "＝HYPERLINK(\"https://elsewhere.example\")", "＠mood": "calm"}},  # full-width
-        {"name": "Plain", "duration_s": 3, "state": "concept", "reverb": "dry"},
+        {"name": "Plain", "duration_s": 3, "duration_min_s": 2.5, "duration_max_s": 4, "state": "concept",
+         "reverb": "dry"},
     ]  # fmt: skip
 
 
@@ -276,9 +277,9 @@ def test_the_export_comes_back_as_it_went(world: World, server: Any) -> None:
     assert cues(world) == before
     elsewhere = World(server)
     assert send(elsewhere, text.encode())["imported"]
-    kept = ("label", "name", "file_name", "stems", "description", "use", "trigger", "duration_s", "length_locked",
-            "frame_rate_fps", "loop", "reverb", "variations", "state", "playback_priority", "placeholder", "palette",
-            "extra", "category")  # fmt: skip
+    kept = ("label", "name", "file_name", "stems", "description", "use", "trigger", "duration_s", "duration_min_s",
+            "duration_max_s", "length_locked", "frame_rate_fps", "loop", "reverb", "variations", "state",
+            "playback_priority", "placeholder", "palette", "extra", "category")  # fmt: skip
     assert [[cue[key] for key in kept] for cue in cues(elsewhere)] == [[cue[key] for key in kept] for cue in before]
 
 
@@ -290,6 +291,8 @@ def test_the_command_line_reads_the_export_as_the_server_does(world: World) -> N
         for key in (
             "file_name",
             "duration_s",
+            "duration_min_s",
+            "duration_max_s",
             "length_locked",
             "frame_rate_fps",
             "loop",

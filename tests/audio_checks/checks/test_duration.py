@@ -50,5 +50,32 @@ def test_a_locked_length_allows_one_video_frame(found_by, count, fps, codes):
     assert all(finding.severity == "error" for finding in found)
 
 
+@pytest.mark.parametrize(
+    ("count", "low", "high", "codes"),
+    [
+        (24_000, 0.5, 1.0, []),
+        (23_999, 0.5, 1.0, ["duration:bounds"]),
+        (48_000, 0.5, 1.0, []),
+        (48_001, 0.5, 1.0, ["duration:bounds"]),
+        (1, None, 1.0, []),
+        (48_001, None, 1.0, ["duration:bounds"]),
+        (480_000, 0.5, None, []),
+        (23_999, 0.5, None, ["duration:bounds"]),
+    ],
+)
+def test_bounds_of_the_list_count_in_place_of_a_length(found_by, count, low, high, codes):
+    cue = CueFacts("SW-1", duration_s=0.75, duration_min_s=low, duration_max_s=high)
+    found = found_by("duration", frames(count), cue=cue)
+    assert [(finding.code, finding.severity) for finding in found] == [(code, "warning") for code in codes]
+
+
+def test_locked_bounds_are_an_error_and_say_how_far(found_by):
+    cue = CueFacts("SW-1", duration_s=0.5, duration_max_s=0.5, length_locked=True)
+    (finding,) = found_by("duration", frames(30_000), cue=cue)
+    assert (finding.severity, finding.limit) == ("error", 0.5)
+    assert finding.message == "0.625 s long; the brief says at most 0.5 s"
+    assert finding.fix == "shorten the sound by 0.125 s or more"
+
+
 def test_a_cue_that_asks_for_nothing(codes_of):
     assert codes_of("duration", frames(48_000), cue=CueFacts("SW-1")) == []

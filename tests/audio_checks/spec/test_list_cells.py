@@ -23,15 +23,15 @@ PLAIN = CellContext()
         ("２．５秒", 2.5, ""),
         ("~3", 3, "about 3 s"),
         ("約2秒", 2, "about 2 s"),
-        ("1-2 s", 1.5, "the middle of 1 to 2 s"),
-        ("2–4 sec", 3, "the middle of 2 to 4 s"),
-        ("1.5 to 2", 1.75, "the middle of 1.5 to 2 s"),
-        ("500-800 ms", 0.65, "the middle of 0.5 to 0.8 s"),
-        ("1〜2秒", 1.5, "the middle of 1 to 2 s"),
-        ("<1s", 1, "at most 1 s; the list keeps one length"),
-        ("max 3s", 3, "at most 3 s; the list keeps one length"),
-        ("at least 1 s", 1, "at least 1 s; the list keeps one length"),
-        ("3+", 3, "at least 3 s; the list keeps one length"),
+        ("1-2 s", 1.5, "1 to 2 s"),
+        ("2–4 sec", 3, "2 to 4 s"),
+        ("1.5 to 2", 1.75, "1.5 to 2 s"),
+        ("500-800 ms", 0.65, "0.5 to 0.8 s"),
+        ("1〜2秒", 1.5, "1 to 2 s"),
+        ("<1s", 1, "at most 1 s"),
+        ("max 3s", 3, "at most 3 s"),
+        ("at least 1 s", 1, "at least 1 s"),
+        ("3+", 3, "at least 3 s"),
         ("01:30:00", 5400, "1 h 30 min; if 1 min 30 s was meant, write 0:1:30"),
         ("varies", None, "no length is set"),
     ],
@@ -39,6 +39,16 @@ PLAIN = CellContext()
 def test_lengths(text, seconds, note):
     reading = reading_of("duration_s", text)
     assert (reading.value, reading.note) == (seconds, note)
+
+
+@pytest.mark.parametrize(
+    ("text", "low", "high"),
+    [("0.5–1 s", 0.5, 1), ("max 2 s", None, 2), ("about 3 s", None, None), ("≤ 500 ms", None, 0.5), ("3+", 3, None),
+     ("between 1 and 2 min", 60, 120), ("2 s", None, None), ("~1-2 s", 1, 2)],
+)  # fmt: skip
+def test_bounds_of_lengths(text, low, high):
+    reading = reading_of("duration_s", text)
+    assert (reading.low, reading.high, reading.is_part) == (low, high, False)
 
 
 @pytest.mark.parametrize("text", ["-1", "0", "5-1", "short", "1/2", "120 frames", "00:00:02:12"])
@@ -182,3 +192,16 @@ def test_names_without_endings_and_folders(given, names):
     read = names_in_row(*given)
     assert (read.name, read.file_name) == names
     assert bool(read.note) == (given != names)
+
+
+def test_several_files_of_a_row_are_one_numbered_set():
+    read = names_in_row("Hit", "sfx/hit_01.wav, hit_02.wav; hit_03.WAV")
+    assert (read.name, read.file_name, read.variations) == ("Hit", "hit", 3)
+    assert read.note == "3 files are the variations of hit"
+    assert names_in_row("Hit, soft", "hit.wav").variations is None
+
+
+@pytest.mark.parametrize("files", ["hit.wav, splash.wav", "hit_02.wav, hit_03.wav", "hit_1.wav, hit_2.wav"])
+def test_several_files_that_are_no_set_are_refused(files):
+    with pytest.raises(ValueError, match="2 files and no set such as hit_01"):
+        names_in_row("Hit", files)

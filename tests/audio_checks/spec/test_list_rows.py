@@ -112,9 +112,10 @@ def test_the_command_line_reads_what_an_import_reads():
     click, laser = sounds.cues
     assert (click.file_name, click.loop, click.variations, click.duration_s) == ("button_click_soft", False, 2, 0.5)
     assert (laser.name, laser.loop, laser.duration_s) == ("laser", True, 1.5)
+    assert (laser.duration_min_s, laser.duration_max_s, click.duration_max_s) == (1, 2, None)
     assert sounds.slot_of_file("laser.wav")[0] is laser
     said = " ".join(sounds.notes)
-    for part in ('"UI SOUNDS" is no cue', '"TOTAL, 3" is no cue', '"laser.wav" is read as laser', "the middle of 1"):
+    for part in ('"UI SOUNDS" is no cue', '"TOTAL, 3" is no cue', '"laser.wav" is read as laser', "1 to 2 s"):
         assert part in said
 
 

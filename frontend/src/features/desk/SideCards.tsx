@@ -8,7 +8,7 @@ import { deemedAcceptanceNotice } from '@/judging/words'
 import { fixesQuery } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { ago, length, plural } from '@/ui/format'
+import { ago, lengthAsked, plural } from '@/ui/format'
 import { StatusBadge } from '@/ui/StatusBadge'
 import { useLazy } from '@/ui/useLazy'
 import { filesOfDrop, type Picked } from '@/uploads'
@@ -95,11 +95,11 @@ function progress({ status, state, variations, missing }: ToMake) {
   return <StatusBadge kind="to_make" />
 }
 
-function factsOf({ category, use, duration_s, loop, variations, state }: ToMake): string {
+function factsOf({ category, use, loop, variations, state, ...lengths }: ToMake): string {
   if (state === 'concept') return 'not final; ask before you start'
   const facts = [
     use || category,
-    duration_s === null ? '' : length(duration_s),
+    lengthAsked(lengths),
     loop ? 'loop' : '',
     variations > 1 ? `set of ${variations}` : '',
   ]

@@ -2,7 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
-import { length, plural } from '@/ui/format'
+import { lengthAsked, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { askedCuesQuery, type AskedCue, type AskedLine } from './api'
@@ -71,11 +71,12 @@ function LineCues({ line, cues }: { line: AskedLine; cues: readonly AskedCue[] }
 }
 
 /** "4 files, 2.50 s each, loop". */
-function factsOf({ variations, duration_s: durationS, loop, is_concept: isConcept }: AskedCue): string {
+function factsOf({ variations, loop, is_concept: isConcept, ...lengths }: AskedCue): string {
   const each = variations > 1 ? ' each' : ''
+  const asked = lengthAsked(lengths)
   const facts = [
     plural(variations, 'file'),
-    durationS === null ? 'no length yet' : `${length(durationS)}${each}`,
+    asked === '' ? 'no length yet' : `${asked}${each}`,
     loop ? 'loop' : '',
     isConcept ? 'concept' : '',
   ]

@@ -10,7 +10,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { type Column, ListTable } from '@/ui/Table'
 import { EmptyState } from '@/ui/EmptyState'
-import { day, length, plural } from '@/ui/format'
+import { day, lengthAsked, plural } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { StatusBadge } from '@/ui/StatusBadge'
 import { PageSkeleton } from '@/ui/Skeleton'
@@ -181,7 +181,7 @@ const COLUMNS: Column<PreviewCue>[] = [
     head: 'Length',
     width: '72px',
     numeric: true,
-    cell: ({ duration_s }) => (duration_s === null ? '' : length(duration_s)),
+    cell: lengthAsked,
   },
   {
     id: 'set',

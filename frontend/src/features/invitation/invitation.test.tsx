@@ -17,6 +17,8 @@ const CUE: PreviewCue = {
   description: 'Thin and bright, must not tire at five a second.',
   use: 'Player’s turret',
   duration_s: 0.3,
+  duration_min_s: null,
+  duration_max_s: null,
   loop: false,
   variations: 4,
   state: 'locked',

@@ -14,6 +14,8 @@ const FIELD_WORDS: Record<string, string> = {
   use: 'Use in the game',
   trigger: 'Trigger',
   duration_s: 'Length',
+  duration_min_s: 'Length at least',
+  duration_max_s: 'Length at most',
   length_locked: 'Exact length',
   frame_rate_fps: 'Frame rate',
   loop: 'Loop',
@@ -46,6 +48,8 @@ export const IMPORT_FIELDS: readonly { value: ImportField; label: string }[] = [
       'use',
       'trigger',
       'duration_s',
+      'duration_min_s',
+      'duration_max_s',
       'length_locked',
       'frame_rate_fps',
       'loop',
@@ -93,7 +97,7 @@ const VALUE_WORDS: Record<string, Record<string, string>> = {
 export function valueWord(field: string, value: unknown): string {
   if (value === null || value === undefined || value === '') return 'none'
   if (typeof value === 'boolean') return value ? 'yes' : 'no'
-  if (typeof value === 'number') return field === 'duration_s' ? length(value) : String(value)
+  if (typeof value === 'number') return field.startsWith('duration_') ? length(value) : String(value)
   if (typeof value === 'string') return VALUE_WORDS[field]?.[value] ?? value
   const own = Object.entries(value)
   return own.length === 0 ? 'none' : own.map(([column, text]) => `${column}: ${String(text)}`).join('; ')

@@ -51,6 +51,8 @@ export function CueFields({ draft, faults, categories, columns = [], people = []
       <TextInput {...text('use', 'two')} />
       <TextInput {...text('trigger', 'two')} />
       <TextInput {...text('duration_s')} label="Length, s" inputMode="decimal" />
+      <TextInput {...text('duration_min_s')} label="At least, s" inputMode="decimal" />
+      <TextInput {...text('duration_max_s')} label="At most, s" inputMode="decimal" />
       <TextInput {...text('variations')} inputMode="numeric" />
       <Textarea {...text('description', 'four')} rows={2} classNames={{ input: classes.grows }} />
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />

@@ -9,7 +9,7 @@ import { useTakePlayer } from '@/heard/useTakePlayer'
 import { ReferenceStrip } from '@/references'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { day, length } from '@/ui/format'
+import { day, length, lengthAsked } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { NeedMark } from '@/ui/NeedMark'
 import { ErrorBanner } from '@/ui/ErrorBanner'
@@ -259,7 +259,9 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
     ['Category', cue.category],
     [
       'Length',
-      cue.duration_s !== null &&
+      cue.duration_min_s !== null || cue.duration_max_s !== null
+        ? lengthAsked(cue)
+        : cue.duration_s !== null &&
         (cue.length_locked
           ? `${length(cue.duration_s)}, exact to a frame of ${cue.frame_rate_fps ?? 60} a second`
           : `about ${length(cue.duration_s)}`),

@@ -11,6 +11,8 @@ export interface CueDraft {
   description: string
   trigger: string
   duration_s: string
+  duration_min_s: string
+  duration_max_s: string
   length_locked: boolean
   frame_rate_fps: string
   loop: boolean
@@ -42,6 +44,8 @@ export const EMPTY_DRAFT: CueDraft = {
   description: '',
   trigger: '',
   duration_s: '',
+  duration_min_s: '',
+  duration_max_s: '',
   length_locked: false,
   frame_rate_fps: '',
   loop: false,
@@ -67,6 +71,8 @@ export function draftOf(cue: Cue): CueDraft {
     ...EMPTY_DRAFT,
     ...Object.fromEntries(FIELDS.map((field) => [field, cue[field]])),
     duration_s: typed(cue.duration_s),
+    duration_min_s: typed(cue.duration_min_s),
+    duration_max_s: typed(cue.duration_max_s),
     frame_rate_fps: typed(cue.frame_rate_fps),
     playback_priority: typed(cue.playback_priority),
     variations: String(cue.variations),
@@ -85,6 +91,8 @@ interface Figure {
 
 const FIGURES: Partial<Record<DraftField, Figure>> = {
   duration_s: { wanted: 'seconds such as 1.5' },
+  duration_min_s: { wanted: 'seconds such as 0.5' },
+  duration_max_s: { wanted: 'seconds such as 2' },
   frame_rate_fps: { wanted: 'frames a second such as 60' },
   variations: { wanted: 'a whole number such as 4', whole: true, needed: true },
   playback_priority: { wanted: 'a whole number such as 1', whole: true },

@@ -3,7 +3,7 @@ import { memo, type MouseEvent, type ReactNode, useCallback, useEffect, useMemo,
 
 import { WaveThumb } from '@/audio'
 import { NotHeard } from '@/heard/NotHeard'
-import { figure } from '@/ui/format'
+import { lengthAsked } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { NeedMark } from '@/ui/NeedMark'
 import { SetBlocks } from '@/ui/SetBlocks'
@@ -312,7 +312,7 @@ const Line = memo(function Line(props: LineProps) {
       <td className="mid" title={cue.use}>
         {cue.use}
       </td>
-      <td className="num">{cue.duration_s === null ? '' : figure(cue.duration_s, 2)}</td>
+      <td className="num">{lengthAsked(cue).replace(/ s$/, '')}</td>
       <td className="small mid" data-place="set">
         <SetOrLoop row={row} />
       </td>
