@@ -262,9 +262,9 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
       cue.duration_min_s !== null || cue.duration_max_s !== null
         ? lengthAsked(cue)
         : cue.duration_s !== null &&
-        (cue.length_locked
-          ? `${length(cue.duration_s)}, exact to a frame of ${cue.frame_rate_fps ?? 60} a second`
-          : `about ${length(cue.duration_s)}`),
+          (cue.length_locked
+            ? `${length(cue.duration_s)}, exact to a frame of ${cue.frame_rate_fps ?? 60} a second`
+            : `about ${length(cue.duration_s)}`),
     ],
     ['Plays', cue.loop ? 'as a loop' : 'once'],
     ['Variations', cue.variations > 1 && `a set of ${cue.variations}`],

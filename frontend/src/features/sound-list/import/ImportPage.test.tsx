@@ -20,6 +20,8 @@ const aRow = (row: number, action: string, name: string, more = {}) => ({
   category: 'foley',
   description: '',
   duration_s: 1.2,
+  duration_min_s: null,
+  duration_max_s: null,
   loop: false,
   variations: 1,
   state: 'prototype',
@@ -39,6 +41,10 @@ const PLAN = {
   ...READ,
   header_row: 1,
   columns: COLUMNS,
+  cells: [
+    { row: 2, cells: ['door_open', '1.2', 'calm'] },
+    { row: 3, cells: ['shield_hit', '1.2', ''] },
+  ],
   rows: [
     aRow(2, 'add', 'door_open'),
     aRow(3, 'change', 'shield_hit', {
@@ -75,7 +81,7 @@ test('a dry run says what happens to every row; then it is imported', async () =
   const table = await screen.findByRole('table', { name: 'Rows of the spreadsheet' })
   const [, first, second] = within(table).getAllByRole('row')
   expect(first).toHaveTextContent('2 Add')
-  expect(second).toHaveTextContent(/3 Change\s*SW-001\s*shield_hit.*Length was 0.80 s.*1.20 s/)
+  expect(second).toHaveTextContent(/3 Change\s*shield_hit.*SW-001.*Length was 0.80 s.*1.20 s/)
   expect(sent()[0]).toMatchObject({ format: 'paste', dry_run: true, match: 'number', mapping: {} })
   await userEvent.click(screen.getByRole('button', { name: 'Import 2 cues' }))
   expect(await screen.findByText('1 cue added, 1 changed. The list is at revision 3.')).toBeInTheDocument()
@@ -94,7 +100,7 @@ test('errors stand at their row and stop no other; what is left stays to be fixe
   }))
   await type('Sound\tLen\na\tlong')
   const wrong = await screen.findByRole('row', { name: /Error/ })
-  expect(wrong).toHaveTextContent('Len: wanted seconds such as 1.5, found "long"')
+  expect(wrong).toHaveTextContent('wanted seconds such as 1.5, found "long"')
   expect(within(wrong).getByText('4')).toBeInTheDocument()
   await userEvent.click(screen.getByRole('button', { name: 'Import 1 cue' }))
   expect(await screen.findByText('1 cue added. 1 row left out: fix them below.')).toBeInTheDocument()
@@ -139,6 +145,8 @@ test('what was guessed, skipped and not read is said, and can be undone', async 
   expect(screen.getByText('the middle of 1 to 2 s')).toBeInTheDocument()
   expect(screen.getByText('no field of the list is called so')).toBeInTheDocument()
   expect(screen.getByRole('region', { name: 'File names that the spec refuses' })).toHaveTextContent('DOOR → door')
+  expect(screen.getByRole('rowheader', { name: /door_open/ })).toHaveTextContent('door_open → door')
+  expect(screen.getByRole('row', { name: /UI SOUNDS/ })).toHaveTextContent('5 Section UI SOUNDS in capitals')
   await userEvent.click(screen.getByRole('button', { name: 'Read row 5 as a cue' }))
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ keep_rows: [5] }))
   await userEvent.click(screen.getByRole('button', { name: 'Ambience (9 rows)' }))
@@ -185,6 +193,46 @@ test('a column is read as what the person says; a field moves and is never read 
   expect((sent().at(-1) as { mapping: object }).mapping).toEqual({ Sound: 'category' })
   await userEvent.click(screen.getByRole('button', { name: 'By name' }))
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ match: 'name' }))
+})
+
+test('the grid has the cells of the sheet, each column with what it is read as in its head', async () => {
+  opened({
+    ...PLAN,
+    guesses: [
+      { row: 2, column: 'Len', kind: 'reading', text: '1200 ms', value: '1.2', why: 'milliseconds' },
+      { row: 3, column: 'Mood', kind: 'filled_down', text: '', value: 'calm', why: 'the cell above is merged' },
+    ],
+    cells: [
+      { row: 2, cells: ['door_open', '1200 ms', 'calm'] },
+      { row: 3, cells: ['shield_hit', '1.2', 'calm'] },
+    ],
+    skipped: [{ row: 4, kind: 'total', text: 'TOTAL, 118', why: 'it looks like a sum' }],
+  })
+  await type('Sound\tLen\tMood\na\t1\tcalm')
+  const heads = await screen.findAllByRole('columnheader')
+  expect(heads.map((head) => within(head).queryByRole('combobox')?.getAttribute('aria-label'))).toEqual([
+    undefined,
+    undefined,
+    'Map Sound to',
+    'Map Len to',
+    'Map Mood to',
+    undefined,
+  ])
+  expect(screen.getByRole('cell', { name: '1200 ms → 1.2' })).toHaveAttribute('title', '1200 ms\nmilliseconds')
+  expect(screen.getAllByRole('cell', { name: 'calm' })[1]).toHaveAttribute('data-filled')
+  expect(screen.getByRole('row', { name: /TOTAL, 118/ })).toHaveTextContent('it looks like a sum')
+})
+
+test('lengths in samples are read at a rate that is named and can be changed', async () => {
+  const { sent } = opened({
+    ...PLAN,
+    columns: [{ ...COLUMNS[1], name: 'Length (samples)', why: 'a length in samples at 48,000 Hz' }, COLUMNS[0]],
+  })
+  await type('Length (samples)\tSound\n48000\ta')
+  const rate = await screen.findByRole('combobox', { name: 'Sample rate of lengths in samples' })
+  expect(rate).toHaveDisplayValue('48,000 Hz')
+  await userEvent.selectOptions(rate, '96000')
+  await waitFor(() => expect(sent().at(-1)).toMatchObject({ sample_rate_hz: 96_000 }))
 })
 
 test('typing in the pasted rows keeps what was mapped by hand', async () => {

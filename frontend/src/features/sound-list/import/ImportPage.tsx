@@ -152,6 +152,16 @@ export function ImportPage(): ReactNode {
 
   const skip = (row: number) =>
     setSheet({ ...sheet, read: { ...sheet.read, skip_rows: [...(sheet.read.skip_rows ?? []), row] } })
+  const keep = ({ row, kind }: ImportRead['skipped'][number]) => {
+    const { keep_rows: kept = [], skip_rows: skipped = [] } = sheet.read
+    const change =
+      kind === 'hidden'
+        ? { keep_hidden: true }
+        : kind === 'asked'
+          ? { skip_rows: skipped.filter((each) => each !== row) }
+          : { keep_rows: [...kept, row] }
+    setSheet({ ...sheet, read: { ...sheet.read, ...change } })
+  }
   const edit = (row: number, column: string, text: string) => {
     const others = (sheet.read.edits ?? []).filter((made) => made.row !== row || made.column !== column)
     setSheet({ ...sheet, read: { ...sheet.read, edits: [...others, { row, column, text }] } })
@@ -255,18 +265,37 @@ export function ImportPage(): ReactNode {
 
       {read && (
         <>
-          <Columns
-            own={own?.columns ?? []}
-            read={read}
-            sheet={sheet}
-            problem={problem?.code === 'column-unknown' ? problem.detail : undefined}
-            onMap={(name, field) => setSheet({ ...sheet, mapping: mapped(sheet.mapping, name, field) })}
-            onMatch={(match) => setSheet({ ...sheet, match })}
-            onFillDown={fillDown}
-          />
           <ReadNotes read={read} reading={sheet.read} onRead={(reading) => setSheet({ ...sheet, read: reading })} />
           <RefusedNamesList refused={read.refused_names} />
-          <ImportRows read={read} onSkip={skip} onEdit={edit} onFillDown={fillDown} />
+          {problem?.code === 'column-unknown' && <ErrorBanner detail={problem.detail} />}
+          <ImportRows
+            read={read}
+            head={(column) => (
+              <ColumnHead
+                column={column}
+                own={own?.columns ?? []}
+                isFilledDown={sheet.read.fill_down_columns?.includes(column.name) ?? false}
+                onMap={(field) => setSheet({ ...sheet, mapping: mapped(sheet.mapping, column.name, field) })}
+                onFillDown={() => fillDown(column.name)}
+              />
+            )}
+            match={
+              <Segmented
+                label="Match rows to cues"
+                value={sheet.match}
+                onChange={(match) => setSheet({ ...sheet, match })}
+                options={[
+                  { value: 'number', label: 'By ID' },
+                  { value: 'name', label: 'By name' },
+                  { value: 'add', label: 'Add all as new' },
+                ]}
+              />
+            }
+            onKeep={keep}
+            onSkip={skip}
+            onEdit={edit}
+            onFillDown={fillDown}
+          />
           <footer className={classes.bar} aria-label="Import">
             <div className={classes.says} role="status">
               <p className="strong">{isStale ? 'Reading the spreadsheet' : whatWould(read)}</p>
@@ -325,82 +354,50 @@ function whatWould({ added, changed, same }: ImportRead): string {
   return `${plural(added, 'cue')} to add, ${figure(changed)} to change, ${figure(same)} the same`
 }
 
-interface ColumnsProps {
+interface ColumnHeadProps {
+  column: ImportRead['columns'][number]
   /** The project's own columns, in order. */
   own: readonly OwnColumn[]
-  read: ImportRead
-  sheet: SheetDraft
-  problem: string | undefined
-  onMap: (column: string, field: ImportField) => void
-  onMatch: (match: SheetDraft['match']) => void
-  /** Give the empty cells of a column the value of the cell above, or no longer. */
-  onFillDown: (column: string) => void
+  isFilledDown: boolean
+  onMap: (field: ImportField) => void
+  /** Give the empty cells of the column the value of the cell above, or no longer. */
+  onFillDown: () => void
 }
 
-/** What each column is read as: guessed from its head and its cells, and changed by the person. */
-function Columns({ own, read, sheet, problem, onMap, onMatch, onFillDown }: ColumnsProps) {
-  const known = read.columns.filter(({ field }) => field !== 'extra' && field !== 'ignore').length
+/** A column by its own name, and what it is read as: guessed from its head and its cells, and changed by the person. */
+function ColumnHead({ column: { name, field, why }, own, isFilledDown, onMap, onFillDown }: ColumnHeadProps) {
   return (
-    <Card aria-labelledby="columns">
-      <CardHead
-        id="columns"
-        title="Columns"
-        note={`${known} of ${plural(read.columns.length, 'column')} mapped${
-          read.header_row === null ? '; no header row' : ''
-        }`}
-        end={
-          <Segmented
-            label="Match rows to cues"
-            value={sheet.match}
-            onChange={onMatch}
-            options={[
-              { value: 'number', label: 'By ID' },
-              { value: 'name', label: 'By name' },
-              { value: 'add', label: 'Add all as new' },
-            ]}
-          />
-        }
-      />
-      {problem && <ErrorBanner detail={problem} />}
-      <ul className={classes.columns}>
-        {read.columns.map((column) => (
-          <li key={column.name} data-own={column.field === 'extra' || column.field === 'ignore' || undefined}>
-            <span className="strong cut-text" title={column.name}>
-              {column.name}
-            </span>
-            <Select
-              aria-label={`Map ${column.name} to`}
-              value={column.field}
-              aria-keyshortcuts="Control+D Meta+D"
-              onChange={(event) => onMap(column.name, event.currentTarget.value)}
-              onKeyDown={(event) => {
-                if (!isFillDown(event)) return
-                event.preventDefault()
-                onFillDown(column.name)
-              }}
-            >
-              {own.length > 0 && (
-                <optgroup label="Columns of this list">
-                  {own.map(({ id, name }) => (
-                    <option key={id} value={`own:${name}`}>
-                      {name}
-                    </option>
-                  ))}
-                </optgroup>
-              )}
-              {IMPORT_FIELDS.map(({ value, label }) => (
-                <option key={value} value={value}>
-                  {label}
-                </option>
-              ))}
-            </Select>
-            <span className="small dim cut-text" title={column.samples.join('\n')}>
-              {sheet.read.fill_down_columns?.includes(column.name) ? 'empty cells filled from above; ' : ''}
-              {column.samples.join(', ') || 'empty'}
-            </span>
-          </li>
+    <>
+      <span className="mono cut-text" title={[name, why].filter(Boolean).join('\n')}>
+        {name}
+        {isFilledDown && ' (filled down)'}
+      </span>
+      <Select
+        aria-label={`Map ${name} to`}
+        value={field}
+        aria-keyshortcuts="Control+D Meta+D"
+        onChange={(event) => onMap(event.currentTarget.value)}
+        onKeyDown={(event) => {
+          if (!isFillDown(event)) return
+          event.preventDefault()
+          onFillDown()
+        }}
+      >
+        {own.length > 0 && (
+          <optgroup label="Columns of this list">
+            {own.map(({ id, name: ownName }) => (
+              <option key={id} value={`own:${ownName}`}>
+                {ownName}
+              </option>
+            ))}
+          </optgroup>
+        )}
+        {IMPORT_FIELDS.map(({ value, label }) => (
+          <option key={value} value={value}>
+            {label}
+          </option>
         ))}
-      </ul>
-    </Card>
+      </Select>
+    </>
   )
 }

@@ -1,9 +1,9 @@
-import { type KeyboardEvent, useCallback, useEffect, useMemo, useRef, useState } from 'react'
+import { type KeyboardEvent, type ReactNode, useCallback, useEffect, useMemo, useRef, useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { day, figure } from '@/ui/format'
+import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Segmented } from '@/ui/Segmented'
 
@@ -15,22 +15,44 @@ import { useVirtualRows } from '../useVirtualRows'
 type Shown = 'all' | 'errors' | 'changes'
 type Fault = ImportRead['errors'][number]
 
+type Skipped = ImportRead['skipped'][number]
+type Guess = ImportRead['guesses'][number]
+
 interface SheetRow {
   row: number
+  cells: readonly string[]
   read: ImportRead['rows'][number] | undefined
+  skipped: Skipped | undefined
   faults: Fault[]
+  guesses: Guess[]
+  /** The file name that the spec accepts, where it refuses that of the row. */
+  proposed: string | null
 }
 
 const rowPx = () => 28
 
 /** Rows of the sheet in their order, each with what happens to it and what is wrong with it. */
 function sheetRows(read: ImportRead): SheetRow[] {
-  const rows = new Map<number, SheetRow>(read.rows.map((each) => [each.row, { row: each.row, read: each, faults: [] }]))
-  for (const fault of read.errors) {
-    const row = rows.get(fault.row) ?? { row: fault.row, read: undefined, faults: [] }
-    row.faults.push(fault)
-    rows.set(fault.row, row)
+  const rows = new Map<number, SheetRow>()
+  const at = (row: number): SheetRow => {
+    const kept = rows.get(row) ?? {
+      row,
+      cells: [],
+      read: undefined,
+      skipped: undefined,
+      faults: [],
+      guesses: [],
+      proposed: null,
+    }
+    rows.set(row, kept)
+    return kept
   }
+  for (const { row, cells } of read.cells) at(row).cells = cells
+  for (const each of read.rows) at(each.row).read = each
+  for (const each of read.skipped) at(each.row).skipped = each
+  for (const fault of read.errors) at(fault.row).faults.push(fault)
+  for (const guess of read.guesses) at(guess.row).guesses.push(guess)
+  for (const { row, proposed } of read.refused_names.names) if (row !== null) at(row).proposed = proposed
   return [...rows.values()].sort((a, b) => a.row - b.row)
 }
 
@@ -40,8 +62,23 @@ const WORDS = {
   same: { word: 'Same', icon: 'tick' },
 } as const
 
+const KINDS: Record<Skipped['kind'], string> = {
+  section: 'Section',
+  total: 'Total',
+  head: 'Head',
+  note: 'Note',
+  hidden: 'Hidden',
+  asked: 'Skipped by you',
+}
+
 interface ImportRowsProps {
   read: ImportRead
+  /** What a column is read as, chosen in its head. */
+  head: (column: ImportRead['columns'][number]) => ReactNode
+  /** How rows find their cues. */
+  match: ReactNode
+  /** Read a row that was left out as a cue. */
+  onKeep: (row: Skipped) => void
   /** Leave a row out; it can be read again. */
   onSkip: (row: number) => void
   /** Put another text into a cell. */
@@ -55,10 +92,10 @@ export const isFillDown = ({ key, ctrlKey, metaKey }: KeyboardEvent): boolean =>
   key.toLowerCase() === 'd' && (ctrlKey || metaKey)
 
 /** What would happen to every row; F8 leads from error to error, x leaves the row of the focus out. */
-export function ImportRows({ read, onSkip, onEdit, onFillDown }: ImportRowsProps) {
+export function ImportRows({ read, head, match, onKeep, onSkip, onEdit, onFillDown }: ImportRowsProps) {
   const [current, setCurrent] = useState<number>()
   const all = useMemo(() => sheetRows(read), [read])
-  const columns = useMemo(() => new Set(read.columns.map(({ name }) => name)), [read])
+  const known = read.columns.filter(({ field }) => field !== 'extra' && field !== 'ignore').length
   const wrong = all.filter(({ faults }) => faults.length > 0).length
   const [wanted, setWanted] = useState<Shown>('all')
   const shown: Shown = wanted === 'errors' && wrong === 0 ? 'all' : wanted
@@ -66,7 +103,9 @@ export function ImportRows({ read, onSkip, onEdit, onFillDown }: ImportRowsProps
     () =>
       all.filter(
         (row) =>
-          shown === 'all' || row.faults.length > 0 || (shown === 'changes' && row.read && row.read.action !== 'same'),
+          shown === 'all' ||
+          row.faults.length > 0 ||
+          (shown === 'changes' && row.skipped === undefined && row.read?.action !== 'same'),
       ),
     [all, shown],
   )
@@ -102,10 +141,12 @@ export function ImportRows({ read, onSkip, onEdit, onFillDown }: ImportRowsProps
     <Card aria-labelledby="rows">
       <CardHead
         id="rows"
-        title="Preview"
+        title="Rows"
         count={all.length}
+        note={`${known} of ${plural(read.columns.length, 'column')} mapped${read.header_row === null ? '; no header row' : ''}`}
         end={
-          <>
+          <span className="row wrap">
+            {match}
             {wrong > 0 && (
               <Button keys="F8" onClick={toNextError}>
                 Next error
@@ -121,73 +162,82 @@ export function ImportRows({ read, onSkip, onEdit, onFillDown }: ImportRowsProps
                 ...(wrong > 0 ? [{ value: 'errors' as const, label: `${wrong} with errors` }] : []),
               ]}
             />
-          </>
+          </span>
         }
       />
-      <table ref={table} className={classes.rows} aria-label="Rows of the spreadsheet" aria-rowcount={rows.length + 1}>
-        <thead>
-          <tr>
-            <th scope="col" className={`num ${classes.rowNumber}`}>
-              Row
-            </th>
-            <th scope="col" className={classes.action}>
-              Action
-            </th>
-            <th scope="col" className={classes.label}>
-              ID
-            </th>
-            <th scope="col" className={classes.cue}>
-              Cue
-            </th>
-            <th scope="col" className={classes.category}>
-              Category
-            </th>
-            <th scope="col" className={`num ${classes.length}`}>
-              Length, s
-            </th>
-            <th scope="col">Changes or errors</th>
-          </tr>
-        </thead>
-        <tbody>
-          {beforePx > 0 && <Gap heightPx={beforePx} />}
-          {places.map((at) => {
-            const row = rows[at]
-            return (
-              row && (
-                <Line
-                  key={row.row}
-                  row={row}
-                  at={at}
-                  measure={measure}
-                  isCurrent={row.row === current}
-                  onFocus={() => setCurrent(row.row)}
-                  onSkip={() => onSkip(row.row)}
-                  columns={columns}
-                  onEdit={onEdit}
-                  onFillDown={onFillDown}
-                />
+      <div className={classes.sheet} tabIndex={0} role="group" aria-label="Sheet">
+        <table
+          ref={table}
+          className={classes.rows}
+          aria-label="Rows of the spreadsheet"
+          aria-rowcount={rows.length + 1}
+        >
+          <thead>
+            <tr>
+              <th scope="col" className={`num ${classes.rowNumber}`}>
+                Row
+              </th>
+              <th scope="col" className={classes.action}>
+                Action
+              </th>
+              {read.columns.map((column) => (
+                <th key={column.name} scope="col" data-own={isKept(column.field) || undefined}>
+                  {head(column)}
+                </th>
+              ))}
+              <th scope="col" className={classes.why}>
+                Changes
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {beforePx > 0 && <Gap heightPx={beforePx} columns={read.columns.length + 3} />}
+            {places.map((at) => {
+              const row = rows[at]
+              return (
+                row && (
+                  <Line
+                    key={row.row}
+                    row={row}
+                    at={at}
+                    measure={measure}
+                    isCurrent={row.row === current}
+                    onFocus={() => setCurrent(row.row)}
+                    onSkip={() => onSkip(row.row)}
+                    columns={read.columns}
+                    onKeep={onKeep}
+                    onEdit={onEdit}
+                    onFillDown={onFillDown}
+                  />
+                )
               )
-            )
-          })}
-          {afterPx > 0 && <Gap heightPx={afterPx} />}
-        </tbody>
-      </table>
+            })}
+            {afterPx > 0 && <Gap heightPx={afterPx} columns={read.columns.length + 3} />}
+          </tbody>
+        </table>
+      </div>
     </Card>
   )
 }
 
-function Gap({ heightPx }: { heightPx: number }) {
+const faultText = ({ column, message }: Fault) => (
+  <p key={`${column} ${message}`} className="small tone-bad toned">
+    {message}
+  </p>
+)
+const isKept = (field: string) => field === 'extra' || field === 'ignore'
+
+function Gap({ heightPx, columns }: { heightPx: number; columns: number }) {
   return (
     <tr aria-hidden="true">
-      <td colSpan={7} style={{ height: heightPx, padding: 0, border: 0 }} />
+      <td colSpan={columns} style={{ height: heightPx, padding: 0, border: 0 }} />
     </tr>
   )
 }
 
-interface LineProps extends Pick<ImportRowsProps, 'onEdit' | 'onFillDown'> {
+interface LineProps extends Pick<ImportRowsProps, 'onEdit' | 'onFillDown' | 'onKeep'> {
   row: SheetRow
-  /** The columns that the sheet has: a missing one has no cell to repair. */
-  columns: ReadonlySet<string>
+  columns: ImportRead['columns']
   at: number
   measure: ((row: Element | null) => void) | undefined
   isCurrent: boolean
@@ -195,35 +245,42 @@ interface LineProps extends Pick<ImportRowsProps, 'onEdit' | 'onFillDown'> {
   onSkip: () => void
 }
 
-function Line({
-  row: { row, read, faults },
-  columns,
-  at,
-  measure,
-  isCurrent,
-  onFocus,
-  onSkip,
-  onEdit,
-  onFillDown,
-}: LineProps) {
+function Line({ row, columns, at, measure, isCurrent, onFocus, onSkip, onKeep, onEdit, onFillDown }: LineProps) {
+  const { read, skipped, faults, guesses } = row
   const action = read && WORDS[read.action]
   const isWrong = faults.length > 0
+  const nameColumn = columns.find(({ field }) => field === 'name') ?? columns.find(({ field }) => field === 'file_name')
+  const outside = faults.filter(({ column }) => !columns.some(({ name }) => name === column))
   return (
     <tr
       ref={measure}
       data-index={at}
-      data-row={row}
+      data-row={row.row}
       data-wrong={isWrong || undefined}
+      data-skipped={skipped?.kind}
       aria-rowindex={at + 2}
       tabIndex={isCurrent ? 0 : -1}
       onFocus={onFocus}
     >
-      <td className="num mono dim">{row}</td>
+      <td className="num mono dim">{row.row}</td>
       <td>
         {isWrong ? (
-          <span className="row tone-bad toned">
-            <Icon name="back" /> Error
-          </span>
+          <>
+            <span className="row tone-bad toned">
+              <Icon name="back" /> Error
+            </span>
+            <Button
+              variant="quiet"
+              className="small"
+              keys={isCurrent ? 'x' : undefined}
+              aria-label={`Skip row ${row.row}`}
+              onClick={onSkip}
+            >
+              Skip
+            </Button>
+          </>
+        ) : skipped ? (
+          <span className="row dim">{KINDS[skipped.kind]}</span>
         ) : (
           action && (
             <span className={read.action === 'same' ? 'row dim' : 'row'}>
@@ -232,40 +289,96 @@ function Line({
           )
         )}
       </td>
-      <td className="mono dim">{read?.label ?? ''}</td>
-      <th scope="row" className={classes.cue}>
-        {read?.name ?? faults[0]?.name}
-      </th>
-      <td className="mid">{read?.category}</td>
-      <td className="num">{read?.duration_s == null ? '' : figure(read.duration_s, 2)}</td>
-      <td className="wrap-anywhere">
-        {faults.map((fault, place) => (
-          <div key={place} className="row wrap tone-bad">
-            {fault.column && <span className="strong">{fault.column}: </span>}
-            {fault.column && columns.has(fault.column) && (
-              <CellField
-                key={fault.text}
-                fault={fault}
-                onEdit={(text) => onEdit(row, fault.column ?? '', text)}
-                onFillDown={() => onFillDown(fault.column ?? '')}
-              />
-            )}
-            <span className="toned">{fault.message}</span>
-          </div>
-        ))}
-        {isWrong && (
-          <Button variant="quiet" className="small" keys={isCurrent ? 'x' : undefined} onClick={onSkip}>
-            Skip row {row}
+      {skipped ? (
+        <td className={classes.skipped} colSpan={columns.length}>
+          <span data-struck={skipped.kind === 'total' || skipped.kind === 'asked' || undefined}>{skipped.text}</span>{' '}
+          <span className="small dim">{skipped.why}</span>{' '}
+          <Button
+            variant="quiet"
+            className="small"
+            aria-label={`Read row ${row.row} as a cue`}
+            onClick={() => onKeep(skipped)}
+          >
+            Read as a cue
           </Button>
-        )}
-        {!isWrong && read && read.action === 'change' && <Changes changes={read.changes} />}
-        {!isWrong && read?.action === 'add' && (
-          <span className="mid">
-            {[read.due_on && `Needed by ${day(read.due_on)}`, read.description].filter(Boolean).join('. ')}
-          </span>
-        )}
+        </td>
+      ) : (
+        columns.map((column, place) => (
+          <Cell
+            key={column.name}
+            row={row}
+            column={column}
+            text={row.cells[place] ?? ''}
+            isName={column === nameColumn}
+            fault={faults.find(({ column: name }) => name === column.name)}
+            below={column === nameColumn && outside.length > 0 ? outside.map(faultText) : null}
+            guess={guesses.find(({ column: name }) => name === column.name)}
+            onEdit={onEdit}
+            onFillDown={onFillDown}
+          />
+        ))
+      )}
+      <td className={`wrap-anywhere ${classes.why}`}>
+        {read?.label && <span className="mono dim">{read.label} </span>}
+        {!nameColumn && outside.map(faultText)}
+        {!isWrong && read?.action === 'change' && <Changes changes={read.changes} />}
       </td>
     </tr>
+  )
+}
+
+interface CellProps extends Pick<ImportRowsProps, 'onEdit' | 'onFillDown'> {
+  row: SheetRow
+  column: ImportRead['columns'][number]
+  text: string
+  /** Whether the row is called by this cell. */
+  isName: boolean
+  fault: Fault | undefined
+  /** What is wrong with the row and with none of its cells. */
+  below: ReactNode
+  guess: Guess | undefined
+}
+
+/** A cell as the sheet has it, what it is read as where that is a guess, and its repair. */
+function Cell({ row, column, text, isName, fault, below, guess, onEdit, onFillDown }: CellProps) {
+  const proposed = isName ? row.proposed : null
+  const value = proposed ?? (guess && guess.kind !== 'filled_down' && guess.value !== text ? guess.value : null)
+  const shown = fault ? (
+    <>
+      <CellField
+        key={fault.text}
+        fault={fault}
+        onEdit={(typed) => onEdit(row.row, column.name, typed)}
+        onFillDown={() => onFillDown(column.name)}
+      />
+      {faultText(fault)}
+    </>
+  ) : (
+    <>
+      {text || (isName && (row.read?.name ?? row.faults[0]?.name))}
+      {value !== null && (
+        <span className={proposed ? 'tone-warn toned' : 'mid'}>
+          {' → '}
+          <span className="strong">{value === '' ? 'empty' : value}</span>
+        </span>
+      )}
+    </>
+  )
+  const shared = {
+    'data-own': isKept(column.field) || undefined,
+    'data-filled': guess?.kind === 'filled_down' || undefined,
+    'data-wrong': fault ? true : undefined,
+    title: fault ? undefined : [text, guess?.why].filter(Boolean).join('\n') || undefined,
+  }
+  return isName ? (
+    <th scope="row" {...shared}>
+      {shown}
+      {below}
+    </th>
+  ) : (
+    <td data-cell {...shared}>
+      {shown}
+    </td>
   )
 }
 

@@ -2,7 +2,7 @@ import { useState } from 'react'
 
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { plural } from '@/ui/format'
+import { plural, rate } from '@/ui/format'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
@@ -13,48 +13,36 @@ import type { SheetReading } from './pasted'
 const SHOWN = 8
 const ENCODINGS = ['utf-8', 'windows-1252', 'mac-roman', 'shift-jis', 'gb18030', 'big5', 'euc-kr', 'euc-jp', 'utf-16']
 const RATES = [24, 25, 29.97, 30, 50, 60, 120]
-const KINDS = {
-  section: 'Section',
-  total: 'Total',
-  head: 'Head',
-  note: 'Note',
-  hidden: 'Hidden',
-  asked: 'Skipped by you',
-} as const
-
+const USUAL_SAMPLE_RATE = 48_000 // as the server reads them, unless it is told another
+const SAMPLE_RATES = [44_100, 48_000, 88_200, 96_000, 192_000]
 interface Props {
   read: ImportRead
   reading: SheetReading
   onRead: (reading: SheetReading) => void
 }
 
-const without = (rows: readonly number[] | undefined, row: number) => (rows ?? []).filter((each) => each !== row)
-
-/** What was guessed, skipped and not read, each with its reason and the way back. */
+/** What was guessed and not read, each with its reason and the way back. */
 export function ReadNotes({ read, reading, onRead }: Props) {
   const { tabs, encoding, skipped, guesses, unread } = read
   const asksForRate = unread.some(({ why }) => why.includes('say the frame rate'))
+  const inSamples =
+    read.columns.some(({ why }) => why.includes('in samples')) || guesses.some(({ why }) => / Hz$/.test(why))
   const asksForOrder = read.errors.some(({ message }) => message.includes(' could be '))
   const others = tabs.filter(({ is_read, rows }) => !is_read && rows > 0)
   const filledDown = guesses.some(({ kind }) => kind === 'filled_down')
   const hides = skipped.some(({ kind }) => kind === 'hidden') || unread.some(({ is_kept }) => !is_kept)
-  const asksAnything = asksForRate || asksForOrder || filledDown || hides || reading.keep_hidden === true
+  const asksAnything = asksForRate || inSamples || asksForOrder || filledDown || hides || reading.keep_hidden === true
   if (
-    others.length + skipped.length + guesses.length + unread.length === 0 &&
+    others.length + guesses.length + unread.length === 0 &&
     !encoding?.is_guess &&
     !asksAnything &&
     Object.keys(reading).length === 0
   ) {
     return null
   }
-  const back = (row: number, kind: keyof typeof KINDS) => {
-    if (kind === 'hidden') onRead({ ...reading, keep_hidden: true })
-    else if (kind === 'asked') onRead({ ...reading, skip_rows: without(reading.skip_rows, row) })
-    else onRead({ ...reading, keep_rows: [...(reading.keep_rows ?? []), row] })
-  }
   return (
     <Card aria-labelledby="how-read">
-      <CardHead id="how-read" title="How the sheet was read" note="Guesses, and what was left out" />
+      <CardHead id="how-read" title="How the sheet was read" note="Guesses, and columns that were left out" />
       <div className={`grid gap-3 wrap-anywhere ${classes.notes}`}>
         {tabs.length > 1 && (
           <div>
@@ -102,6 +90,21 @@ export function ReadNotes({ read, reading, onRead }: Props) {
             </Select>
           </label>
         )}
+        {(inSamples || reading.sample_rate_hz) && (
+          <label>
+            <span className="strong">Sample rate of lengths in samples</span>
+            <Select
+              value={String(reading.sample_rate_hz ?? USUAL_SAMPLE_RATE)}
+              onChange={(event) => onRead({ ...reading, sample_rate_hz: Number(event.currentTarget.value) })}
+            >
+              {SAMPLE_RATES.map((hz) => (
+                <option key={hz} value={hz}>
+                  {rate(hz)}
+                </option>
+              ))}
+            </Select>
+          </label>
+        )}
         {(asksForOrder || reading.day_first != null) && (
           <Select
             label="Dates such as 4/5/2026"
@@ -122,7 +125,7 @@ export function ReadNotes({ read, reading, onRead }: Props) {
               checked={reading.fill_down !== false}
               onChange={(event) => onRead({ ...reading, fill_down: event.currentTarget.checked })}
             />
-            Fill merged cells down
+            Fill down merged cells, and categories from titles of sections
           </label>
         )}
         {(hides || reading.keep_hidden === true) && (
@@ -145,21 +148,6 @@ export function ReadNotes({ read, reading, onRead }: Props) {
             Rename files that the delivery spec refuses
           </label>
         )}
-        <Notes title={`${plural(skipped.length, 'row')} not read as cues`} count={skipped.length}>
-          {(limit) =>
-            skipped.slice(0, limit).map(({ row, kind, text, why }) => (
-              <li key={row} className="row wrap">
-                <span className="mono dim">{row}</span>
-                <span className="strong">{KINDS[kind]}</span>
-                <span>{text}</span>
-                <span className="mid">{why}</span>
-                <Button onClick={() => back(row, kind)} aria-label={`Read row ${row} as a cue`}>
-                  Read as a cue
-                </Button>
-              </li>
-            ))
-          }
-        </Notes>
         <Notes title={`${plural(guesses.length, 'cell')} read by a guess`} count={guesses.length}>
           {(limit) =>
             guesses.slice(0, limit).map(({ row, column, text, value, why }, place) => (
