@@ -58,7 +58,7 @@ def sign(
         order=amendment_order_of(session, contract),
         given=given,
         new_acceptance=partial(AmendmentAcceptance, text_sha256=text_sha256),
-        put_on_record=lambda signed: record.append(session, contract.id, kind, facts | signed, by=actor.person),
+        put_on_record=lambda signed: record.append(session, contract.id, kind, {**facts, **signed}, by=actor.person),
     )
     if Party.STUDIO in turn.parties and turn.signer is not None:
         publish(
