@@ -13,6 +13,8 @@ const SHARED_BY = 3
 const PARTS = /\/src\/(api|app|ui)\//
 /** What the pages share on which sounds are made and judged. */
 const WORK = /\/src\/(audio|judging|money)\//
+/** The page that plays and measures sounds, and on which nobody judges: it loads nothing of verdicts. */
+const DESK = /\/src\/features\/desk\/DeskPage\.tsx$/
 /** What the desk and a version's page share, and those on which sounds are judged do not need. */
 const FIXING = /\/src\/fixing\//
 
@@ -43,6 +45,10 @@ export function chunkNames(main: string): (id: string, graph: ModuleGraph) => st
     const base = reachedFrom([main], graph)
     base.delete(main) // the entry stays one of its own, so that the page has something to start
     const pages = new Set([...base].flatMap((id) => graph.getModuleInfo(id)?.dynamicallyImportedIds ?? []))
+    const desk = reachedFrom(
+      [...pages].filter((id) => DESK.test(id)),
+      graph,
+    )
     const sharers = new Map<string, number>()
     for (const page of pages) {
       for (const id of reachedFrom([page], graph)) sharers.set(id, (sharers.get(id) ?? 0) + 1)
@@ -51,7 +57,7 @@ export function chunkNames(main: string): (id: string, graph: ModuleGraph) => st
     for (const [id, count] of sharers) {
       if (count === 1 || base.has(id) || drawsInMantine(id, graph)) continue
       if (FIXING.test(id)) names.set(id, 'fixing')
-      else if (WORK.test(id)) names.set(id, 'work')
+      else if (WORK.test(id)) names.set(id, desk.has(id) ? 'work' : 'verdicts')
       else if (count >= SHARED_BY && PARTS.test(id)) names.set(id, 'parts')
     }
     return names

@@ -16,7 +16,7 @@ test('a renamed file is sent with the name that it had', async () => {
     path,
   })
   const { asked } = serve({
-    'GET /v1/projects/p1/deliveries': { items: [{ id: 'd1', closed_at: null }], next_cursor: null },
+    'GET /v1/projects/p1/deliveries': { items: [{ id: 'd1', closed_at: null }], next: null },
     'POST /v1/deliveries/d1/files': { id: 't1', state: 'received' },
   })
   const uploads = new DeliveryUploads(new QueryClient(), 'p1', ANY_FILE)

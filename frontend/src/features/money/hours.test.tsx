@@ -99,7 +99,7 @@ beforeEach(() => {
     .on(`GET /v1/projects/${PROJECT}/sound-list`, {
       revision: 1,
       cues: [{ id: 'ping', label: 'SW-005', name: 'radar_ping', state: 'wanted', category: '' }],
-      next_cursor: null,
+      next: null,
     })
     .on(DAYS, [WAITING])
 })

@@ -29,7 +29,7 @@ describe('projects', () => {
     serve({
       ...answers,
       'GET /v1/me': { ...(answers['GET /v1/me'] as object), studios: [], projects: [] },
-      'GET /v1/projects': { items: [], next_cursor: null },
+      'GET /v1/projects': { items: [], next: null },
       'GET /v1/postings': [{ ...posting, takes_bids: true, bids_until_on: '2027-01-05', own_bid: null }],
     })
     openApp('/projects')
