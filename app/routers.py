@@ -36,6 +36,7 @@ from app.conformance.endpoints import router as conformance
 from app.dashboards.contract_endpoints import router as contract_dashboards
 from app.dashboards.credits.endpoints import router as credit_lists
 from app.dashboards.due.endpoints import router as due_calendars
+from app.dashboards.effort.endpoints import router as efforts
 from app.dashboards.endpoints import router as dashboards
 from app.dashboards.hours.endpoints import router as project_hours
 from app.dashboards.live_changes.endpoints import router as events
@@ -141,6 +142,7 @@ BASE_ROUTERS: tuple[APIRouter, ...] = (
     game_files,
     dashboards,
     credit_lists,
+    efforts,
     project_hours,
     pictures,
     events,

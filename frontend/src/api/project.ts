@@ -6,6 +6,13 @@ export const projectQuery = queryById('/v1/projects/{project_id}', queryKeys.pro
 /** The people of a studio, for those of them who run a project. */
 export const studioPeopleQuery = queryById('/v1/studios/{studio_id}/people', queryKeys.studioPeople)
 
+/** Kinds of game that a list can be started from: part of the product, so they stay as long as the page is open. */
+export const kitsQuery = queryOptions({
+  queryKey: queryKeys.kits(),
+  queryFn: () => answered(api.GET('/v1/kits')),
+  staleTime: Infinity,
+})
+
 /** The categories of the sound list, with the number of their cues. */
 export const categoriesQuery = queryById('/v1/projects/{project_id}/categories', queryKeys.categories)
 

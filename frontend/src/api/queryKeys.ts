@@ -179,6 +179,8 @@ export const queryKeys = {
   desk: family<[projectId: string, list?: string]>('desk'),
   overview: family<[projectId: string]>('overview'),
   hours: family<[projectId: string]>('hours'),
+  effort: family<[projectId: string, of?: object]>('effort'),
+  sizeEstimate: family<[projectId: string, kit: string, revision: number]>('size-estimate'),
   pace: family<[projectId: string]>('pace'),
   progress: family<[projectId: string, part?: 'cues' | 'counts']>('progress'),
   erasure: family<[kind: string, id: string]>('erasure'),

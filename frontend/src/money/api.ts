@@ -31,6 +31,24 @@ export type WorkedDay = Schemas['WorkedDayRead']
 export type WorkedDayAdd = Schemas['WorkedDayAdd']
 export type Hours = Schemas['HoursRead']
 export type WorkLogAdd = Schemas['WorkLogAdd']
+export type Effort = Schemas['Effort']
+
+interface EffortOf {
+  posting_id?: string
+  contract_id?: string
+  begin_on?: string
+  due_on?: string
+  weekly_hours?: number
+}
+
+/** Hours of the cues of a posting or a contract, and the days on which they can be done. */
+export const effortQuery = (projectId: string, query: EffortOf) =>
+  queryOptions({
+    queryKey: queryKeys.effort(projectId, query),
+    queryFn: () =>
+      answered(api.GET('/v1/projects/{project_id}/effort', { params: { path: { project_id: projectId }, query } })),
+    placeholderData: keepPreviousData,
+  })
 
 export const moneyQuery = queryById('/v1/projects/{project_id}/money', queryKeys.money)
 

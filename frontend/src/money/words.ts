@@ -1,6 +1,6 @@
-import { plural } from '@/ui/format'
+import { figure, plural, shortDay } from '@/ui/format'
 
-import type { CueMoney } from './api'
+import type { CueMoney, Effort } from './api'
 
 /** Sums as people read them: "$7,200.00", a true minus, as many decimals as the currency has. */
 
@@ -85,3 +85,35 @@ export const conceptWords = (
   currency: string,
 ): string =>
   `${count} of ${plural(cues, 'cue')} ${count === 1 ? 'is a concept' : 'are concepts'} still, for ${money(minor, currency)}: settle ${count === 1 ? 'it' : 'them'} before you order, or the work may be thrown away.`
+
+/** "140–190 h", "1.2–2.8 h": hours from and to, whole from five on. */
+export function hoursRange({ low_h: low, high_h: high }: { low_h: number; high_h: number }): string {
+  const whole = (hour: number) => figure(hour, hour < 5 && Math.round(hour * 10) % 10 !== 0 ? 1 : 0)
+  return whole(low) === whole(high) ? `${whole(high)} h` : `${whole(low)}–${whole(high)} h`
+}
+
+const BASIS_WORDS: Record<Effort['lines'][number]['basis'], string> = {
+  plan: 'the estimates of the plan',
+  designer: 'the hours that this designer logged with you',
+  studio: 'the hours that were logged with you',
+  usual: 'usual figures',
+}
+
+/** "the hours that were logged with you (12 cues)". */
+export const basisWords = ({ basis, based_on: count }: Effort['lines'][number]): string =>
+  `${BASIS_WORDS[basis]}${count > 0 ? ` (${plural(count, 'cue')})` : ''}`
+
+/** "60 cues, 143 files: about 140–190 h, by usual figures." */
+export function effortWords(effort: Effort): string {
+  const bases = [...new Set(effort.lines.map(({ basis }) => BASIS_WORDS[basis]))]
+  return `${plural(effort.cues, 'cue')}, ${plural(effort.files, 'file')}: about ${hoursRange(effort)}, by ${bases.join(' and ')}.`
+}
+
+/** "At 30 h a week from 2 March, done between 12 March and 2 April." */
+export function effortDays({ weekly_hours, begin_on, earliest_on, latest_on }: Effort): string {
+  const pace = `At ${figure(weekly_hours)} h a week from ${shortDay(begin_on)}`
+  if (earliest_on === null) return `${pace}, not done within five years.`
+  if (latest_on === null) return `${pace}, done on ${shortDay(earliest_on)} at the earliest.`
+  if (earliest_on === latest_on) return `${pace}, done by ${shortDay(latest_on)}.`
+  return `${pace}, done between ${shortDay(earliest_on)} and ${shortDay(latest_on)}.`
+}

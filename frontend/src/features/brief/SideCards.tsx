@@ -1,18 +1,21 @@
 import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, type LinkProps } from '@tanstack/react-router'
+import { useState } from 'react'
 
 import { proposalQuery, useApplyProposal } from '@/api/briefSpec'
-import { coverageQuery } from '@/api/project'
+import { coverageQuery, kitsQuery } from '@/api/project'
 import { useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
+import { hoursRange } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
+import { Select } from '@/ui/Select'
 import { plural } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 
-import { type Brief, readsQuery, usePublishBrief } from './api'
+import { type Brief, readsQuery, sizeQuery, usePublishBrief } from './api'
 import classes from './Brief.module.css'
 import type { Saving } from './useAnswers'
 import { questionsOf, refused } from './words'
@@ -28,6 +31,7 @@ export function SideCards({ projectId, brief, saving }: SideCardsProps) {
     <>
       <SpecCard projectId={projectId} mayApply={brief.may_answer} saving={saving} />
       {brief.may_answer && <PublishCard projectId={projectId} brief={brief} saving={saving} />}
+      {brief.may_answer && <SizeCard projectId={projectId} revision={brief.revision} />}
       <CoverageCard projectId={projectId} />
       <OpenCard projectId={projectId} brief={brief} />
     </>
@@ -176,6 +180,48 @@ function CoverageCard({ projectId }: { projectId: string }) {
           To the sound list
         </Link>
       </p>
+    </section>
+  )
+}
+
+/** How many sounds, and hours of work, the answers lead to before there is a list. */
+function SizeCard({ projectId, revision }: { projectId: string; revision: number }) {
+  const [kit, setKit] = useState('')
+  const { data: kits } = useQuery(kitsQuery)
+  const { data: size } = useQuery(sizeQuery(projectId, kit, revision))
+  if (!size || size.lines.length === 0) return null
+  const { low_cues: low, high_cues: high, listed_cues: listed, unknown } = size
+  return (
+    <section aria-label="Size">
+      <CardHead title="Size" note="a guess" />
+      <div className={classes.sideBody}>
+        <p>{`About ${low === high ? plural(high, 'cue') : `${low}–${high} cues`}, ${hoursRange(size)} of work. The list has ${listed}.`}</p>
+        <details className="small">
+          <summary>By scene and category</summary>
+          <ul>
+            {size.lines.map((line) => (
+              <li key={`${line.scene} ${line.category}`}>
+                {`${line.scene ? `${line.scene}, ` : ''}${line.category}: ${line.low_cues === line.high_cues ? plural(line.high_cues, 'cue') : `${line.low_cues}–${line.high_cues} cues`}, ${hoursRange(line)}`}
+              </li>
+            ))}
+          </ul>
+          {unknown.length > 0 && <p className="mid">{`Not counted: ${unknown.join(', ')}.`}</p>}
+          <p className="mid">
+            Ambience and music come from the scenes, the rest from the starter kits: their share of the cues that a
+            small game usually has.
+          </p>
+        </details>
+        {kits && (
+          <Select label="Compared with" value={kit} onChange={({ currentTarget: { value } }) => setKit(value)}>
+            <option value="">Small games of all kinds</option>
+            {kits.map(({ key, name }) => (
+              <option key={key} value={key}>
+                {name}
+              </option>
+            ))}
+          </Select>
+        )}
+      </div>
     </section>
   )
 }

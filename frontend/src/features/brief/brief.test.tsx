@@ -5,7 +5,7 @@ import { describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { inProject } from '@/test/project'
-import { answer, type Asked, refusal, serve, wrote } from '@/test/server'
+import { answer, type Answers, type Asked, refusal, serve, wrote } from '@/test/server'
 
 interface Kept {
   value: unknown
@@ -58,10 +58,11 @@ class BriefServer {
   readonly part: 'producer' | 'designer'
   readonly asked: readonly Asked[]
 
-  constructor(part: 'producer' | 'designer' = 'producer') {
+  constructor(part: 'producer' | 'designer' = 'producer', more: Answers = {}) {
     this.part = part
     const { asked } = serve(
       inProject(part, {
+        ...more,
         'GET /v1/projects/p1/desk': refusal(403, 'x', 'no desk'),
         'GET /v1/projects/p1/brief': () => this.brief(),
         'PATCH /v1/projects/p1/brief': ({ body }: Asked) => this.save(body),
@@ -293,6 +294,23 @@ describe('both sides', () => {
       'Void is silent: neither ambience nor music',
       'Shield hit has no cue on the list',
     ])
+  })
+
+  test('the answers lead to a number of sounds and hours, by scene and category', async () => {
+    const line = (scene: string, category: string, low: number, high: number) => ({
+      ...{ scene, category, low_cues: low, high_cues: high, low_h: low * 2, high_h: high * 2 },
+    })
+    const estimate = {
+      ...{ low_cues: 19, high_cues: 53, low_h: 38, high_h: 106, listed_cues: 4, unknown: ['cinematic'] },
+      lines: [line('Harbour', 'ambience', 1, 2), line('', 'ui', 18, 51)],
+    }
+    new BriefServer('producer', { 'GET /v1/projects/p1/size-estimate': estimate })
+    openApp('/projects/p1/brief')
+    const size = await screen.findByRole('region', { name: 'Size' })
+    expect(size).toHaveTextContent('About 19–53 cues, 38–106 h of work. The list has 4.')
+    await userEvent.click(within(size).getByText('By scene and category'))
+    expect(within(size).getAllByRole('listitem')[0]).toHaveTextContent('Harbour, ambience: 1–2 cues, 2–4 h')
+    expect(within(size).getByText('Not counted: cinematic.')).toBeVisible()
   })
 
   test('a designer reads, which is recorded, and asks', async () => {

@@ -7,6 +7,7 @@ import { invalidate, queryKeys } from '@/api/queryKeys'
 import { useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { type Plan, planCheckQuery, proposedPlanQuery, useSavePlan } from '@/money/api'
+import { EffortLine } from '@/money/EffortLine'
 import { amount, minorOf, money, percent } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
@@ -207,6 +208,7 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
           )}
         </>
       )}
+      <EffortLine projectId={contract.project_id} contractId={contract.id} dueOn={lastDay(parts)} />
       <Refusal error={price.error ?? savePlan.error} />
       <div className={contractClasses.buttons}>
         {!isSaved && (
@@ -231,6 +233,10 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
     </form>
   )
 }
+
+/** The last day on which a part is due; empty where no part has one. */
+const lastDay = (parts: readonly Part[]): string =>
+  parts.reduce((last, { due_on: dueOn }) => (dueOn && dueOn > last ? dueOn : last), '')
 
 const EditPlan = ({ back }: { back: string }) => (
   <ButtonLink component={Link} variant="quiet" to={`${back}/plan`}>

@@ -5,6 +5,7 @@ import { type FormEvent, type ReactNode, useState } from 'react'
 import { type Draft, DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { MailedLink } from '@/mails'
+import { EffortLine } from '@/money/EffortLine'
 import { amount, minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -360,6 +361,11 @@ function Fields({ posting, fields, set, draft, unsavedCurrency, isSaving, onSubm
           value={fields.to}
           onChange={({ currentTarget }) => set({ to: currentTarget.value })}
         />
+        {fields.phase === 'production' && (
+          <div className={classes.wide}>
+            <EffortLine projectId={posting.project_id} postingId={posting.id} beginOn={fields.from} dueOn={fields.to} />
+          </div>
+        )}
         <Checkbox
           className={classes.wide}
           label="Show the budget to designers"

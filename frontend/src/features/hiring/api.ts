@@ -66,7 +66,7 @@ function usePostingChange<T>(postingId: string, change: (value: T) => Promise<Po
     mutationFn: change,
     onSuccess: (posting) => {
       client.setQueryData(postingQuery(postingId).queryKey, posting)
-      return invalidate(client, queryKeys.postings(posting.project_id))
+      return invalidate(client, queryKeys.postings(posting.project_id), queryKeys.effort(posting.project_id))
     },
   })
 }

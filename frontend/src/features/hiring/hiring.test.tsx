@@ -242,6 +242,34 @@ const draftOpened = (more: Partial<Posting> = {}) => {
 const writes = ({ asked }: ListServer) =>
   asked.filter(({ method }) => method !== 'GET').map(({ method, path }) => `${method} ${path}`)
 
+test('a day that the work cannot keep is said before the posting opens, with the arithmetic', async () => {
+  const effort = {
+    ...{ cues: 4, files: 11, low_h: 140.2, high_h: 190, concepts: 1, begin_on: '2027-01-04', due_on: '2027-01-20' },
+    ...{ weekly_hours: 30, weekly_hours_from: 'assumed', earliest_on: '2027-02-05', latest_on: '2027-02-17' },
+    fit: 'impossible',
+    lines: [
+      { category: 'foley', cues: 3, files: 10, low_h: 120, high_h: 160, basis: 'studio', based_on: 12 },
+      { category: 'ui', cues: 1, files: 1, low_h: 20.2, high_h: 30, basis: 'usual', based_on: 0 },
+    ],
+  }
+  const server = new ListServer([], {}, 'team')
+  server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft', work_to_on: '2027-01-20' })
+  server.answers['GET /v1/projects/shield-wing/effort'] = effort
+  openApp(`${server.path.replace('/sound-list', '')}/postings/p1`)
+  const line = await screen.findByRole('group', { name: 'Effort' })
+  expect(line).toHaveTextContent(
+    '4 cues, 11 files: about 140–190 h, by the hours that were logged with you and usual figures. ' +
+      'At 30 h a week from 4 January 2027, done between 5 February 2027 and 17 February 2027.',
+  )
+  expect(within(line).getByRole('status')).toHaveTextContent('20 January 2027 is too early for this work.')
+  await userEvent.click(within(line).getByText('How it is counted'))
+  expect(line).toHaveTextContent('foley: 3 cues, 10 files, 120–160 h, by the hours that were logged with you (12 cues)')
+  fireEvent.change(within(line).getByLabelText('Hours a week'), { target: { value: '60' } })
+  fireEvent.change(screen.getByLabelText('Work to'), { target: { value: '2027-03-01' } })
+  const last = () => server.asked.filter(({ path }) => path.endsWith('/effort')).at(-1)?.query
+  await waitFor(() => expect([last()?.get('weekly_hours'), last()?.get('due_on')]).toEqual(['60', '2027-03-01']))
+})
+
 test('what opens a posting saves first what is typed, and publishes that', async () => {
   const server = draftOpened({ text: '' })
   server.answers['PUT /v1/postings/p1'] = aPosting({ state: 'draft', revision: 3, currency: 'EUR', text: 'Fights.' })

@@ -2,6 +2,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
 import { useEffect, useRef } from 'react'
 
+import { kitsQuery } from '@/api/project'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
@@ -15,7 +16,7 @@ import { KeysLine } from '@/ui/KeysLine'
 import { PageHead } from '@/ui/PageHead'
 
 import { type CueAdd, problemIn, useAddCues, useRights } from '../api'
-import { type Kit, kitQuery, type KitRow, kitsQuery, useUndoAddition } from './api'
+import { type Kit, kitQuery, type KitRow, useUndoAddition } from './api'
 import classes from './Kits.module.css'
 
 const GROUP = 'Kit'
