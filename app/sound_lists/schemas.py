@@ -557,7 +557,7 @@ class ClarityRead(Schema):
 
 
 class FactAnswer(Schema):
-    """An answer, which is written into the cue's description."""
+    """An answer, which is written into the cue's description or category."""
 
     text: str = Field(min_length=1, max_length=200)
 

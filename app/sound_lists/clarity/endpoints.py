@@ -43,7 +43,7 @@ def _shown(question: Question) -> FactQuestion:
 def answer_fact(
     cue_id: UUID, fact: Fact, body: FactAnswer, session: DbSession, actor: Actor = allows(Audience.TEAM)
 ) -> None:
-    """Write an answer into the cue's description."""
+    """Write an answer into the cue's description; that of the category becomes its category."""
     clarity.answer(session, actor, cue_id, fact, body.text)
 
 

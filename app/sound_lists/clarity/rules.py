@@ -44,6 +44,7 @@ class Fact(StrEnum):
     CHARACTER = "character"
     WORDS = "words"
     DIRECTION = "direction"
+    CATEGORY = "category"  # written into the cue's category, not into its description
 
 
 @dataclass(frozen=True)
@@ -264,6 +265,12 @@ def categories_spoken_of(text: str) -> frozenset[str]:
 def words_in(text: str) -> frozenset[str]:
     """Return the words of a text in lower case, without numbers."""
     return frozenset(_found_words(text))
+
+
+@lru_cache(CACHED)
+def forms_in(text: str) -> frozenset[str]:
+    """Return the words of a text in every form that a lexicon may have them in."""
+    return frozenset[str]().union(*map(_forms, _found_words(text)))
 
 
 def _open_in_voice_line(description: str, described: Collection[Word]) -> tuple[Question, ...]:

@@ -63,7 +63,7 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
       <Refusal error={problem} />
       <div className="row wrap">
         <span className="small dim">
-          Each answer is added to the description. Unclear cues can be delivered all the same.
+          Each answer is added to the description, or becomes the category. Unclear cues can be delivered all the same.
         </span>
         <Button className="end" keys="Escape" onClick={onClose}>
           Close
