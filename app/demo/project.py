@@ -249,6 +249,7 @@ class _Maker:
                 facts = {
                     "caption": demo_reference.caption,
                     "terms": demo_reference.terms,
+                    "words": demo_reference.words,
                     "start_s": demo_reference.start_s,
                     "end_s": demo_reference.end_s,
                 }

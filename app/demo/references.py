@@ -30,6 +30,7 @@ class DemoReference:
     content: bytes
     caption: str
     terms: str = ""
+    words: str = ""
     start_s: float | None = None
     end_s: float | None = None
 
@@ -45,7 +46,7 @@ def demo_references() -> list[DemoReference]:
         DemoReference("vo_oath", "scene_14.txt", STORY.encode(), "The page of the story that it belongs to"),
         DemoReference(
             "shield_hit", "low_thump.wav", _thump(), "The weight of this, not its colour",
-            terms="For reference only: may not be shipped", start_s=0.2, end_s=0.9,
+            terms="For reference only: may not be shipped", words="heavy, weight", start_s=0.2, end_s=0.9,
         ),
         DemoReference("coolant_splash", "tank.png", _tank(), "The tank on the lower deck, seen from the walkway"),
         DemoReference(

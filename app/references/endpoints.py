@@ -43,12 +43,13 @@ def list_references(
     project_id: UUID,
     session: DbSession,
     cue_id: Annotated[UUID | None, Query(description="Only those of this cue and of its category.")] = None,
+    words: Annotated[bool, Query(description="Only those that show words.")] = False,
     cursor: str | None = None,
     actor: Actor = MAY_SEE,
 ) -> Page[ReferenceRead]:
     """Return the references of a project, the one added last first."""
     access, versions = service.on_board(
-        session, actor, project_id, cue_id=cue_id, before=uuid_cursor(cursor), limit=PAGE + 1
+        session, actor, project_id, cue_id=cue_id, only_words=words, before=uuid_cursor(cursor), limit=PAGE + 1
     )
     shown = versions[:PAGE]
     following = cursor_of(shown[-1].reference_id) if len(versions) > PAGE else None

@@ -30,6 +30,7 @@ class Reference(StudioOwned, Base):
     category: Mapped[str | None]
     caption: Mapped[str]
     terms: Mapped[str]  # under which a licensed original may be used
+    words: Mapped[str] = mapped_column(default="")  # that it shows: "warm, crunchy"
     start_s: Mapped[float | None]
     end_s: Mapped[float | None]
     newest_number: Mapped[int]

@@ -21,13 +21,15 @@ class PinnedTo(NamedTuple):
 
 
 def newest_versions(
-    session: Session, project_id: UUID, *, pinned_to: PinnedTo | None, before: UUID | None, limit: int
+    session: Session, project_id: UUID, *, pinned_to: PinnedTo | None, only_words: bool, before: UUID | None, limit: int
 ) -> Sequence[ReferenceVersion]:
     """Return the newest version of each reference on the board, the reference added last first."""
     query = _newest().where(Reference.project_id == project_id)
     if pinned_to is not None:
         # A cue without a category has an empty one, which no reference is pinned to.
         query = query.where(or_(Reference.cue_id == pinned_to.cue_id, Reference.category == pinned_to.category))
+    if only_words:
+        query = query.where(Reference.words != "")
     if before is not None:
         query = query.where(Reference.id < before)
     return session.scalars(query.order_by(Reference.id.desc()).limit(limit)).all()

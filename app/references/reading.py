@@ -26,6 +26,7 @@ def read_references(
             cue=PinnedCue.model_validate(cues[reference.cue_id]) if reference.cue_id else None,
             category=reference.category,
             caption=reference.caption,
+            words=reference.words,
             terms=reference.terms,
             start_s=reference.start_s,
             end_s=reference.end_s,

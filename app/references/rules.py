@@ -155,3 +155,9 @@ def ensure_range(kind: ReferenceKind, start_s: float | None, end_s: float | None
 
 def _bad(where: str, message: str) -> ReferenceInvalid:
     return ReferenceInvalid(message, errors=[FieldProblem(where=where, message=message)])
+
+
+def tidy_words(text: str) -> str:
+    """Return words that are separated by commas in lower case, none twice, in their order: "warm, crunchy"."""
+    words = (" ".join(word.split()).lower() for word in text.split(","))
+    return ", ".join(dict.fromkeys(word for word in words if word))

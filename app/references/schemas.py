@@ -4,16 +4,18 @@ from datetime import datetime
 from typing import Annotated
 from uuid import UUID
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from app.accounts.schemas import PersonBrief
 from app.core.web.http import Schema
-from app.references.rules import MAX_RANGE_S, MAX_URL_CHARS, PreviewState, ReferenceKind
+from app.references.rules import MAX_RANGE_S, MAX_URL_CHARS, PreviewState, ReferenceKind, tidy_words
 
 MAX_CAPTION_CHARS = 500
 MAX_TERMS_CHARS = 1_000
+MAX_WORDS_CHARS = 200
 MAX_MARKS = 500  # of a clip, which become cues at once
 Caption = Annotated[str, Field(max_length=MAX_CAPTION_CHARS, pattern="^[^\\x00]*$")]
+Words = Annotated[str, Field(max_length=MAX_WORDS_CHARS, pattern="^[^\\x00]*$"), AfterValidator(tidy_words)]
 Terms = Annotated[str, Field(max_length=MAX_TERMS_CHARS, pattern="^[^\\x00]*$")]
 Address = Annotated[str, Field(max_length=MAX_URL_CHARS, pattern="^[^\\x00]*$")]
 Category = Annotated[str, Field(min_length=1, max_length=200, pattern="^[^\\x00]*$")]
@@ -34,6 +36,7 @@ class ReferenceAdd(ReferenceContent):
     category: Category | None = None
     caption: Caption = ""
     terms: Terms = Field("", description="Under which it may be used, as in: licensed original, may not be shipped.")
+    words: Words = Field("", description="That it shows, separated by commas, as in: warm, crunchy.")
     start_s: Seconds | None = Field(None, description="Where the meant part of a sound or clip begins.")
     end_s: Seconds | None = None
 
@@ -45,6 +48,7 @@ class ReferenceChange(Schema):
     category: Category | None = None
     caption: Caption = ""
     terms: Terms = ""
+    words: Words = ""
     start_s: Seconds | None = None
     end_s: Seconds | None = None
 
@@ -102,6 +106,7 @@ class ReferenceRead(Schema):
     category: str | None
     caption: str
     terms: str
+    words: str = Field(description="That it shows, separated by commas.")
     start_s: float | None
     end_s: float | None
     added_at: datetime

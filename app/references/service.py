@@ -65,9 +65,16 @@ def ensure_may_continue(session: Session, actor: Actor, scope: str) -> None:
 
 
 def on_board(
-    session: Session, actor: Actor, project_id: UUID, *, cue_id: UUID | None, before: UUID | None, limit: int
+    session: Session,
+    actor: Actor,
+    project_id: UUID,
+    *,
+    cue_id: UUID | None,
+    only_words: bool,
+    before: UUID | None,
+    limit: int,
 ) -> tuple[ProjectAccess, Sequence[ReferenceVersion]]:
-    """Return the references of a project, or of one cue and its category, newest first."""
+    """Return the references of a project, of one cue and its category, or those that show words; newest first."""
     access = project_access(session, actor, project_id)
     pinned_to = None
     if cue_id is not None:
@@ -75,7 +82,9 @@ def on_board(
         if cue is None or cue.project_id != project_id:
             raise CueNotFound(f"no cue {cue_id}")
         pinned_to = queries.PinnedTo(cue.id, cue.category)
-    return access, queries.newest_versions(session, project_id, pinned_to=pinned_to, before=before, limit=limit)
+    return access, queries.newest_versions(
+        session, project_id, pinned_to=pinned_to, only_words=only_words, before=before, limit=limit
+    )
 
 
 def add(

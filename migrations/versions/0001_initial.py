@@ -1719,6 +1719,7 @@ def upgrade() -> None:
         sa.Column("category", sa.String()),
         sa.Column("caption", sa.String(), nullable=False),
         sa.Column("terms", sa.String(), nullable=False),
+        sa.Column("words", sa.String(), nullable=False),
         sa.Column("start_s", sa.Double()),
         sa.Column("end_s", sa.Double()),
         sa.Column("newest_number", sa.Integer(), nullable=False),

@@ -73,9 +73,9 @@ export const queryKeys = {
 
   // references
   references:
-    family<[projectId: string, part?: 'board' | 'clip' | 'cue' | 'text' | 'versions' | 'openings', of?: string]>(
-      'references',
-    ),
+    family<
+      [projectId: string, part?: 'board' | 'clip' | 'cue' | 'text' | 'versions' | 'openings' | 'words', of?: string]
+    >('references'),
 
   // hiring
   askedCues: family<[postingId: string]>('asked-cues'),

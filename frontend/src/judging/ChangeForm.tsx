@@ -4,6 +4,7 @@ import type { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import type { TimeRange } from '@/audio'
+import { WordList } from '@/references'
 import { Button } from '@/ui/Button'
 import { FieldError } from '@/ui/FieldError'
 import { Refusal } from '@/ui/Refusal'
@@ -20,6 +21,8 @@ type Where = 'whole' | 'point' | 'range'
 interface ChangeFormProps {
   /** The version that it is about. */
   takeId: string
+  /** Whose word list is offered. */
+  projectId?: string
   /** What is to change: "shield_hit A". */
   what: string
   /** The studio's list, in the order of the digits. */
@@ -43,6 +46,7 @@ interface ChangeFormProps {
 /** What to change: reasons on the digits, a text, where in the sound. Enter sends it; for ten seconds it can be undone. */
 export function ChangeForm({
   takeId,
+  projectId,
   what,
   listed,
   positionS,
@@ -148,6 +152,7 @@ export function ChangeForm({
         onLeave={onClose}
       />
       <Mentions takeId={takeId} field={field} text={text} onText={setText} />
+      {projectId !== undefined && <WordList projectId={projectId} text={text} />}
       {empty && <FieldError id={errorId}>Choose a reason or write what to change.</FieldError>}
       <Refusal error={problem} />
       {reversal}

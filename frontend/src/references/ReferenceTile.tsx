@@ -1,4 +1,4 @@
-import { type ReactNode, useState } from 'react'
+import { type ReactNode, useEffect, useEffectEvent, useState } from 'react'
 
 import { Icon } from '@/ui/Icon'
 import { Refusal } from '@/ui/Refusal'
@@ -11,12 +11,14 @@ interface ReferenceTileProps {
   reference: Reference
   /** Show a picture or a text in full. */
   onShow: (reference: Reference) => void
+  /** A sound plays at once. */
+  plays?: boolean
   /** Below its facts. */
   children?: ReactNode
 }
 
 /** One reference, seen or played in place, always with its terms. */
-export function ReferenceTile({ reference, onShow, children }: ReferenceTileProps) {
+export function ReferenceTile({ reference, onShow, plays = false, children }: ReferenceTileProps) {
   const { version, terms } = reference
   const [isPlaying, setPlaying] = useState(false)
   const [isUnplayable, setUnplayable] = useState(false)
@@ -24,6 +26,10 @@ export function ReferenceTile({ reference, onShow, children }: ReferenceTileProp
   const title = titleOf(reference)
   const excerpt = version.excerpt.slice(0, 400)
   const opened = (then: () => void) => open.mutate(version.id, { onSuccess: then })
+  const begin = useEffectEvent(() => {
+    if (plays && (version.kind === 'audio' || version.kind === 'video')) opened(() => setPlaying(true))
+  })
+  useEffect(() => begin(), [])
   const url = `${partOf(version.id, 'file')}${fragmentOf(reference)}`
   const played = {
     controls: true,

@@ -27,6 +27,21 @@ export const cueReferencesQuery = (projectId: string, cueId: string) =>
     queryFn: async () => (await page(projectId, cueId, undefined)).items,
   })
 
+/** The references that show words: the word list of a project. */
+export const wordListQuery = (projectId: string) =>
+  queryOptions({
+    queryKey: queryKeys.references(projectId, 'words'),
+    queryFn: async () => {
+      const { items } = await answered(
+        api.GET('/v1/projects/{project_id}/references', {
+          params: { path: { project_id: projectId }, query: { words: true } },
+        }),
+      )
+      return items
+    },
+    staleTime: 60_000,
+  })
+
 /** The address of what a version is shown or played by. */
 export const partOf = (versionId: string, part: 'thumb' | 'view' | 'file'): string =>
   `/v1/reference-versions/${versionId}/${part}`

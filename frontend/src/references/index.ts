@@ -2,4 +2,5 @@ export { boardQuery, partOf, type Reference, type ReferenceVersion, useOpenVersi
 export { ReferenceDialog } from './ReferenceDialog'
 export { ReferenceStrip } from './ReferenceStrip'
 export { ReferenceTile } from './ReferenceTile'
+export { WordList, WordText } from './WordText'
 export { kindName, titleOf } from './words'

@@ -286,3 +286,17 @@ def test_a_cue_that_is_cut_keeps_its_references(world: World) -> None:
 
     world.server.in_database(cut)
     assert board(world)[0]["cue"]["name"] == "Splash"
+
+
+def test_a_reference_stands_for_words_seen_by_those_who_see_the_board(world: World) -> None:
+    made = added(world, "warm.wav", WAV, caption="Tape, not tube", words=" Warm,  soft pad ,warm")
+    assert made["words"] == "warm, soft pad"
+    added(world, "other.wav", WAV)
+    path = f"/v1/projects/{world.project_id}/references"
+    for client in (world.producer, world.reviewer, world.designer):
+        [shown] = client.get(path, params={"words": True}).json()["items"]
+        assert (shown["id"], shown["words"], shown["caption"]) == (made["id"], "warm, soft pad", "Tape, not tube")
+    assert world.stranger.get(path, params={"words": True}).status_code == 404
+    assert change(world, made, words="crunchy")["words"] == "crunchy"
+    assert change(world, made, words="")["words"] == ""
+    assert world.producer.get(path, params={"words": True}).json()["items"] == []

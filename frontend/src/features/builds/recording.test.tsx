@@ -60,6 +60,7 @@ const reference = (id: string, kind: string, caption: string) => ({
   category: null,
   caption,
   terms: '',
+  words: '',
   start_s: null,
   end_s: null,
   added_at: AT,

@@ -42,6 +42,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
   const [typed, setTyped, draft] = useDraft(`reference:${projectId}:${id}`, {
     caption: reference.caption,
     terms: reference.terms,
+    words: reference.words,
     start: typedSeconds(reference.start_s),
     end: typedSeconds(reference.end_s),
     pin: pinOf(reference),
@@ -54,9 +55,9 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
     const hint = 'Seconds, as in 41.2, or minutes and seconds, as in 0:41.2.'
     setWrong({ start: start === undefined ? hint : undefined, end: end === undefined ? hint : undefined })
     if (start === undefined || end === undefined || change.isPending) return
-    const { caption, terms, pin } = typed
+    const { caption, terms, words, pin } = typed
     change.mutate(
-      { caption, terms, start_s: start, end_s: end, ...bodyOfPin(pin) },
+      { caption, terms, words, start_s: start, end_s: end, ...bodyOfPin(pin) },
       {
         onSuccess: () => {
           draft.discard()
@@ -66,7 +67,7 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       },
     )
   }
-  const text = (name: 'caption' | 'terms' | 'start' | 'end') => ({
+  const text = (name: 'caption' | 'terms' | 'words' | 'start' | 'end') => ({
     value: typed[name],
     onChange: (event: { currentTarget: { value: string } }) =>
       setTyped({ ...typed, [name]: event.currentTarget.value }),
@@ -82,6 +83,12 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
     >
       <Textarea label="Caption" rows={2} maxLength={500} data-autofocus {...text('caption')} />
       <TextInput label="Terms" description="Always shown with the reference" maxLength={1000} {...text('terms')} />
+      <TextInput
+        label="Words"
+        description="What it shows, as in: warm, crunchy. Where cues and change requests say so, it can be heard."
+        maxLength={200}
+        {...text('words')}
+      />
       {plays && (
         <div className="grid grid-cols-2 gap-3">
           <TextInput label="From" inputMode="decimal" {...text('start')} error={wrong.start} />

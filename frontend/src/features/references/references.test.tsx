@@ -36,6 +36,7 @@ const reference = (id: string, of: object, more: object = {}) => ({
   category: null,
   caption: '',
   terms: '',
+  words: '',
   start_s: null,
   end_s: null,
   added_at: AT,
@@ -53,6 +54,7 @@ const ITEMS = [
     start_s: 41.2,
     end_s: 43,
     terms: 'May not be shipped',
+    words: '',
   }),
   reference('r3', version('v3', 'text', { excerpt: 'The lights go out.' }), { category: 'impact', caption: 'Scene' }),
   reference(
@@ -182,6 +184,7 @@ test('a link is added with what it is for; what was refused stays as it was type
     url: 'https://example.test',
     caption: 'The walkway',
     terms: '',
+    words: '',
     cue_id: null,
     category: 'impact',
   })

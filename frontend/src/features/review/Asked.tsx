@@ -1,11 +1,13 @@
 import type { ChangeRequest } from '@/judging/api'
 import { spot } from '@/judging/words'
+import { WordText } from '@/references'
 import { Button } from '@/ui/Button'
 import { Key } from '@/ui/Key'
 
 import classes from './Review.module.css'
 
 interface AskedProps {
+  projectId: string
   asked: readonly ChangeRequest[]
   /** The version that it was asked of. */
   number: number
@@ -16,14 +18,16 @@ interface AskedProps {
 }
 
 /** What was asked of the version before, beside the one that answers it. */
-export function Asked({ asked, number, isHeard, onFlip, onSpot }: AskedProps) {
+export function Asked({ projectId, asked, number, isHeard, onFlip, onSpot }: AskedProps) {
   return (
     <section className={classes.asked} aria-label={`What was asked of version ${number}`}>
       <ul className="grow">
         {asked.map(({ id, text, start_s: startS, end_s: endS, written_by: by }) => (
           <li key={id}>
             <span className="small mid">{by.name} asked: </span>
-            <span className="lead">“{text}”</span>{' '}
+            <span className="lead">
+              “<WordText projectId={projectId} text={text} />”
+            </span>{' '}
             {startS !== null && (
               <button type="button" className="link mono small mid nowrap" onClick={() => onSpot(startS)}>
                 {spot(startS, endS)}

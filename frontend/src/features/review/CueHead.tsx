@@ -1,12 +1,14 @@
 import type { CueReview } from '@/judging/api'
 import { STATE_OF_TAKE } from '@/judging/stateOfTake'
 import { asked } from '@/judging/words'
+import { WordText } from '@/references'
 import { Button } from '@/ui/Button'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import classes from './Review.module.css'
 
 interface CueHeadProps {
+  projectId: string
   review: CueReview
   waitingHere: boolean
   /** How many wait in the queue, which a narrow page opens from here. */
@@ -15,7 +17,7 @@ interface CueHeadProps {
 }
 
 /** Which cue it is, and what was asked for. */
-export function CueHead({ review, waitingHere, queued, onQueue }: CueHeadProps) {
+export function CueHead({ projectId, review, waitingHere, queued, onQueue }: CueHeadProps) {
   const { cue } = review
   const description = cue.description || cue.use
   return (
@@ -30,9 +32,9 @@ export function CueHead({ review, waitingHere, queued, onQueue }: CueHeadProps) 
           </Button>
         </span>
       </div>
-      <p className="mid">
-        {description} <span className="dim">{asked(cue)}</span>
-      </p>
+      <div className="mid">
+        <WordText projectId={projectId} text={description} /> <span className="dim">{asked(cue)}</span>
+      </div>
     </header>
   )
 }

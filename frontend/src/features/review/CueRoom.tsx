@@ -470,6 +470,7 @@ export function CueRoom(props: CueRoomProps) {
         )}
         {before && current && (
           <Asked
+            projectId={projectId}
             asked={askedBefore}
             number={before.number}
             isHeard={hand?.id === before.id}
@@ -551,6 +552,7 @@ export function CueRoom(props: CueRoomProps) {
         )}
         <div className={classes.verdict}>
           <Verdict
+            projectId={projectId}
             review={review}
             money={props.money}
             hand={hand}

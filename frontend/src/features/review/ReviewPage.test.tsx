@@ -18,6 +18,7 @@ test('references of the cue stand beside its notes, where there are any', async 
     category: null,
     caption: 'The clank we mean',
     terms: '',
+    words: '',
     start_s: null,
     end_s: null,
     added_at: '2026-11-20T10:00:00Z',

@@ -34,6 +34,7 @@ export interface Rights {
 }
 
 interface VerdictProps {
+  projectId: string
   review: CueReview
   money: CueMoney | null
   hand: ReviewTake | undefined
@@ -128,6 +129,7 @@ export function Verdict(props: VerdictProps) {
       {changing && (
         <ChangeForm
           takeId={meant[0]?.id ?? cue.id}
+          projectId={props.projectId}
           what={what}
           to={hand?.designer.name}
           counts={roundWords(review, props.money, meant)}

@@ -278,6 +278,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
         <div className="border-t mt-4 pt-3">
           <ChangeForm
             takeId={hand.id}
+            projectId={projectId}
             what={`${cue.name} ${name}`}
             listed={reasons.change}
             positionS={player.positionS()}

@@ -32,6 +32,7 @@ const CLIP = {
   category: null,
   caption: '',
   terms: '',
+  words: '',
   start_s: null,
   end_s: null,
   added_at: AT,

@@ -1,5 +1,7 @@
 import { Autocomplete, Checkbox, NativeSelect, Textarea, TextInput } from '@mantine/core'
 
+import { WordList } from '@/references'
+
 import type { OwnColumn } from '../columns/api'
 import { choicesOf } from '../columns/values'
 import classes from './CueFields.module.css'
@@ -8,6 +10,7 @@ import { type CuePerson, TASKS } from '../people'
 import { fieldWord, NEEDS, REVERBS, SETTLED } from '../words'
 
 interface CueFieldsProps {
+  projectId: string
   draft: CueDraft
   faults: Faults
   categories: readonly string[]
@@ -19,7 +22,15 @@ interface CueFieldsProps {
 }
 
 /** Every fact of a cue in fields; what cannot be read stays as it was typed, with a sentence below. */
-export function CueFields({ draft, faults, categories, columns = [], people = [], onChange }: CueFieldsProps) {
+export function CueFields({
+  projectId,
+  draft,
+  faults,
+  categories,
+  columns = [],
+  people = [],
+  onChange,
+}: CueFieldsProps) {
   const text = (field: DraftField, place?: string) => ({
     label: fieldWord(field),
     className: place && classes[place],
@@ -55,6 +66,9 @@ export function CueFields({ draft, faults, categories, columns = [], people = []
       <TextInput {...text('duration_max_s')} label="At most, s" inputMode="decimal" />
       <TextInput {...text('variations')} inputMode="numeric" />
       <Textarea {...text('description', 'four')} rows={2} classNames={{ input: classes.grows }} />
+      <div className={classes.four}>
+        <WordList projectId={projectId} text={draft.description as string} />
+      </div>
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />
       <TextInput {...text('playback_priority')} inputMode="numeric" />
       <TextInput {...text('due_on')} type="date" />

@@ -6,7 +6,7 @@ import { type ReactNode, useCallback, useEffect, useMemo, useState } from 'react
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { useTakePlayer } from '@/heard/useTakePlayer'
-import { ReferenceStrip } from '@/references'
+import { ReferenceStrip, WordText } from '@/references'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { day, length, lengthAsked } from '@/ui/format'

@@ -153,6 +153,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
         }}
       />
       <CueFields
+        projectId={projectId}
         draft={draft}
         faults={faults}
         categories={categories}
