@@ -1,4 +1,6 @@
-import { queryById } from './endpoint'
+import { queryOptions } from '@tanstack/react-query'
+
+import { get, queryById } from './endpoint'
 import { queryKeys } from './queryKeys'
 
 export const projectQuery = queryById('/v1/projects/{project_id}', queryKeys.project)
@@ -9,7 +11,7 @@ export const studioPeopleQuery = queryById('/v1/studios/{studio_id}/people', que
 /** Kinds of game that a list can be started from: part of the product, so they stay as long as the page is open. */
 export const kitsQuery = queryOptions({
   queryKey: queryKeys.kits(),
-  queryFn: () => answered(api.GET('/v1/kits')),
+  queryFn: () => get('/v1/kits'),
   staleTime: Infinity,
 })
 

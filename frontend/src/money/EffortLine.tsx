@@ -4,7 +4,7 @@ import { useState } from 'react'
 
 import { plural, shortDay } from '@/ui/format'
 import { Skeleton } from '@/ui/Skeleton'
-import { State } from '@/ui/State'
+import { StatusBadge } from '@/ui/StatusBadge'
 import { useDebounced } from '@/ui/useDebounced'
 
 import { type Effort, effortQuery } from './api'
@@ -80,13 +80,15 @@ function Fits({ effort: { fit, due_on: dueOn, concepts } }: { effort: Effort }) 
     <>
       {fit === 'impossible' && dueOn && (
         <p role="status">
-          <State kind="late">
+          <StatusBadge kind="late">
             {`${shortDay(dueOn)} is too early for this work. Ask for fewer sounds, or set a later day.`}
-          </State>
+          </StatusBadge>
         </p>
       )}
-      {fit === 'tight' && dueOn && <State kind="warning">{`${shortDay(dueOn)} works only if all goes well.`}</State>}
-      {fit === 'fits' && dueOn && <State kind="passed">{`${shortDay(dueOn)} leaves enough time.`}</State>}
+      {fit === 'tight' && dueOn && (
+        <StatusBadge kind="warning">{`${shortDay(dueOn)} works only if all goes well.`}</StatusBadge>
+      )}
+      {fit === 'fits' && dueOn && <StatusBadge kind="passed">{`${shortDay(dueOn)} leaves enough time.`}</StatusBadge>}
       {concepts > 0 && (
         <p className="mid">{`${plural(concepts, 'cue is', 'cues are')} a concept still: hours may change.`}</p>
       )}

@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useQueryClient } from '@tanstack/react-query'
 
-import { unwrap, api, post, put, queryById, useMutation } from '@/api'
+import { unwrap, api, get, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -45,8 +45,7 @@ interface EffortOf {
 export const effortQuery = (projectId: string, query: EffortOf) =>
   queryOptions({
     queryKey: queryKeys.effort(projectId, query),
-    queryFn: () =>
-      answered(api.GET('/v1/projects/{project_id}/effort', { params: { path: { project_id: projectId }, query } })),
+    queryFn: () => get('/v1/projects/{project_id}/effort', { project_id: projectId, ...query }),
     placeholderData: keepPreviousData,
   })
 

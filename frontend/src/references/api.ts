@@ -31,14 +31,8 @@ export const cueReferencesQuery = (projectId: string, cueId: string) =>
 export const wordListQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.references(projectId, 'words'),
-    queryFn: async () => {
-      const { items } = await answered(
-        api.GET('/v1/projects/{project_id}/references', {
-          params: { path: { project_id: projectId }, query: { words: true } },
-        }),
-      )
-      return items
-    },
+    queryFn: async () =>
+      (await get('/v1/projects/{project_id}/references', { project_id: projectId, words: true })).items,
     staleTime: 60_000,
   })
 

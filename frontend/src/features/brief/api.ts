@@ -19,6 +19,14 @@ export interface AnswerWrite {
 
 export const briefQuery = queryById('/v1/projects/{project_id}/brief', queryKeys.brief)
 
+/** Cues and hours that the answers lead to; `revision` is that of the answers. */
+export const sizeQuery = (projectId: string, kit: string, revision: number) =>
+  queryOptions({
+    queryKey: queryKeys.sizeEstimate(projectId, kit, revision),
+    queryFn: () => get('/v1/projects/{project_id}/size-estimate', { project_id: projectId, kit: kit || undefined }),
+    placeholderData: keepPreviousData,
+  })
+
 export const readsQuery = queryById('/v1/projects/{project_id}/brief/reads', queryKeys.briefReads)
 
 export const useBriefVersions = (projectId: string) =>

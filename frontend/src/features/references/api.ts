@@ -26,7 +26,11 @@ export const useOpenings = (projectId: string, referenceId?: string) =>
   })
 
 export const addReference = (projectId: string, body: ReferenceAdd) =>
-  post('/v1/projects/{project_id}/references', { project_id: projectId }, { caption: '', terms: '', ...body })
+  post(
+    '/v1/projects/{project_id}/references',
+    { project_id: projectId },
+    { caption: '', terms: '', words: '', ...body },
+  )
 
 export const addVersion = (referenceId: string, body: { upload_id: string } | { url: string }) =>
   post('/v1/references/{reference_id}/versions', { reference_id: referenceId }, body)

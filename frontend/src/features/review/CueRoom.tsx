@@ -445,7 +445,13 @@ export function CueRoom(props: CueRoomProps) {
   return (
     <>
       <section className={`flex flex-col ${classes.stage}`} aria-label={cue.name}>
-        <CueHead review={review} waitingHere={waiting.length > 0} queued={props.waiting} onQueue={props.onQueue} />
+        <CueHead
+          projectId={projectId}
+          review={review}
+          waitingHere={waiting.length > 0}
+          queued={props.waiting}
+          onQueue={props.onQueue}
+        />
         {cutting && CutForm && (
           <CutForm
             cueId={cue.id}

@@ -282,7 +282,11 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   ]
   return (
     <div className="grid gap-3 p-3-inset-4">
-      {cue.description && <p className={classes.description}>{cue.description}</p>}
+      {cue.description && (
+        <div className={classes.description}>
+          <WordText projectId={projectId} text={cue.description} />
+        </div>
+      )}
       <dl className={`grid gap-2-4 ${classes.facts}`}>
         {facts
           .filter(([, value]) => value !== '' && value !== false && value !== null)

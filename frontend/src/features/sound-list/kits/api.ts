@@ -9,13 +9,6 @@ import { type Cue, refreshList } from '../api'
 export type Kit = components['schemas']['KitRead']
 export type KitRow = components['schemas']['KitRow']
 
-/** Kinds of game that a list can be started from: part of the product, so they stay as long as the page is open. */
-export const kitsQuery = queryOptions({
-  queryKey: queryKeys.kits(),
-  queryFn: () => get('/v1/kits'),
-  staleTime: Infinity,
-})
-
 export const kitQuery = (projectId: string, key: string) =>
   queryOptions({
     queryKey: queryKeys.kit(projectId, key),
