@@ -7,7 +7,7 @@ import { type Cue, refreshList } from '../api'
 
 type Schemas = components['schemas']
 type Told = Schemas['ImportAsk']
-type Switch = 'atomic' | 'fill_down' | 'keep_hidden' | 'use_proposed_names'
+type Switch = 'atomic' | 'fill_down' | 'keep_hidden' | 'sample_rate_hz' | 'use_proposed_names'
 export type ImportAsk = Omit<Told, Switch> & Partial<Pick<Told, Switch>>
 export type ImportRead = Schemas['ImportRead']
 export type ImportField = ImportRead['columns'][number]['field']
