@@ -31,7 +31,6 @@ export type Verified = Schemas['VerifiedRead']
 export type MasterRetention = Schemas['MasterRetentionRead']
 export type Template = Schemas['TemplateBrief']
 
-const of = (contractId: string) => ({ params: { path: { contract_id: contractId } } })
 export const versionsQuery = queryById('/v1/contracts/{contract_id}/versions', (contractId) =>
   queryKeys.contract(contractId, 'versions'),
 )
@@ -176,26 +175,26 @@ export type ContractAction =
   | { does: 'end'; reason: string }
 
 function done(contractId: string, deed: ContractAction): Promise<Contract> {
-  const it = of(contractId)
+  const it = { contract_id: contractId }
   switch (deed.does) {
     case 'save':
-      return unwrap(api.PUT('/v1/contracts/{contract_id}/draft', { ...it, body: deed.body }))
+      return put('/v1/contracts/{contract_id}/draft', it, deed.body)
     case 'send':
-      return unwrap(api.POST('/v1/contracts/{contract_id}/send', { ...it, body: { note: deed.note } }))
+      return post('/v1/contracts/{contract_id}/send', it, { note: deed.note })
     case 'take back':
-      return unwrap(api.POST('/v1/contracts/{contract_id}/recall', { ...it, body: { reason: deed.reason } }))
+      return post('/v1/contracts/{contract_id}/recall', it, { reason: deed.reason })
     case 'ask for a change': {
       const body = { text: deed.text, clause_key: deed.clause }
-      return unwrap(api.POST('/v1/contracts/{contract_id}/ask-change', { ...it, body }))
+      return post('/v1/contracts/{contract_id}/ask-change', it, body)
     }
     case 'accept': {
       const body = signatureOf(deed)
-      return unwrap(api.POST('/v1/contracts/{contract_id}/accept', { ...it, body }))
+      return post('/v1/contracts/{contract_id}/accept', it, body)
     }
     case 'sign order':
-      return unwrap(api.PUT('/v1/contracts/{contract_id}/signers', { ...it, body: deed.body }))
+      return put('/v1/contracts/{contract_id}/signers', it, deed.body)
     case 'end':
-      return unwrap(api.POST('/v1/contracts/{contract_id}/end', { ...it, body: { reason: deed.reason } }))
+      return post('/v1/contracts/{contract_id}/end', it, { reason: deed.reason })
   }
 }
 
@@ -225,17 +224,17 @@ export type EndingAction =
   | ({ does: 'agree' } & Signature)
 
 function doneToEnd(contractId: string, deed: EndingAction): Promise<Ending> {
-  const it = of(contractId)
+  const it = { contract_id: contractId }
   switch (deed.does) {
     case 'give notice': {
       const body = { reason: deed.reason, ends_on: deed.endsOn }
-      return unwrap(api.POST('/v1/contracts/{contract_id}/ending/notice', { ...it, body }))
+      return post('/v1/contracts/{contract_id}/ending/notice', it, body)
     }
     case 'withdraw':
-      return unwrap(api.POST('/v1/contracts/{contract_id}/ending/withdraw', it))
+      return post('/v1/contracts/{contract_id}/ending/withdraw', it)
     case 'agree': {
       const body = signatureOf(deed)
-      return unwrap(api.POST('/v1/contracts/{contract_id}/ending/agree', { ...it, body }))
+      return post('/v1/contracts/{contract_id}/ending/agree', it, body)
     }
   }
 }
@@ -273,17 +272,17 @@ function doneToChange(contractId: string, deed: ChangeOrderAction): Promise<Chan
     const body = { offer: deed.offer, reason: deed.reason }
     return post('/v1/contracts/{contract_id}/change-offers/dismiss', { contract_id: contractId }, body)
   }
-  const it = { params: { path: { contract_id: contractId, change_order_number: deed.number } } }
+  const it = { contract_id: contractId, change_order_number: deed.number }
   const path = '/v1/contracts/{contract_id}/change-orders/{change_order_number}'
   switch (deed.does) {
     case 'accept': {
       const body = signatureOf(deed)
-      return unwrap(api.POST(`${path}/accept`, { ...it, body }))
+      return post(`${path}/accept`, it, body)
     }
     case 'refuse':
-      return unwrap(api.POST(`${path}/refuse`, { ...it, body: { reason: deed.reason } }))
+      return post(`${path}/refuse`, it, { reason: deed.reason })
     case 'withdraw':
-      return unwrap(api.POST(`${path}/withdraw`, { ...it, body: { reason: deed.reason } }))
+      return post(`${path}/withdraw`, it, { reason: deed.reason })
   }
 }
 
