@@ -134,7 +134,7 @@ bench: setup .make/peers  # Measure speed and quality against peers
 weights: setup  # Train the weights of judgements (needs ffmpeg; SOUNDS_DIR= adds real recordings, RECORDED_DIR= adds others in measured rooms; an hour)
 	$(UV) sync --frozen --inexact --no-install-workspace --group training
 	$(BIN)/python -m training.reverb
-	test -z "$(RECORDED_DIR)" || { $(BIN)/python -m training.reverb_recorded && $(BIN)/python -m training.reverb_levels && $(BIN)/python -m training.reverb --tables-only; }
+	test -z "$(RECORDED_DIR)" || { $(BIN)/python -m training.reverb_recorded && $(BIN)/python -m training.reverb --tables-only; }
 	$(BIN)/python -m training.reversed
 	$(BIN)/python -m training.upsampled
 	$(BIN)/python -m training.lossy

@@ -283,9 +283,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
             "rt60": numbers_of(learned_rt60(learning)),
             "recorded": NO_TREES,  # reverb_recorded adds them
             "recorded_share": 0.0,
+            "score_line": [0.0, 1.0, 0.0],
+            "rt60_line": [0.0, 1.0],
         }
         limits = thresholds(learning, *said_by_others(learning, beside))
-        numbers["thresholds"] = in_levels(held(limits, scored(at_the_edge(), numbers)))
+        numbers["thresholds"] = held(in_levels(limits), scored(at_the_edge(), numbers))
         reverb.WEIGHTS.write_text(json.dumps(numbers, separators=(",", ":")) + "\n", encoding="ascii")
     tried = measured(KEPT_APART, options.cache)
     columns = {f"kept apart, kind {said}": figures_on(tried, says_kind=said == "said") for said in ("said", "unsaid")}

@@ -1,89 +1,63 @@
-"""Sets under which score `reverb` calls a sound dry, and from which on it says `likely reverb`.
+"""Sets what a score of `reverb` means: the share of sounds of such a score with reverb, and its four levels.
 
-`RECORDED_DIR=... python -m training.reverb_levels` changes only these limits of the weights that are there. They come
-from recordings in measured rooms: those that were learned from and tried, by models that never met their repository,
-and the repositories that were kept for the last look of 24 November 2026, by the models as they ship. Each of both has
-half a say. From which score on a sound has reverb is left as `reverb_limits` set it.
+Both come from recordings in measured rooms, by models that never met the repository of a sound.
 """
 
-import json
-
 import numpy as np
+from numpy.typing import NDArray
+from sklearn.linear_model import LogisticRegression
 
 from audio_checks.judge import reverb
-from training import reverb_recorded
-from training.sets import KINDS, LAYOUTS, Floats, Set, layouts_of, together
+from training.reverb_limits import Levels
+from training.sets import KINDS, LAYOUTS, Floats, Set
 
-FALSE_NAMED = 0.05  # of dry sounds may be called `reverb` or `likely reverb`,
-WET_LOST = 0.04  # and of those with reverb `dry`
-FEWEST = 8  # sounds that a share is taken of
-HIGHEST_DRY = 0.25  # no score over it is called dry, whatever few sounds say,
-LIKELY = 0.8  # and from this one on, where so few dry sounds are known that none is called wrongly
-STEPS = np.arange(0, 1.0001, 0.005)
+FALSE_REVERB, FALSE_LIKELY = 0.003, 0.036  # of dry sounds: under the 1 and 4 % that are allowed
+WET_LOST = 0.013  # of sounds with reverb may be called dry: no more, or under 95 % of what is called dry is
+FEWEST = 100  # sounds of a kind, without reverb and with it, that has limits of its own
+Rows = NDArray[np.bool_]
 
 
-def scored() -> list[tuple[Set, Floats]]:
-    """Return the two sets of sounds, with the score of each by models that never met its repository."""
-    learning, tried = (
-        together([reverb_recorded.measured(trial) for trial in trials])
-        for trials in (reverb_recorded.LEARNED, reverb_recorded.TRIED)
+def calibration(logits: Floats, wet: Rows) -> list[float]:
+    """Return offset and slope of the line that makes logits those of the share with reverb, and what it bends by."""
+    fitted = LogisticRegression(C=1e4).fit(_columns(logits), wet)
+    return [round(float(value), 4) for value in (fitted.intercept_[0], *fitted.coef_[0])]
+
+
+def calibrated(logits: Floats, line: list[float]) -> Floats:
+    """Return the score of each logit."""
+    offset, *slopes = line
+    scores: Floats = 1 / (1 + np.exp(-offset - _columns(logits) @ slopes))
+    return scores
+
+
+def _columns(logits: Floats) -> Floats:
+    return np.column_stack((logits, np.maximum(0.0, logits - reverb.KNEE)))
+
+
+def levels(scores: Floats, wet: Rows) -> tuple[float, float, float]:
+    """Return under which score sounds are dry, from which on they likely have reverb, and from which on they have."""
+    dry, with_reverb = np.sort(scores[~wet])[::-1], np.sort(scores[wet])
+    likely_from, reverb_from = (
+        float(np.nextafter(dry[int(share * len(dry))], 2)) for share in (FALSE_REVERB + FALSE_LIKELY, FALSE_REVERB)
     )
-    first, first_tried = reverb_recorded.first_logits(learning), reverb_recorded.first_logits(tried)
-    scores = np.zeros(len(tried.known))
-    sources = learning.column(lambda sound: sound.source)
-    sources_tried = tried.column(lambda sound: sound.source)
-    for source in sorted(set(sources_tried)):
-        here, others = sources_tried == source, sources != source
-        trees = reverb_recorded.learned(reverb_recorded.part(learning, others), first[others])
-        scores[here] = reverb_recorded.scores_by(trees, reverb_recorded.part(tried, here), first_tried[here])
-    met = np.concatenate((reverb_recorded.said_by_others(learning, first), scores))
-    reserved = reverb_recorded.measured(reverb_recorded.LAST_LOOK)
-    shipped = np.array([reverb.score_of(features) for features in reserved.features])
-    return [(together([learning, tried]), met), (reserved, shipped)]
+    return min(float(with_reverb[int(WET_LOST * len(with_reverb))]), likely_from), likely_from, reverb_from
 
 
-def levels(dry: list[Floats], wet: list[Floats], reverb_from: float) -> tuple[float, float]:
-    """Return the score under which sounds are dry, and the one from which on they likely have reverb.
-
-    `dry` and `wet` hold the scores of each set's dry sounds, and of those with reverb.
-    """
-    named = [[np.mean(scores >= step) for step in STEPS] for scores in dry if len(scores) >= FEWEST]
-    lost = [[np.mean(scores < step) for step in STEPS] for scores in wet if len(scores) >= FEWEST]
-    likely_from, dry_below = LIKELY, 0.0
-    if named:
-        likely_from = float(STEPS[np.argmax(np.mean(named, axis=0) <= FALSE_NAMED)])
-    if lost:
-        dry_below = float(STEPS[np.flatnonzero(np.mean(lost, axis=0) <= WET_LOST)[-1]])
-    dry_below = min(dry_below, HIGHEST_DRY)
-    return round(dry_below, 4), round(min(max(likely_from, 0.5), reverb_from), 4)
+def levels_by_kind(some: Set, scores: Floats) -> dict[str, tuple[float, float, float]]:
+    """Return the limits of each kind; of one with few sounds, and of an unknown one, the most cautious."""
+    kinds, wet = some.column(lambda sound: sound.kind), some.wet
+    known = [kind for kind in KINDS if min((kinds == kind)[wet].sum(), (kinds == kind)[~wet].sum()) >= FEWEST]
+    table = {kind: levels(scores[kinds == kind], wet[kinds == kind]) for kind in known}
+    each = np.array([levels(scores, wet), *table.values()])
+    cautious = float(each[:, 0].min()), float(each[:, 1].max()), float(each[:, 2].max())
+    return {kind: table.get(kind, cautious) for kind in KINDS}
 
 
-def main() -> None:
-    """Write the limits."""
-    numbers = reverb.weights()
-    sets = [
-        (
-            scores,
-            some.wet,
-            some.column(lambda sound: sound.kind),
-            layouts_of(some),
-            reverb_recorded.decay_times(some) >= reverb.LONG_FROM_S,
-        )
-        for some, scores in scored()
-    ]
-    for kind in KINDS:
-        for layout in LAYOUTS:
-            for length, pair in numbers["thresholds"][kind][layout].items():
-                dry, wet = [], []
-                for scores, is_wet, kinds, layouts, is_long in sets:
-                    here = (layouts == layout) & (is_long == (length == "long"))
-                    if (kinds == kind).sum() >= FEWEST:
-                        here &= kinds == kind
-                    dry.append(scores[here & ~is_wet])
-                    wet.append(scores[here & is_wet])
-                numbers["thresholds"][kind][layout][length] = [*levels(dry, wet, pair[-1]), pair[-1]]
-    reverb.WEIGHTS.write_text(json.dumps(numbers, separators=(",", ":")) + "\n", encoding="ascii")
-
-
-if __name__ == "__main__":
-    main()
+def by_layout(table: dict[str, tuple[float, float, float]]) -> Levels:
+    """Return the limits of each kind as the judgement reads them: the same for each layout and length of decay."""
+    return {
+        kind: {
+            layout: dict.fromkeys(("short", "long"), tuple(round(limit, 4) for limit in limits)) for layout in LAYOUTS
+        }
+        for kind, limits in table.items()
+    }

@@ -154,25 +154,28 @@ def _measured(kind: str | None, samples: Floats, rate: int, *, is_undecidable: b
 def scored(some: Iterable[AtTheEdge], numbers: dict[str, Any]) -> Iterator[tuple[AtTheEdge, float, str]]:
     """Yield each sound with its score and the length of its decay, as estimated by the models."""
     trees, nets, rt60_trees = Trees(numbers["reverb"]), Nets(numbers["nets"]), Trees(numbers["rt60"])
+    recorded = Trees(numbers["recorded"])
     for one in some:
         first = reverb.logit_by(trees, nets, numbers["nets_share"], one.features)
-        score = reverb.score_on_top(Trees(numbers["recorded"]), numbers["recorded_share"], first, one.features)
-        yield one, score, "long" if reverb.rt60_by(rt60_trees, one.features) >= reverb.LONG_FROM_S else "short"
+        logit = reverb.logit_on_top(recorded, numbers["recorded_share"], first, one.features)
+        rt60_s = reverb.rt60_by(rt60_trees, numbers["rt60_line"], one.features)
+        yield one, reverb.calibrated(logit, numbers["score_line"]), "long" if rt60_s >= reverb.LONG_FROM_S else "short"
 
 
-def held(table: Table, by: Iterable[tuple[AtTheEdge, float, str]]) -> Table:
+def held(table: Levels, by: Iterable[tuple[AtTheEdge, float, str]]) -> Levels:
     """Return the limits with each sound at the edge on the side where it belongs."""
     for one, score, length in by:
         for kind in {one.kind, "unknown"}:
-            dry_below, reverb_from = table[kind][one.layout][length]
+            dry_below, likely_from, reverb_from = table[kind][one.layout][length]
             if one.is_undecidable:
                 dry_below = min(dry_below, math.floor(score * 1e4) / 1e4)
-            table[kind][one.layout][length] = dry_below, max(reverb_from, math.floor(score * 1e4 + 1) / 1e4)
+            above = math.floor(score * 1e4 + 1) / 1e4
+            table[kind][one.layout][length] = dry_below, max(likely_from, above), max(reverb_from, above)
     return table
 
 
 def in_levels(table: Table) -> Levels:
-    """Return the limits as the judgement reads them; nothing is likely until `reverb_levels` says from where on."""
+    """Return the limits as the judgement reads them; nothing is likely until `reverb_recorded` says from where on."""
     return {
         kind: {
             layout: {

@@ -3,8 +3,9 @@
 Goes by how the bands of the sound fall (never faster than a room lets them), by what its tail is made of
 compared with its head (smoother, alike in spectrum, less alike left and right), and by how full its gaps are.
 Boosted trees and small nets weigh these, learned from sounds and rooms made by our own code; further trees, learned
-from recordings in measured rooms, weigh the same and what the first models say (`make weights`). How sure they must be
-is set for each kind of sound, for mono and stereo, and for short and long decay times.
+from recordings in measured rooms, weigh the same and what the first models say (`make weights`). The score is the
+share of such recordings that have reverb. How sure it must be is set for each kind of sound, and higher for the layout
+and length of decay of dry sounds that would be named otherwise.
 
 A single burst of noise may be its own tail: for mono bursts and long natural decays the answer is often
 "cannot tell". `docs/reference/judgements.md` has the table of how often it is right, and where it fails.
@@ -14,6 +15,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -33,7 +35,8 @@ FIGURES = ("decay",)
 WEIGHTS = Path(__file__).with_suffix(".json")
 REVERB, LIKELY, DRY = "reverb", "likely reverb", "dry"
 SHORTEST_RT60_S, LONGEST_RT60_S = 0.1, 6.0
-LONG_FROM_S = 0.8  # few dry sounds die away as slowly as such a room, so less of a score is enough there
+KNEE = 1.0  # of the logit: beyond, the share of sounds with reverb rises faster
+LONG_FROM_S = 0.8  # of a decay time that is long
 
 
 def judge(file: AudioFile, kind: str | None) -> Judgement:
@@ -85,12 +88,22 @@ def limits_of(kind: str | None, layout: str, rt60_s: float) -> Limits:
 def score_of(features: NDArray[np.float64]) -> float:
     """Return the certainty that a sound of these features has reverb, 0..1."""
     first = logit_by(_trees("reverb"), _nets(), weights()["nets_share"], features)
-    return score_on_top(_trees("recorded"), weights()["recorded_share"], first, features)
+    logit = logit_on_top(_trees("recorded"), weights()["recorded_share"], first, features)
+    return calibrated(logit, weights()["score_line"])
 
 
-def score_on_top(trees: Trees, share: float, first: float, features: NDArray[np.float64]) -> float:
-    """Return the score, 0..1, to which the trees add their share (0..1) and the logit of the first models the rest."""
-    return logistic((1 - share) * first + share * trees.sum(np.append(features, first)))
+def logit_on_top(trees: Trees, share: float, first: float, features: NDArray[np.float64]) -> float:
+    """Return the logit to which the trees add their share (0..1) and the first models the rest."""
+    return (1 - share) * first + share * trees.sum(np.append(features, first))
+
+
+def calibrated(logit: float, line: Sequence[float]) -> float:
+    """Return the share of sounds of such a logit that have reverb, 0..1.
+
+    `line` has the offset and slope of that share's logit, and what is added to the slope beyond the knee.
+    """
+    offset, slope, beyond = line
+    return logistic(offset + slope * logit + beyond * max(0.0, logit - KNEE))
 
 
 def logit_by(trees: Trees, nets: Nets, nets_share: float, features: NDArray[np.float64]) -> float:
@@ -105,12 +118,16 @@ def logistic(logit: float) -> float:
 
 def rt60_of(features: NDArray[np.float64]) -> float:
     """Return the time in which the reverb of a sound of these features falls by 60 dB, in seconds."""
-    return rt60_by(_trees("rt60"), features)
+    return rt60_by(_trees("rt60"), weights()["rt60_line"], features)
 
 
-def rt60_by(trees: Trees, features: NDArray[np.float64]) -> float:
-    """Return the decay time that the trees estimate, within the range of reverb, in seconds."""
-    return float(np.clip(2 ** trees.sum(features), SHORTEST_RT60_S, LONGEST_RT60_S))
+def rt60_by(trees: Trees, line: Sequence[float], features: NDArray[np.float64]) -> float:
+    """Return the decay time that the trees estimate, within the range of reverb, in seconds.
+
+    `line` has offset and slope of what is estimated of recordings, as a power of two.
+    """
+    offset, slope = line
+    return float(np.clip(2 ** (offset + slope * trees.sum(features)), SHORTEST_RT60_S, LONGEST_RT60_S))
 
 
 def evidence_of(decay: DecayFigures) -> dict[str, Any]:

@@ -5,7 +5,7 @@ import pytest
 
 from training import reverb_recorded
 from training.dataset import Known
-from training.reverb_recorded import as_table, by_repository, figures_on, left_out, said_by_others
+from training.reverb_recorded import as_table, by_others, by_repository, figures_on, left_out, levels_on, reliability
 from training.sets import Set
 
 pytestmark = pytest.mark.slow
@@ -15,7 +15,7 @@ KNOWN = [
     for is_wet, wet_db in ((False, -np.inf), (False, -np.inf), (True, -5.0), (True, -5.0), (True, -15.0))
 ]
 SOME = Set(KNOWN, np.zeros((5, 1)))
-LIMITS = np.tile([0.3, 0.8], (5, 1))
+LIMITS = np.tile([0.3, 0.6, 0.8], (5, 1))
 
 
 def test_audible_reverb_is_counted_apart_and_what_is_between_the_limits_is_undecided():
@@ -48,48 +48,48 @@ def test_the_worst_repository_comes_first():
     assert mean == "| mean of these | | 0.500 |"
 
 
+def test_each_level_is_counted_of_events():
+    figures = levels_on(SOME, np.array([0.1, 0.7, 0.9, 0.2, 0.7]), LIMITS)
+    assert figures["with reverb, named `reverb` or `likely`"] == pytest.approx(2 / 3)
+    assert figures["audible reverb, so named"] == 0.5
+    assert (figures["dry, called `reverb`"], figures["dry, called `likely reverb`"]) == (0.0, 0.5)
+    assert figures["with reverb, called `dry`"] == pytest.approx(1 / 3)
+    assert figures["right where it says `reverb`"] == 1.0
+    assert figures["right where it says `likely reverb`"] == 0.5
+
+
+def test_each_tenth_of_the_score_has_a_row():
+    rows = reliability(np.array([True, False, True]), np.array([0.31, 0.39, 1.0])).splitlines()
+    assert rows[5] == "| 0.3 to 0.4 | 2 | 0.35 | 0.50 |"
+    assert rows[-1] == "| 0.9 to 1.0 | 1 | 1.00 | 1.00 |"
+
+
 class Memory:
-    """A model that says 0.9 of a repository which it was learned from, and 0.1 of all others."""
+    """A model that says 4 of a repository which it was learned from, and -4 of all others."""
 
     def __init__(self, some, _):
         self.met = {one.source for one in some.known}
 
 
-@pytest.fixture
-def repositories(monkeypatch):
-    known = [
-        Known(name, "event", True, bool(number % 2), "", 1.0, 0.0, 1 + number // 2 % 2)
-        for name in "abc"
-        for number in range(8)
-    ]
+def test_what_is_said_of_a_repository_comes_from_others(monkeypatch):
+    known = [Known(name, "event", True, bool(number % 2), "", 1.0, 0.0, 1) for name in "abc" for number in range(8)]
+    some = Set(known, np.zeros((24, 1)))
     monkeypatch.setattr(reverb_recorded, "learned", Memory)
+    monkeypatch.setattr(reverb_recorded, "first_logits", lambda some: np.zeros(len(some.known)))
     monkeypatch.setattr(
         reverb_recorded,
-        "scores_by",
-        lambda model, some, _: np.array([0.9 if one.source in model.met else 0.1 for one in some.known]),
+        "logits_by",
+        lambda model, some, _: np.array([4.0 if one.source in model.met else -4.0 for one in some.known]),
     )
-    return Set(known, np.zeros((24, 1)))
-
-
-def test_scores_come_from_models_that_never_met_the_repository(repositories):
-    assert said_by_others(repositories, np.zeros(24)) == pytest.approx(np.full(24, 0.1))
-    without = said_by_others(repositories, np.zeros(24), without="b")
-    assert np.isnan(without).tolist() == [one.source == "b" for one in repositories.known]
-
-
-def test_so_do_limits(repositories, monkeypatch):
+    assert left_out(some, some).tolist() == [-4.0] * 24
     set_on = []
 
-    def thresholds(some, scores, *_):
+    def levels_by_kind(some, _):
         set_on.append({one.source for one in some.known})
-        assert scores == pytest.approx(np.full(len(scores), 0.1))
-        both = {layout: {"short": (0.2, 0.8), "long": (0.2, 0.8)} for layout in ("mono", "stereo")}
-        return {"event": both, "unknown": both}
+        return {"event": (0.1, 0.5, 0.9), "unknown": (0.1, 0.6, 0.9)}
 
-    monkeypatch.setattr(reverb_recorded, "thresholds", thresholds)
-    monkeypatch.setattr(reverb_recorded, "first_logits", lambda some: np.zeros(len(some.known)))
-    monkeypatch.setattr(reverb_recorded, "decay_times", lambda some: np.zeros(len(some.known)))
-    scores, limits = left_out(repositories, repositories, np.zeros(24))
-    assert scores == pytest.approx(np.full(24, 0.1))
+    monkeypatch.setattr(reverb_recorded, "levels_by_kind", levels_by_kind)
+    scores, limits = by_others(some, np.tile([-3.0, 3.0, -1.0, 2.0], 6))
     assert set_on == [{"b", "c"}, {"a", "c"}, {"a", "b"}]
-    assert limits["kind said"].tolist() == [[0.2, 0.8]] * 24
+    assert limits["kind unsaid"].tolist() == [[0.1, 0.6, 0.9]] * 24
+    assert scores[:2] == pytest.approx([0, 1], abs=0.1)

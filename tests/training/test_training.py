@@ -6,10 +6,20 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 
 from audio_checks.judge.learned.nets import Nets
 from audio_checks.judge.learned.trees import Trees
+from audio_checks.judge.reverb import KNEE
+from audio_checks.judge.reverb import calibrated as calibrated_score
 from tests.support.waves import noise, write_wav
 from training.dataset import Known, real_sounds
 from training.reverb import Learned, numbers_of
-from training.reverb_levels import levels
+from training.reverb_levels import (
+    FALSE_LIKELY,
+    FALSE_REVERB,
+    WET_LOST,
+    calibrated,
+    calibration,
+    levels,
+    levels_by_kind,
+)
 from training.reverb_limits import MOST_WRONG, AtTheEdge, held, limits, thresholds
 from training.rooms import ROOMS
 from training.sets import Set
@@ -109,12 +119,14 @@ def test_a_kind_of_two_families_calls_reverb_no_sooner_than_one_unsaid():
 
 
 def test_sounds_at_the_edge_hold_the_limits_of_their_kind_and_of_none():
-    table = {kind: {"mono": {"long": (0.6, 0.8), "short": (0.6, 0.8)}} for kind in ("event", "music", "unknown")}
+    table = {
+        kind: {"mono": dict.fromkeys(("long", "short"), (0.6, 0.7, 0.8))} for kind in ("event", "music", "unknown")
+    }
     dry, burst = (AtTheEdge("event", "mono", np.zeros(0), is_undecidable=flag) for flag in (False, True))
-    found = held(table, [(dry, 0.91234, "short"), (dry, 0.3, "short"), (burst, 0.5, "long"), (burst, 0.7, "long")])
+    found = held(table, [(dry, 0.91234, "short"), (dry, 0.3, "short"), (burst, 0.5, "long"), (burst, 0.75, "long")])
     for kind in ("event", "unknown"):
-        assert found[kind]["mono"] == {"long": (0.5, 0.8), "short": (0.6, 0.9124)}
-    assert found["music"]["mono"] == {"long": (0.6, 0.8), "short": (0.6, 0.8)}
+        assert found[kind]["mono"] == {"long": (0.5, 0.7501, 0.8), "short": (0.6, 0.9124, 0.9124)}
+    assert found["music"]["mono"] == dict.fromkeys(("long", "short"), (0.6, 0.7, 0.8))
 
 
 def some_scores(seed):
@@ -129,10 +141,35 @@ def called(found, scores, is_long):
 
 
 def test_levels_name_few_dry_sounds_and_lose_few_with_reverb():
-    scores = np.arange(100) / 100
-    # Of dry sounds up to 0.6 and wet ones from 0.3: 5 % of the dry reach 0.57, and 4 % of the wet stay under 0.328.
-    dry_below, likely_from = levels([0.6 * scores], [0.3 + 0.7 * scores], 0.95)
-    assert (dry_below, likely_from) == (0.25, pytest.approx(0.57, abs=0.01))
-    assert levels([0.1 * scores], [0.2 * scores], 0.95)[0] == pytest.approx(0.008, abs=0.005)
-    assert levels([scores], [scores], 0.9)[1] == 0.9  # never over the limit of reverb
-    assert levels([np.zeros(3)], [np.zeros(3)], 0.95) == (0.0, 0.8)  # too few to say
+    wet = np.arange(2_000) % 2 == 1
+    scores = np.where(wet, 0.3, 0.0) + np.arange(2_000) / 4_000  # dry up to 0.5, wet from 0.3 on
+    dry_below, likely_from, reverb_from = levels(scores, wet)
+    assert (scores[~wet] >= reverb_from).mean() == pytest.approx(FALSE_REVERB, abs=0.002)
+    assert (scores[~wet] >= likely_from).mean() == pytest.approx(FALSE_REVERB + FALSE_LIKELY, abs=0.002)
+    assert (scores[wet] < dry_below).mean() == pytest.approx(WET_LOST, abs=0.002)
+    assert dry_below < likely_from < reverb_from
+
+
+def test_a_calibrated_score_is_the_share_of_sounds_with_reverb():
+    draws = np.random.default_rng(9)
+    logits = draws.normal(0, 2, 40_000)
+    wet = draws.random(len(logits)) < 1 / (1 + np.exp(0.5 - 0.6 * logits - 0.8 * np.maximum(0, logits - KNEE)))
+    line = calibration(logits, wet)
+    assert line == pytest.approx([-0.5, 0.6, 0.8], abs=0.1)
+    scores = calibrated(logits, line)
+    assert scores[:20] == pytest.approx([calibrated_score(logit, line) for logit in logits[:20]])
+    for lowest in np.arange(0, 1, 0.1):
+        here = (scores >= lowest) & (scores < lowest + 0.1)
+        assert wet[here].mean() == pytest.approx(scores[here].mean(), abs=0.03)
+
+
+def test_kinds_without_enough_sounds_and_none_said_are_the_most_cautious():
+    scores, wet, is_long = some_scores(8)
+    known = [
+        Known("a", kind, False, bool(one), "", 0.0, 0.0, 1)
+        for kind, one in zip(np.where(is_long, "event", "natural-decay"), wet, strict=True)
+    ]
+    table = levels_by_kind(Set(known, np.zeros((len(known), 1))), np.where(is_long, scores / 2, scores))
+    assert table["music"] == table["unknown"]
+    for place, most in ((0, min), (1, max), (2, max)):
+        assert table["unknown"][place] == most(limits[place] for limits in table.values())
