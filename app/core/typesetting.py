@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from importlib.util import find_spec
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import structlog
 
@@ -116,7 +116,7 @@ def undrawn_scripts(text: str) -> list[str]:
 
 def compile_pdf(source: str, inputs: dict[str, str]) -> bytes:
     """Run in the child, with the fonts installed with this software and no others: those of machines differ."""
-    return _compile(source, inputs, [])
+    return _compile(source, inputs)
 
 
 def compile_archival_pdf(source: str, inputs: dict[str, str]) -> bytes:
@@ -124,16 +124,16 @@ def compile_archival_pdf(source: str, inputs: dict[str, str]) -> bytes:
     import typst  # only the child's server loads it: its fonts and caches take some 50 MiB
 
     try:
-        return _compile(source, inputs, ["a-2b"])
+        return _compile(source, inputs, "a-2b")
     except typst.TypstError:
         return compile_pdf(source, inputs)
 
 
-def _compile(source: str, inputs: dict[str, str], standards: list[str]) -> bytes:
+def _compile(source: str, inputs: dict[str, str], standard: Literal["a-2b"] | None = None) -> bytes:
     import typst
 
     text = (FONTS + source).encode()
-    pdf = typst.compile(text, format="pdf", sys_inputs=inputs, font_paths=load_fonts(), pdf_standards=standards)
+    pdf = typst.compile(text, format="pdf", sys_inputs=inputs, font_paths=load_fonts(), pdf_standards=standard)
     return bytes(pdf)
 
 

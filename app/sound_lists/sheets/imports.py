@@ -494,7 +494,7 @@ def _read_row(
     """Add a row's values to `given` and its guesses to `guesses`, and yield the cells that cannot be read."""
     extra: dict[str, str] = {}
     as_written: dict[str, str] = {}
-    bounds: dict[str, float | None] = {}  # in columns of their own
+    bounds: Facts = {}  # in columns of their own
 
     def note(column: Column, kind: str, text: str, value: object, why: str) -> None:
         guesses.append(
