@@ -12,7 +12,13 @@ export type ImportAsk = Omit<Told, Switch> & Partial<Pick<Told, Switch>>
 export type ImportRead = Schemas['ImportRead']
 export type ImportField = ImportRead['columns'][number]['field']
 
-const SWITCHES = { atomic: false, fill_down: true, keep_hidden: false, use_proposed_names: false }
+const SWITCHES = {
+  atomic: false,
+  fill_down: true,
+  keep_hidden: false,
+  sample_rate_hz: 48_000,
+  use_proposed_names: false,
+}
 
 export const importSheet = (projectId: string, body: ImportAsk): Promise<ImportRead> =>
   post('/v1/projects/{project_id}/sound-list/import', { project_id: projectId }, { ...SWITCHES, ...body })
