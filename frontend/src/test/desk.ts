@@ -64,6 +64,8 @@ export const toMake = (cue: typeof CUE, more: object = {}) => ({
   use: 'Own ship arrives',
   category: 'vehicle',
   duration_s: 1.4,
+  duration_min_s: null,
+  duration_max_s: null,
   loop: false,
   variations: 1,
   missing: 1,
