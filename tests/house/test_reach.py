@@ -29,6 +29,7 @@ BEFORE_SIGN_IN = {
     "app/accounts/web/policies.py": "notes after the answer that a token was used",
     "app/accounts/second_factors/service.py": "whether who signs in has a second factor, asked after the password",
     "app/accounts/providers/endpoints.py": "the provider of a domain, before there is a caller",
+    "app/accounts/web/recorded_downloads.py": "writes the line of the security log, after a request that only reads",
     "app/agreements/record/endpoints.py": "looks for the seal of a file, which is shown to anyone who has that file",
     "app/accounts/web/request_limits.py": "counts tries, also those of requests that are refused",
     "app/shares/guests.py": "looks for a guest link by its secret, before its password is checked",

@@ -80,7 +80,7 @@ class _Steps:
         counts = counted(progress_queries.cue_groups(session, project.id, project.studio_id))
         speaks = access.is_producer or access.is_liaison or access.is_approver
         postings = hiring.waiting_postings(session, project.id) if speaks and self._has_contracts else []
-        if access.is_producer and self._has_contracts:
+        if access.is_producer:
             self._hires(has_cues=sum(counts.values()) > 0, is_posted=bool(postings))
         if speaks:
             self._postings(postings)
