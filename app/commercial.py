@@ -23,6 +23,7 @@ from app.money.calendar import end_links_of_member as revoke_calendars
 from app.money.covering import answer_contract_references
 from app.money.downloads import answer_closed_downloads
 from app.money.ledger.service import charge_deposits
+from app.money.source_files import answer_source_files
 from app.reviews import signals as reviews
 
 JOB_MODULES = (
@@ -60,6 +61,7 @@ RECEIVERS: dict[type[Signal[Any]], tuple[Receiver, ...]] = {
     deliveries.WorkDone: (verdicts.record_work,),
     deliveries.SourcesDue: (ensure_stated_to_accept,),
     deliveries.DownloadsClosed: (answer_closed_downloads,),
+    deliveries.SourceFilesAgreed: (answer_source_files,),
     deliveries.ContractsNamed: (answer_contract_references,),
     deliveries.ReelUpload: (ensure_may_upload,),
     reviews.TakeJudged: (verdicts.record_verdict,),

@@ -35,6 +35,7 @@ from app.deliveries.errors import (
     VariationUnknown,
     WrongState,
 )
+from app.deliveries.handoffs.endpoints import router as handoffs_router
 from app.deliveries.models import Archive, Delivery
 from app.deliveries.rules import TakeState, base_name, ensure_master_kept, shown_name
 from app.deliveries.schemas import (
@@ -54,6 +55,7 @@ from app.deliveries.schemas import (
     TakeMatch,
     TakeRead,
 )
+from app.deliveries.source_banks.endpoints import router as source_banks_router
 from app.deliveries.sources.endpoints import router as sources_router
 from app.deliveries.tray.endpoints import router as tray_router
 from app.deliveries.uploads.endpoints import router as uploads_router
@@ -69,6 +71,8 @@ router.include_router(uploads_router)
 router.include_router(tray_router)
 router.include_router(files_router)
 router.include_router(sources_router)
+router.include_router(source_banks_router)
+router.include_router(handoffs_router)
 
 SAME_TAKE: dict[int | str, dict[str, Any]] = {
     200: {"model": TakeAdded, "description": "The same file was here before; this is its take."}

@@ -19,8 +19,28 @@ class DryStemNotFound(NotFound):
     """The take has no dry stem."""
 
 
+class SourceFileNotFound(NotFound):
+    """No source file of that id within the caller's sight."""
+
+
+class SourceBankHandedOver(Conflict):
+    """The source bank of an approved take is the studio's by contract, so nothing is taken out of it."""
+
+
+class HandoffNotFound(NotFound):
+    """No hand-off of that id within the caller's sight."""
+
+
+class NothingToHandOff(Conflict):
+    """The maker has delivered nothing for the cue."""
+
+
+class NextMakerUnknown(Invalid):
+    """The person is no other designer of the project."""
+
+
 class OwnDesignerNeeded(Forbidden):
-    """Only the sound's own designer does this: takes a fix, gives a dry stem."""
+    """Only the sound's own designer does this: takes a fix, gives a dry stem, keeps a source bank."""
 
 
 class WrongState(Conflict):

@@ -13,7 +13,7 @@ from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.core.recorded_rows import declare
 from app.core.uploads import Upload
-from app.deliveries.rules import ArchiveState, TakeState, TrayActionKind
+from app.deliveries.rules import ArchiveState, SourceFileKind, TakeState, TrayActionKind
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
 
@@ -218,6 +218,58 @@ class SourceStatement(Base):
     sources: Mapped[dict[str, Any]]  # see Sources
     stated_at: Mapped[datetime] = mapped_column(default=clock.now)
     designer: Mapped[Person] = relationship(lazy="raise")
+
+
+class SourceBank(ProjectOwned, Base):
+    """The recipe of a take: its plug-ins, and how it was made."""
+
+    __tablename__ = "deliveries_source_banks"
+
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"), primary_key=True)
+    plug_ins: Mapped[list[str]] = mapped_column(default=list)
+    recipe: Mapped[str] = mapped_column(default="")
+    changed_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class SourceFile(ProjectOwned, Base):
+    """A file that a take was made from: its session, or one of its layers."""
+
+    __tablename__ = "deliveries_source_files"
+    __table_args__ = (
+        UniqueConstraint("take_id", "upload_id"),
+        CheckConstraint("file_bytes >= 0", name="size_known"),
+        Index("ix_deliveries_source_files_kept", "studio_id", "sha256", "file_bytes"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
+    upload_id: Mapped[UUID] = mapped_column(ForeignKey(Upload.id), index=True)
+    kind: Mapped[SourceFileKind]
+    file_name: Mapped[str]  # as the designer named it; never a path
+    sha256: Mapped[str]
+    file_bytes: Mapped[int] = mapped_column(BigInteger)
+    received_at: Mapped[datetime] = mapped_column(default=clock.now)
+
+
+class Handoff(ProjectOwned, Dated, Base):
+    """A cue that its maker leaves unfinished: what is done, what is missing, and who continues it."""
+
+    __tablename__ = "deliveries_handoffs"
+    __table_args__ = (
+        CheckConstraint("done_percent between 0 and 100", name="percent_in_range"),
+        CheckConstraint("to_id is null or to_id != from_id", name="to_another"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    cue_id: Mapped[UUID] = mapped_column(ForeignKey("sound_lists_cues.id"), index=True)
+    from_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    to_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))  # None: nobody continues it yet
+    done_percent: Mapped[int]
+    missing: Mapped[str]
+    written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    maker: Mapped[Person] = relationship(lazy="raise", foreign_keys=[from_id])
+    next_maker: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[to_id])
+    author: Mapped[Person] = relationship(lazy="raise", foreign_keys=[written_by])
 
 
 class Adoption(StudioOwned, Dated, Base):

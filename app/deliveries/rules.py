@@ -49,6 +49,21 @@ class ArchiveState(StrEnum):
     REFUSED = "refused"
 
 
+class SourceFileKind(StrEnum):
+    """The kind of a file that a take was made from."""
+
+    SESSION = "session"
+    LAYER = "layer"
+
+
+LAYER_ENDINGS = (".wav", ".wave", ".flac", ".aif", ".aiff", ".mp3", ".ogg", ".opus", ".m4a", ".caf", ".w64")
+
+
+def source_file_kind(file_name: str) -> SourceFileKind:
+    """Return the kind of a source file by the ending of its name: audio is a layer, anything else the session."""
+    return SourceFileKind.LAYER if file_name.lower().endswith(LAYER_ENDINGS) else SourceFileKind.SESSION
+
+
 class TrayActionKind(StrEnum):
     """The actions on many takes at once."""
 

@@ -8,7 +8,7 @@ from pydantic import BeforeValidator, Field, StringConstraints
 
 from app.accounts.schemas import Line, PersonBrief, Prose
 from app.core.web.http import Schema, Whole
-from app.deliveries.rules import ArchiveState, TakeState, TrayActionKind, shown_name
+from app.deliveries.rules import ArchiveState, SourceFileKind, TakeState, TrayActionKind, shown_name
 
 GivenName = Annotated[
     str,
@@ -394,3 +394,81 @@ class DeliverySources(Schema):
     stated: SourcesRead | None = Field(description="Holds for every take without a statement of its own.")
     remembered: Sources | None = Field(description="What its designer stated last in this studio.")
     takes: list[TakeSources]
+
+
+class RecipeSet(Schema):
+    """The plug-ins of a take, and how it was made."""
+
+    plug_ins: list[Line] = Field([], max_length=MANY_SOURCES, description="Names with versions.")
+    recipe: Prose = ""
+
+
+class SourceFileAdd(Schema):
+    """A finished upload into a take's delivery that the take was made from."""
+
+    upload_id: UUID
+
+
+class SourceFileRead(Schema):
+    """A file that a take was made from."""
+
+    id: UUID
+    kind: SourceFileKind
+    file_name: ShownName
+    file_bytes: int
+    sha256: str
+    received_at: datetime
+
+
+class SourceBankRead(Schema):
+    """The source bank of a take: session, layers, plug-ins and recipe; in no pack."""
+
+    take_id: UUID
+    is_shown: bool = Field(description="Whether the caller sees it: its designer, or the studio by contract.")
+    is_handed_over: bool = Field(description="Whether it goes to the studio once the take is approved.")
+    plug_ins: list[str]
+    recipe: str
+    files: list[SourceFileRead]
+
+
+class HandoffAdd(Schema):
+    """What a maker did of a cue, and what is missing."""
+
+    done_percent: int = Field(ge=0, le=100)
+    missing: Annotated[Prose, StringConstraints(min_length=1)]
+    from_id: UUID | None = Field(None, description="The maker, where a producer writes it; null: the caller.")
+
+
+class NextMaker(Schema):
+    """The designer who continues a cue."""
+
+    designer_id: UUID
+
+
+class HandoffTake(Schema):
+    """A version in a hand-off, with as much of its source bank as the caller sees."""
+
+    id: UUID
+    file_name: ShownName
+    variation: int
+    number: int | None
+    state: TakeState
+    received_at: datetime
+    plug_ins: list[str]
+    recipe: str
+    source_files: list[SourceFileRead]
+
+
+class HandoffRead(Schema):
+    """A cue that its maker leaves unfinished."""
+
+    id: UUID
+    cue_id: UUID
+    done_percent: int
+    missing: str
+    created_at: datetime
+    written_by: PersonBrief
+    maker: PersonBrief
+    next_maker: PersonBrief | None = Field(description="Who continues it; null: nobody yet.")
+    closed: str | None = Field(description="Why its files cannot be downloaded now; null: they can.")
+    takes: list[HandoffTake]

@@ -44,6 +44,13 @@ class DownloadsClosed(Signal[dict[Work, str]]):
 
 
 @dataclass(frozen=True)
+class SourceFilesAgreed(Signal[dict[Work, bool]]):
+    """Asks whether contracts hand the source files of some work over; work without a contract is left out."""
+
+    work: Collection[Work]
+
+
+@dataclass(frozen=True)
 class ContractsNamed(Signal[dict[UUID, str]]):
     """Asks for the short names of the contracts that ordered takes, by the take's id."""
 

@@ -13,7 +13,7 @@ from app.agreements.models import ContractVersion, Seal
 from app.builds.models import PackedFile, PlaceholderFile
 from app.conformance.models import Fix
 from app.core.db import Base
-from app.deliveries.models import Archive, DryStem, Take
+from app.deliveries.models import Archive, DryStem, SourceFile, Take
 from app.hiring.models import ReelSound, Sample
 from app.operations.schemas import KeptFiles, KeptKind, StorageRead
 from app.projects.models import Engagement, Project
@@ -38,6 +38,7 @@ class Source(NamedTuple):
 KEPT = (
     Source(KeptKind.MASTERS, Take.studio_id, Take.master_sha256, Take.master_bytes),
     Source(KeptKind.DRY_STEMS, DryStem.studio_id, DryStem.sha256, DryStem.file_bytes),
+    Source(KeptKind.SOURCE_FILES, SourceFile.studio_id, SourceFile.sha256, SourceFile.file_bytes),
     Source(KeptKind.ARCHIVES, Archive.studio_id, Archive.sha256, Archive.archive_bytes),
     Source(KeptKind.GAME_FILES, Render.studio_id, Render.sha256, Render.file_bytes),
     Source(KeptKind.FIXES, Fix.studio_id, Fix.sha256, Fix.fixed_bytes),

@@ -69,6 +69,7 @@ class KeptKind(StrEnum):
 
     MASTERS = "masters"
     DRY_STEMS = "dry_stems"  # withdrawn ones too
+    SOURCE_FILES = "source_files"  # sessions and layers of source banks
     ARCHIVES = "archives"  # ZIPs as they were delivered
     GAME_FILES = "game_files"
     DRAWINGS = "drawings"  # wave shapes, spectrum and preview of one sound together

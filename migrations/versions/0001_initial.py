@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_ac189176"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_f5984c54"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -857,6 +857,23 @@ def upgrade() -> None:
     op.create_index(op.f("ix_hiring_busy_ranges_entry_id"), "hiring_busy_ranges", ["entry_id"])
     op.create_index(op.f("ix_hiring_busy_ranges_studio_id"), "hiring_busy_ranges", ["studio_id"])
     op.create_table(
+        "hiring_loans",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("entry_id", sa.Uuid(), nullable=False),
+        sa.Column("item", sa.String(), nullable=False),
+        sa.Column("lent_on", sa.Date(), nullable=False),
+        sa.Column("due_on", sa.Date()),
+        sa.Column("returned_on", sa.Date()),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.CheckConstraint("due_on is null or due_on >= lent_on", name=op.f("ck_hiring_loans_due_after_lent")),
+        sa.CheckConstraint("returned_on is null or returned_on >= lent_on", name=op.f("ck_hiring_loans_returned_after_lent")),
+        sa.ForeignKeyConstraint(["entry_id"], ["hiring_roster_entries.id"], name=op.f("fk_hiring_loans_entry_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_hiring_loans_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_hiring_loans")),
+    )
+    op.create_index(op.f("ix_hiring_loans_entry_id"), "hiring_loans", ["entry_id"])
+    op.create_index(op.f("ix_hiring_loans_studio_id"), "hiring_loans", ["studio_id"])
+    op.create_table(
         "hiring_postings",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("title", sa.String(), nullable=False),
@@ -1325,8 +1342,6 @@ def upgrade() -> None:
         sa.Column("use", sa.String(), nullable=False),
         sa.Column("trigger", sa.String(), nullable=False),
         sa.Column("duration_s", sa.Double()),
-        sa.Column("duration_min_s", sa.Double()),
-        sa.Column("duration_max_s", sa.Double()),
         sa.Column("length_locked", sa.Boolean(), nullable=False),
         sa.Column("frame_rate_fps", sa.Double()),
         sa.Column("loop", sa.Boolean(), nullable=False),
@@ -1348,7 +1363,6 @@ def upgrade() -> None:
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.CheckConstraint("(state = 'cut') = (cut_at is not null)", name=op.f("ck_sound_lists_cues_cut_is_dated")),
-        sa.CheckConstraint("duration_min_s > 0 and duration_max_s >= duration_min_s", name=op.f("ck_sound_lists_cues_duration_bounds_in_order")),
         sa.CheckConstraint("duration_s is null or duration_s > 0", name=op.f("ck_sound_lists_cues_duration_positive")),
         sa.CheckConstraint("variations between 1 and 99", name=op.f("ck_sound_lists_cues_variations_in_range")),
         sa.ForeignKeyConstraint(["implementer_id"], ["accounts_people.id"], name=op.f("fk_sound_lists_cues_implementer_id")),
@@ -1635,6 +1649,31 @@ def upgrade() -> None:
     op.create_index(op.f("ix_deliveries_archives_delivery_id"), "deliveries_archives", ["delivery_id"])
     op.create_index(op.f("ix_deliveries_archives_project_id"), "deliveries_archives", ["project_id"])
     op.create_index(op.f("ix_deliveries_archives_studio_id"), "deliveries_archives", ["studio_id"])
+    op.create_table(
+        "deliveries_handoffs",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("cue_id", sa.Uuid(), nullable=False),
+        sa.Column("from_id", sa.Uuid(), nullable=False),
+        sa.Column("to_id", sa.Uuid()),
+        sa.Column("done_percent", sa.Integer(), nullable=False),
+        sa.Column("missing", sa.String(), nullable=False),
+        sa.Column("written_by", sa.Uuid(), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.CheckConstraint("done_percent between 0 and 100", name=op.f("ck_deliveries_handoffs_percent_in_range")),
+        sa.CheckConstraint("to_id is null or to_id != from_id", name=op.f("ck_deliveries_handoffs_to_another")),
+        sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_deliveries_handoffs_cue_id")),
+        sa.ForeignKeyConstraint(["from_id"], ["accounts_people.id"], name=op.f("fk_deliveries_handoffs_from_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_handoffs_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_handoffs_studio_id")),
+        sa.ForeignKeyConstraint(["to_id"], ["accounts_people.id"], name=op.f("fk_deliveries_handoffs_to_id")),
+        sa.ForeignKeyConstraint(["written_by"], ["accounts_people.id"], name=op.f("fk_deliveries_handoffs_written_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_handoffs")),
+    )
+    op.create_index(op.f("ix_deliveries_handoffs_cue_id"), "deliveries_handoffs", ["cue_id"])
+    op.create_index(op.f("ix_deliveries_handoffs_project_id"), "deliveries_handoffs", ["project_id"])
+    op.create_index(op.f("ix_deliveries_handoffs_studio_id"), "deliveries_handoffs", ["studio_id"])
     op.create_table(
         "hiring_bids",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -2431,6 +2470,26 @@ def upgrade() -> None:
     op.create_index("ix_deliveries_takes_sums", "deliveries_takes", ["project_id", "cue_id", "variation", "state", "number", "designer_id", "studio_id"])
     op.create_index("uq_reviews_one_approved", "deliveries_takes", ["cue_id", "variation"], unique=True, sqlite_where=sa.text("state = 'approved'"), postgresql_where=sa.text("state = 'approved'"))
     op.create_table(
+        "hiring_bid_notes",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("bid_id", sa.Uuid(), nullable=False),
+        sa.Column("kind", sa.Enum("call", "interview", "other", name="bidnotekind", native_enum=False, length=32), nullable=False),
+        sa.Column("held_on", sa.Date(), nullable=False),
+        sa.Column("text", sa.String(), nullable=False),
+        sa.Column("written_by", sa.Uuid(), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["bid_id"], ["hiring_bids.id"], name=op.f("fk_hiring_bid_notes_bid_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_hiring_bid_notes_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_hiring_bid_notes_studio_id")),
+        sa.ForeignKeyConstraint(["written_by"], ["accounts_people.id"], name=op.f("fk_hiring_bid_notes_written_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_hiring_bid_notes")),
+    )
+    op.create_index(op.f("ix_hiring_bid_notes_bid_id"), "hiring_bid_notes", ["bid_id"])
+    op.create_index(op.f("ix_hiring_bid_notes_project_id"), "hiring_bid_notes", ["project_id"])
+    op.create_index(op.f("ix_hiring_bid_notes_studio_id"), "hiring_bid_notes", ["studio_id"])
+    op.create_table(
         "hiring_samples",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("bid_id", sa.Uuid(), nullable=False),
@@ -2895,6 +2954,45 @@ def upgrade() -> None:
     op.create_index("ix_deliveries_cue_sums_alike", "deliveries_cue_sums", ["project_id", "viewer_id", "state", "variations", "placeholder", "facts", "studio_id"])
     op.create_index("ix_deliveries_cue_sums_back", "deliveries_cue_sums", ["project_id", "viewer_id", "back_since", "cue_id"], sqlite_where=sa.text("back_since is not null"), postgresql_where=sa.text("back_since is not null"))
     op.create_index("ix_deliveries_cue_sums_newest_back", "deliveries_cue_sums", ["project_id", "viewer_id", "newest_back_since"], sqlite_where=sa.text("newest_back_since is not null"), postgresql_where=sa.text("newest_back_since is not null"))
+    op.create_table(
+        "deliveries_source_banks",
+        sa.Column("take_id", sa.Uuid(), nullable=False),
+        sa.Column("plug_ins", JSON, nullable=False),
+        sa.Column("recipe", sa.String(), nullable=False),
+        sa.Column("changed_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_source_banks_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_source_banks_studio_id")),
+        sa.ForeignKeyConstraint(["take_id"], ["deliveries_takes.id"], name=op.f("fk_deliveries_source_banks_take_id")),
+        sa.PrimaryKeyConstraint("take_id", name=op.f("pk_deliveries_source_banks")),
+    )
+    op.create_index(op.f("ix_deliveries_source_banks_project_id"), "deliveries_source_banks", ["project_id"])
+    op.create_index(op.f("ix_deliveries_source_banks_studio_id"), "deliveries_source_banks", ["studio_id"])
+    op.create_table(
+        "deliveries_source_files",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("take_id", sa.Uuid(), nullable=False),
+        sa.Column("upload_id", sa.Uuid(), nullable=False),
+        sa.Column("kind", sa.Enum("session", "layer", name="sourcefilekind", native_enum=False, length=32), nullable=False),
+        sa.Column("file_name", sa.String(), nullable=False),
+        sa.Column("sha256", sa.String(), nullable=False),
+        sa.Column("file_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("received_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.CheckConstraint("file_bytes >= 0", name=op.f("ck_deliveries_source_files_size_known")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_source_files_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_source_files_studio_id")),
+        sa.ForeignKeyConstraint(["take_id"], ["deliveries_takes.id"], name=op.f("fk_deliveries_source_files_take_id")),
+        sa.ForeignKeyConstraint(["upload_id"], ["core_uploads.id"], name=op.f("fk_deliveries_source_files_upload_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_source_files")),
+        sa.UniqueConstraint("take_id", "upload_id", name=op.f("uq_deliveries_source_files_take_id_upload_id")),
+    )
+    op.create_index("ix_deliveries_source_files_kept", "deliveries_source_files", ["studio_id", "sha256", "file_bytes"])
+    op.create_index(op.f("ix_deliveries_source_files_project_id"), "deliveries_source_files", ["project_id"])
+    op.create_index(op.f("ix_deliveries_source_files_studio_id"), "deliveries_source_files", ["studio_id"])
+    op.create_index(op.f("ix_deliveries_source_files_upload_id"), "deliveries_source_files", ["upload_id"])
     op.create_table(
         "deliveries_source_statements",
         sa.Column("id", sa.Uuid(), nullable=False),

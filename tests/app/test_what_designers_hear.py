@@ -47,6 +47,7 @@ def test_the_routes_that_serve_sound_are_among_those_asked() -> None:
         "get_reel_file",
         "download_master",
         "download_dry_stem",
+        "download_source_file",
         "get_master_export_file",
     }
     assert asked >= {*HEARD, *sound, "get_take_sounds", "see_take", "see_delivery"}

@@ -29,8 +29,8 @@ from app.core.db import new_id
 from app.core.jobs.queue import queue_of
 from app.core.uploads import Upload, Uploads
 from app.deliveries.cue_counts.service import update_cue_sums
-from app.deliveries.models import Adoption, Delivery, DryStem, Take, TrayAction
-from app.deliveries.rules import TakeState, TrayActionKind
+from app.deliveries.models import Adoption, Delivery, DryStem, Handoff, SourceFile, Take, TrayAction
+from app.deliveries.rules import SourceFileKind, TakeState, TrayActionKind
 from app.notifications.models import Mail
 from app.projects.models import CreditLine, Deputy, Engagement, Project
 from app.projects.queries import current_spec
@@ -130,6 +130,24 @@ class House(World):
         adoption = Adoption(**of, folder="Sounds", files=[], opened_by=self.producer_id)
         session.add_all([take, changed, dry_stem, tray_action, adoption])
         session.flush()
+        source_file = SourceFile(
+            **of,
+            take_id=take.id,
+            upload_id=spent.id,
+            kind=SourceFileKind.SESSION,
+            file_name="shield_hit.rpp",
+            sha256=self.sha256,
+            file_bytes=len(FILE),
+        )
+        handoff = Handoff(
+            **of,
+            cue_id=cue.id,
+            from_id=self.designer_id,
+            done_percent=75,
+            missing="The tail.",
+            written_by=self.designer_id,
+        )
+        session.add_all([source_file, handoff])
         update_cue_sums(session, cue.id)
         spec = current_spec(session, self.project_id)
         picture = Picture(
@@ -280,6 +298,8 @@ class House(World):
             "kit_key": "platformer",
             "delivery_id": delivery.id,
             "take_id": take.id,
+            "source_file_id": source_file.id,
+            "handoff_id": handoff.id,
             "picture_id": picture.id,
             "render_id": render.id,
             "reel_id": reel.id,

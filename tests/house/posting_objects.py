@@ -8,8 +8,8 @@ from sqlalchemy.orm import Session
 from app.accounts.authentication import sha256_of
 from app.core import clock
 from app.core.uploads import Upload
-from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Sample
-from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
+from app.hiring.models import Bid, BidNote, Candidate, Posting, PostingQuestion, Sample
+from app.hiring.rules import AskedScope, BidNoteKind, BidState, PostingPhase, PostingState, SampleState
 
 
 def add_posting(
@@ -69,12 +69,21 @@ def add_posting(
         file_bytes=sample.length,
         state=SampleState.CONFORMING,
     )
-    session.add(sound)
+    bid_note = BidNote(
+        **of,
+        bid_id=bid.id,
+        kind=BidNoteKind.CALL,
+        held_on=clock.now().date(),
+        text="Clear answers.",
+        written_by=made_by,
+    )
+    session.add_all([sound, bid_note])
     session.flush()
     return {
         "posting_id": posting.id,
         "candidate_id": candidate.id,
         "bid_id": bid.id,
+        "bid_note_id": bid_note.id,
         "bid_sample_id": sound.id,
         "posting_question_id": question.id,
     }

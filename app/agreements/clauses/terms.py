@@ -24,6 +24,13 @@ class SourcesNeeded(StrEnum):
     BEFORE_INVOICE = "before_invoice"
 
 
+class SourceFiles(StrEnum):
+    """The owner of session, layers and recipe of an approved file."""
+
+    KEPT = "kept"  # by the designer
+    HANDED_OVER = "handed_over"  # to the studio
+
+
 class DownloadsOpen(StrEnum):
     """The time from which the studio downloads masters and game files."""
 
@@ -91,6 +98,7 @@ class MoneyTerms:
     notice_days: int | None = None  # None: it ends early only where both agree
     deposit_at_end: DepositAtEnd = DepositAtEnd.STAYS
     sources_needed: SourcesNeeded = SourcesNeeded.ASKED
+    source_files: SourceFiles = SourceFiles.KEPT
     downloads_open: DownloadsOpen = DownloadsOpen.AT_ONCE
     late_interest_monthly_bp: int = 0  # of what is open of an invoice after its day
     bonus_minor: int = 0
@@ -108,6 +116,8 @@ class MoneyTerms:
             given_terms["deposit_at_end"] = DepositAtEnd(given_terms["deposit_at_end"])
         if "sources_needed" in given_terms:
             given_terms["sources_needed"] = SourcesNeeded(given_terms["sources_needed"])
+        if "source_files" in given_terms:
+            given_terms["source_files"] = SourceFiles(given_terms["source_files"])
         if "downloads_open" in given_terms:
             given_terms["downloads_open"] = DownloadsOpen(given_terms["downloads_open"])
         if "bonus_when" in given_terms:

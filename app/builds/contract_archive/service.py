@@ -1,6 +1,7 @@
 """The handover pack of a contract that has ended: what the next designer begins with."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import PurePosixPath
 from uuid import UUID
 
@@ -18,13 +19,17 @@ from app.briefs.rules import in_words
 from app.briefs.service import open_answers
 from app.builds import queries
 from app.builds.contract_archive.text import HandedCue, HandedFile, HandedRemark, Handover, cue_table, read_me
+from app.builds.engine_export.cues import file_safe
 from app.builds.errors import ContractNotEnded
 from app.builds.packs.service import SUMS, ensure_stored, memory_entry, stored_entry
 from app.builds.packs.zip_stream import Entry
 from app.builds.rules import sums
 from app.builds.schemas import OpenCue, OpenHandover
 from app.core.storage import Store
-from app.deliveries.models import Take
+from app.deliveries.models import SourceFile, Take
+from app.deliveries.rules import base_name
+from app.deliveries.source_banks import queries as bank_queries
+from app.deliveries.source_banks.service import handed_over
 from app.deliveries.sources.queries import approved_takes_of
 from app.deliveries.sources.service import sources_of
 from app.deliveries.sources.statements import words_of
@@ -54,7 +59,7 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
     covered = cues_of(session, contract.id)
     approved = approved_takes_of(session, [contract_cue.cue_id for contract_cue in covered], contract.designer_id)
     palette = _palette(session, project, {take.id for take in approved})
-    files = _files(session, project, "masters", approved)
+    files, source_files = _with_banks(session, approved, _files(session, project, "masters", approved))
     of_palette = _files(session, project, "palette", palette)
     handover = Handover(
         project=project.name,
@@ -68,6 +73,9 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
         stored_entry(store, take.studio_id, file.path, take.master_sha256, take.master_bytes)
         for take in (*approved, *palette)
         if not (file := (files | of_palette)[take.id]).left_out
+    ]
+    masters += [
+        stored_entry(store, file.studio_id, path, file.sha256, file.file_bytes) for path, file in source_files.items()
     ]
     ensure_stored(store, project.studio_id, masters)
     entries = [*masters, memory_entry(CUES, cue_table(handover)), memory_entry(READ_ME, read_me(handover))]
@@ -137,6 +145,31 @@ def _files(session: Session, project: Project, folder: str, takes: Sequence[Take
         for take in takes
         if take.cue_id is not None and take.variation is not None
     }
+
+
+def _with_banks(
+    session: Session, takes: Sequence[Take], files: dict[UUID, HandedFile]
+) -> tuple[dict[UUID, HandedFile], dict[str, SourceFile]]:
+    """Return files with the source banks that the contract hands over, and the source files by their paths."""
+    open_takes = [take for take in handed_over(session, takes) if not files[take.id].left_out]
+    take_ids = [take.id for take in open_takes]
+    banks, kept = bank_queries.source_banks(session, take_ids), bank_queries.source_files(session, take_ids)
+    whole, by_path = dict(files), dict[str, SourceFile]()
+    for take in open_takes:
+        folder = f"source_files/{PurePosixPath(files[take.id].path).stem}"
+        paths = {
+            f"{folder}/{place:02d}_{file_safe(base_name(file.file_name))}": file
+            for place, file in enumerate(kept.get(take.id, []), start=1)
+        }
+        bank = banks.get(take.id)
+        whole[take.id] = replace(
+            files[take.id],
+            plug_ins=bank.plug_ins if bank else (),
+            recipe=bank.recipe if bank else "",
+            source_files=list(paths),
+        )
+        by_path |= paths
+    return whole, by_path
 
 
 def _stem(stems: Mapping[tuple[UUID, int], str], take: Take) -> str:

@@ -17,6 +17,9 @@ class HandedFile:
     version: int | None
     sources: str
     left_out: str = ""
+    plug_ins: Sequence[str] = ()
+    recipe: str = ""
+    source_files: Sequence[str] = ()  # paths in the pack
 
 
 @dataclass(frozen=True)
@@ -115,6 +118,8 @@ def read_me(handover: Handover) -> bytes:
     page.section(
         "Approved files", [_file_line(file) for file in files], "No cue of the contract has an approved version."
     )
+    banks = [line for file in files for line in _bank_lines(file)]
+    page.section("Source files", banks, "No approved file has source files that the contract hands over.")
     owed = [f"- {name} ({cue.label} {cue.name})" for cue in cues for name in cue.owed]
     page.section("Files still to deliver", owed, "None: every variation has its approved version.")
     remarks = [line for cue in cues if cue.remarks for line in _remark_lines(cue)]
@@ -137,6 +142,13 @@ def _cue_line(cue: HandedCue) -> str:
 def _file_line(file: HandedFile) -> str:
     left_out = f", not in this pack: {file.left_out}" if file.left_out else ""
     return f"- {file.path}, SHA-256 {file.sha256}; {file.sources or 'sources not stated'}{left_out}"
+
+
+def _bank_lines(file: HandedFile) -> list[str]:
+    if not (file.plug_ins or file.recipe or file.source_files):
+        return []
+    plug_ins = [f"- Plug-ins: {', '.join(file.plug_ins)}"] if file.plug_ins else []
+    return [f"### {file.path}", "", *(f"- {path}" for path in file.source_files), *plug_ins, "", file.recipe, ""]
 
 
 def _remark_lines(cue: HandedCue) -> list[str]:

@@ -12,7 +12,7 @@ from app.conformance.models import Fix
 from app.core import clock
 from app.core.db import Base
 from app.core.uploads.model import FINISHED_KEPT_FOR, Upload
-from app.deliveries.models import Archive, DryStem, Take
+from app.deliveries.models import Archive, DryStem, SourceFile, Take
 from app.operations.models import DamagedBlob, Scrub
 from app.operations.queries import KEPT, Source
 from app.operations.schemas import KeptKind
@@ -44,6 +44,7 @@ REMOVED: dict[type[Base], ColumnElement[bool]] = {  # rows that stay as history,
     Release: Release.removed_at.is_not(None),
     Take: Take.master_deleted_at.is_not(None),
     DryStem: _came_with_deleted_masters(DryStem.delivery_id, DryStem.received_at),
+    SourceFile: SourceFile.take_id.in_(MASTERLESS),
     Archive: _came_with_deleted_masters(Archive.delivery_id, Archive.received_at),
     Fix: Fix.take_id.in_(MASTERLESS),
     MasterExport: MasterExport.take_id.in_(MASTERLESS),

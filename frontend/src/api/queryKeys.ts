@@ -88,7 +88,7 @@ export const queryKeys = {
   roster: family<[studioId: string, search: unknown]>('roster'),
   rosterEntry: family<[entryId: string, part?: 'work' | 'postings']>('roster-entry'),
   rosterImport: family<[studioId: string, sheet: unknown]>('roster-import'),
-  ownWork: family('own-work'),
+  ownWork: family<[part?: 'projects']>('own-work'),
 
   // contracts and money
   contracts: family<[projectId: string, part?: 'last' | 'handovers', ...of: unknown[]]>('contracts'),
@@ -105,10 +105,11 @@ export const queryKeys = {
   unmatched: family<[projectId: string, count?: number]>('unmatched'),
   undecidedFiles: family<[projectId: string]>('undecided-files'),
   cueTakes: family<[cueId: string]>('cue-takes'),
-  take: family<[takeId: string, part?: 'check' | 'fit', ...of: unknown[]]>('take'),
+  take: family<[takeId: string, part?: 'check' | 'fit' | 'source-bank', ...of: unknown[]]>('take'),
   takeSounds: family<[takeId: string]>('take-sounds'),
   sameSounds: family<[takeId: string]>('same-sounds'),
   soundLibraries: family<[projectId: string]>('sound-libraries'),
+  handoffs: family<[cueId: string]>('handoffs'),
   sources: family<[of: 'take' | 'delivery', id: string]>('sources'),
   fix: family<[takeId: string]>('fix'),
   fixes: family<[projectId: string]>('fixes'),

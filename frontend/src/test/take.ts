@@ -132,6 +132,16 @@ export const someSounds = (more: object = {}) => ({
   closed: null,
   ...more,
 })
+/** The source bank of a version, as its designer sees it. */
+export const aSourceBank = (bank: object = {}) => ({
+  take_id: 't1',
+  is_shown: true,
+  is_handed_over: false,
+  plug_ins: [],
+  recipe: '',
+  files: [],
+  ...bank,
+})
 const BANDS = { hz: [100, 1_000, 10_000], dbfs: [-30.1, -12.4, null] }
 
 /** A server with one version that came back, seen by its designer; every answer can be overridden. */
@@ -143,6 +153,7 @@ export function aTakeServer() {
     .on('GET /v1/takes/t1/sounds', someSounds())
     .on('GET /v1/takes/t1/fix', aFix())
     .on('GET /v1/takes/t1/history', [])
+    .on('GET /v1/takes/t1/source-bank', aSourceBank())
   for (const [id, durationS] of [
     ['s1', 0.8],
     ['m1', 0.4],

@@ -43,7 +43,16 @@ WANTED = {
     "disputes",
 }
 MUSIC = {"music_rights", "music_skus", "music_soundtrack"}
-OFF = {"ownership_on_creation", "equipment", "exclusivity", "bonus", "purchase_order", "silence", "downloads"} | MUSIC
+OFF = {
+    "ownership_on_creation",
+    "equipment",
+    "exclusivity",
+    "bonus",
+    "purchase_order",
+    "silence",
+    "downloads",
+    "source_files",
+} | MUSIC
 OFF |= {"next_project", "points", "hours", "retainer"}
 
 

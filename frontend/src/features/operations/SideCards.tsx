@@ -12,6 +12,7 @@ import { isDamaged, laneKey, laneLine, laneWords, scrubLine } from './words'
 const NAMES: Record<Storage['kept'][number]['kind'], string> = {
   masters: 'master',
   dry_stems: 'dry stem',
+  source_files: 'source file',
   archives: 'ZIP file',
   game_files: 'game file',
   drawings: 'preview',

@@ -13,6 +13,7 @@ export type CueDetail = Schemas['CueDetail']
 export type CueAdd = Schemas['CueAdd']
 export type CueStatus = Schemas['CueStatus']
 export type CueProgress = Schemas['CueProgress']
+export type Handoff = Schemas['HandoffRead']
 export type Question = Schemas['QuestionRead']
 export type Take = Schemas['TakeRead']
 export type Reel = Schemas['ReelRead']
@@ -22,6 +23,9 @@ export type Revision = Schemas['RevisionRead']
 export type Comparison = Schemas['ListComparison']
 export type Difference = Schemas['CueDifference']
 export type FieldChange = Schemas['FieldChange']
+
+/** The hand-offs of a cue between makers; a designer's from or to them. */
+export const handoffsQuery = queryById('/v1/cues/{cue_id}/handoffs', queryKeys.handoffs)
 
 const SOON_MS = 3000
 

@@ -27,6 +27,7 @@ import { FitCard } from './FitCard'
 import { LossyCard } from './LossyCard'
 import { FiguresCard, GameFilesCard, HistoryCard } from './SideCards'
 import { SoundCard } from './SoundCard'
+import { SourceBankCard } from './SourceBankCard'
 import { ReverbCard } from './ReverbCard'
 import { ReversedCard } from './ReversedCard'
 import { SpectrumCard } from './SpectrumCard'
@@ -215,6 +216,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
               <TakeSourcesPart takeId={take.id} mayState={isMaker} />
             </div>
           </Card>
+          <SourceBankCard take={take} isMaker={isMaker} />
           {sounds && sounds.renders.length > 0 && <GameFilesCard files={sounds.renders} />}
           <HistoryCard takeId={take.id} />
         </aside>

@@ -14,6 +14,8 @@ export type GameFile = Schemas['RenderSoundRead']
 export type HistoryEntry = Schemas['HistoryEntry']
 export type MasterExport = Schemas['MasterExportRead']
 export type Bands = Schemas['BandsRead']
+export type SourceBank = Schemas['SourceBankRead']
+export type SourceFile = Schemas['SourceFileRead']
 
 const POLL_MS = 1000
 
@@ -55,6 +57,34 @@ export const useWithdrawDryStem = (takeId: string) =>
     mutationFn: () => del('/v1/takes/{take_id}/dry-stem', { take_id: takeId }),
     affects: [queryKeys.take(takeId)],
   })
+
+export const sourceBankQuery = (takeId: string) =>
+  queryOptions({
+    queryKey: queryKeys.take(takeId, 'source-bank'),
+    queryFn: () => answered(api.GET('/v1/takes/{take_id}/source-bank', ofTake(takeId))),
+  })
+
+/** Keep a file, which an upload into its delivery brought, in the source bank of a version. */
+export const giveSourceFile = (takeId: string, uploadId: string) =>
+  answered(api.POST('/v1/takes/{take_id}/source-files', { ...ofTake(takeId), body: { upload_id: uploadId } }))
+
+export function useSetRecipe(takeId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (body: Schemas['RecipeSet']) =>
+      answered(api.PUT('/v1/takes/{take_id}/source-bank', { ...ofTake(takeId), body })),
+    onSuccess: () => invalidate(client, queryKeys.take(takeId, 'source-bank')),
+  })
+}
+
+export function useRemoveSourceFile(takeId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (id: string) =>
+      answered(api.DELETE('/v1/source-files/{source_file_id}', { params: { path: { source_file_id: id } } })),
+    onSuccess: () => invalidate(client, queryKeys.take(takeId, 'source-bank')),
+  })
+}
 
 /** How a version lies among the approved sounds; for the team. */
 export const fitQuery = (take: Take) =>

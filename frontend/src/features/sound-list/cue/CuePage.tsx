@@ -29,6 +29,7 @@ import {
 import classes from './Cue.module.css'
 import { CutCue } from './CutCue'
 import { EditCue } from './EditCue'
+import { Handoffs } from './Handoffs'
 import { History } from './History'
 import { keepLastCue } from '../lastCue'
 import { AskForm, QuestionLine } from './Questions'
@@ -223,6 +224,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
               )}
             </div>
           </Card>
+          <Handoffs cue={cue} projectId={projectId} versions={delivered} />
           <History cue={cue} versions={delivered} changes={changes} />
         </div>
       </div>

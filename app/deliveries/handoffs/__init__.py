@@ -1,0 +1,1 @@
+"""Hand-offs of a cue from one maker to the next."""

@@ -1,0 +1,1 @@
+"""The source banks of takes: session, layers, plug-ins and recipe."""
