@@ -28,6 +28,13 @@ REDLINE = {
 }
 
 
+RECIPE = {
+    "plug_ins": ["Convolution reverb 2.1", "Pitch shifter 4.0"],
+    "recipe": "Two metal bowls, pitched down seven semitones; the clank is a gate hinge at -9 dB, 40 ms later.",
+}
+HANDED_OFF = {"done_percent": 75, "missing": "The tail in the hangar, and a duller clank."}
+
+
 def propose_redline(designer: Visitor, contract: dict[str, Any]) -> None:
     """Insert a clause into the text that was sent."""
     body = {"version": contract["version"]["number"], "changes": [REDLINE], "note": "One addition; the rest is fine."}
@@ -51,11 +58,21 @@ def add_extras(producer: Visitor, studio_id: str, project_id: str, cue_ids: dict
     _listen(producer, project)
 
 
+def hand_off_newest(designer: Visitor, project_id: str) -> None:
+    """Keep the recipe of the designer's newest take with a cue, and hand that cue off unfinished, once."""
+    takes = designer.ask("GET", f"/projects/{project_id}/takes", params={"limit": "50"})["items"]
+    take = next(take for take in takes if take["cue"] and take["state"] != "approved")
+    designer.ask("PUT", f"/takes/{take['id']}/source-bank", json=RECIPE)
+    handoffs = f"/cues/{take['cue']['id']}/handoffs"
+    if not designer.ask("GET", handoffs):
+        designer.ask("POST", handoffs, json=HANDED_OFF)
+
+
 def _add_to_roster(producer: Visitor, path: str) -> None:
     address = "second.designer@soundlist.example"
     if address in {entry["email"] for entry in producer.ask("GET", path)["items"]}:
         return
-    producer.ask(
+    entry = producer.ask(
         "POST",
         path,
         json={
@@ -71,6 +88,10 @@ def _add_to_roster(producer: Visitor, path: str) -> None:
             "rate": {"amount_minor": 6_000, "currency": "USD", "unit": "hour"},
         },
     )
+    today = clock.now().date()
+    due_on = today + timedelta(days=30)
+    loan = {"item": "Field recorder", "lent_on": today.isoformat(), "due_on": due_on.isoformat()}
+    producer.ask("PUT", f"/roster/{entry['id']}/loans", json={"loans": [loan]})
 
 
 def _listen(producer: Visitor, project: str) -> None:

@@ -21,6 +21,7 @@ SCORES = {
     "producer": ((4, "Answers within a day."), (3, "Over the budget.")),
     "approver": ((5, "The closest to the palette in my head."), (4, "Fine recordings, a little polite.")),
 }
+CALL = "Twenty minutes. Asked about the footsteps at once; begins on Monday."
 
 
 class Hiring:
@@ -52,6 +53,7 @@ class Hiring:
         by_price = sorted(bids["bids"], key=lambda bid: bid["total_minor"])  # the order of OFFERS
         for at, bid in enumerate(by_price):
             self._score(bid["id"], bids["headings"], at)
+        self._note_call(by_price[0])
         bid_id = by_price[designers.index(chosen)]["id"]
         self._producer.ask("PUT", f"/bids/{bid_id}/shortlist", json={"is_shortlisted": True})
         awarded = self._producer.ask("POST", f"/bids/{bid_id}/award")
@@ -114,6 +116,11 @@ class Hiring:
         mails = self._producer.ask("GET", f"/studios/{self._studio_id}/outbox")["mails"]
         links = (mail["link"] for mail in mails if mail["recipient"] == address)
         return next((link for link in links if link and "/posting/" in link), None)
+
+    def _note_call(self, bid: dict[str, Any]) -> None:
+        if not bid["notes"]:
+            body = {"kind": "call", "held_on": clock.now().date().isoformat(), "text": CALL}
+            self._producer.ask("POST", f"/bids/{bid['id']}/notes", json=body)
 
     def _score(self, bid_id: str, headings: Sequence[str], at: int) -> None:
         for visitor, given in ((self._producer, SCORES["producer"]), (self._approver, SCORES["approver"])):

@@ -151,6 +151,7 @@ class _Maker:
         self._begin("Adding voice lines")
         self._add_voice_lines()
         extras.add_extras(self._producer, self._people["studio"], self._project, self._cues)
+        extras.hand_off_newest(self._designer, self._project)
         return self._project, token
 
     def _begin(self, step: str) -> None:

@@ -11,6 +11,10 @@ class BidNotFound(NotFound):
     """No bid of that id within the caller's sight."""
 
 
+class BidNoteNotFound(NotFound):
+    """No note of the caller's own on a bid of that id."""
+
+
 class CandidateNotFound(NotFound):
     """The posting has no invited person of that id."""
 

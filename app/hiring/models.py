@@ -12,7 +12,7 @@ from app.core import clock
 from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.hiring.roster.rules import BusyKind, Exclusivity, RateUnit
-from app.hiring.rules import AskedScope, BidState, PostingPhase, PostingState, SampleState
+from app.hiring.rules import AskedScope, BidNoteKind, BidState, PostingPhase, PostingState, SampleState
 from app.projects.models import Project
 
 
@@ -143,6 +143,20 @@ class Score(ProjectOwned, Base):
     person: Mapped[Person] = relationship(lazy="raise")
 
 
+class BidNote(ProjectOwned, Dated, Base):
+    """A note of the team on a bid: of a call, an interview or anything else. The bidder never sees it."""
+
+    __tablename__ = "hiring_bid_notes"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    bid_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_bids.id"), index=True)
+    kind: Mapped[BidNoteKind]
+    held_on: Mapped[date]
+    text: Mapped[str]
+    written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    author: Mapped[Person] = relationship(lazy="raise")
+
+
 class RosterEntry(StudioOwned, Base):
     """A sound designer whom a studio keeps on file, as the studio knows them; the designer may have no account."""
 
@@ -193,6 +207,23 @@ class BusyRange(StudioOwned, Base):
     kind: Mapped[BusyKind] = mapped_column(default=BusyKind.BOOKED)
     note: Mapped[str] = mapped_column(default="")
     is_from_calendar: Mapped[bool] = mapped_column(default=False)  # replaced when a calendar file is read again
+
+
+class Loan(StudioOwned, Base):
+    """A piece of equipment that a studio lends to a designer on its roster."""
+
+    __tablename__ = "hiring_loans"
+    __table_args__ = (
+        CheckConstraint("due_on is null or due_on >= lent_on", name="due_after_lent"),
+        CheckConstraint("returned_on is null or returned_on >= lent_on", name="returned_after_lent"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    entry_id: Mapped[UUID] = mapped_column(ForeignKey("hiring_roster_entries.id"), index=True)
+    item: Mapped[str]
+    lent_on: Mapped[date]
+    due_on: Mapped[date | None]
+    returned_on: Mapped[date | None]  # None: it is still lent
 
 
 class ReelSound(StudioOwned, Base):

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.rules import Actor
 from app.core import clock
-from app.hiring.models import Bid, Candidate, Posting, PostingQuestion, Sample, Score
+from app.hiring.models import Bid, BidNote, Candidate, Posting, PostingQuestion, Sample, Score
 from app.hiring.rules import BidState, CountedCue, PostingState
 from app.projects.models import Project
 from app.sound_lists.models import Cue
@@ -290,6 +290,21 @@ def scores_of(session: Session, bid_ids: Collection[UUID]) -> Sequence[Score]:
     return session.scalars(
         select(Score).where(Score.bid_id.in_(bid_ids)).options(joinedload(Score.person)).order_by(Score.changed_at)
     ).all()
+
+
+def notes_of(session: Session, bid_ids: Collection[UUID]) -> Sequence[BidNote]:
+    """Return the notes of the team on bids with their authors, the newest day first."""
+    return session.scalars(
+        select(BidNote)
+        .where(BidNote.bid_id.in_(bid_ids))
+        .options(joinedload(BidNote.author))
+        .order_by(BidNote.held_on.desc(), BidNote.id.desc())
+    ).all()
+
+
+def own_note(session: Session, note_id: UUID, person_id: UUID) -> BidNote | None:
+    """Return a note on a bid by its author."""
+    return session.scalar(select(BidNote).where(BidNote.id == note_id, BidNote.written_by == person_id))
 
 
 def lock_posting(session: Session, posting_id: UUID) -> None:

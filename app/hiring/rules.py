@@ -46,6 +46,14 @@ class BidState(StrEnum):
     WITHDRAWN = "withdrawn"
 
 
+class BidNoteKind(StrEnum):
+    """The occasion of a note of the team on a bid."""
+
+    CALL = "call"
+    INTERVIEW = "interview"
+    OTHER = "other"
+
+
 class SampleState(StrEnum):
     """The result of the check of a sample."""
 

@@ -13,6 +13,7 @@ from app.hiring.rules import (
     DEFAULT_HEADINGS,
     AskedScope,
     BidLineKind,
+    BidNoteKind,
     BidState,
     BidUnit,
     PostingPhase,
@@ -353,6 +354,22 @@ class PersonScores(Schema):
     note: str
 
 
+class BidNoteWrite(Schema):
+    """A note of the team on a bid; the bidder never sees it."""
+
+    kind: BidNoteKind = BidNoteKind.CALL
+    held_on: Day
+    text: Annotated[Prose, StringConstraints(min_length=1)]
+
+
+class BidNoteRead(BidNoteWrite):
+    """A note of the team on a bid, with its author."""
+
+    id: UUID
+    author: PersonBrief
+    created_at: datetime
+
+
 class ComparedBid(Schema):
     """One bid beside the others."""
 
@@ -375,6 +392,7 @@ class ComparedBid(Schema):
         description="By the roster: what is taken in the days of the bid, or of the posting where the bid names none."
     )
     samples: list[SampleRead] = Field(description="In the order of the posting's lines, then as they were added.")
+    notes: list[BidNoteRead] = Field(description="Of calls, interviews and otherwise, the newest day first.")
     own_scores: PersonScores | None
     others: list[PersonScores] | None = Field(description="Null until the caller has given every score of their own.")
     scored_by: int = Field(description="How many people have scored it.")

@@ -8,10 +8,11 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.core import clock
 from app.hiring import queries
-from app.hiring.errors import WrongPostingState
-from app.hiring.models import Bid, Posting, Score
+from app.hiring.errors import BidNoteNotFound, WrongPostingState
+from app.hiring.models import Bid, BidNote, Posting, Score
 from app.hiring.postings.access import bid_for_team, posting_access, posting_for_team
 from app.hiring.rules import PostingState, ensure_scores_fit, place_of
+from app.hiring.schemas import BidNoteWrite
 from app.projects.service import project_access
 
 
@@ -58,6 +59,35 @@ def score(session: Session, actor: Actor, bid_id: UUID, scores: Mapping[str, int
         own = Score(bid_id=bid.id, person_id=actor.person, studio_id=bid.studio_id, project_id=bid.project_id)
         session.add(own)
     own.scores, own.note, own.changed_at = dict(scores), note, clock.now()
+    session.flush()
+    return bid.posting_id
+
+
+def add_note(session: Session, actor: Actor, bid_id: UUID, note: BidNoteWrite) -> UUID:
+    """Keep a note of a call, an interview or otherwise on a bid, and return its posting."""
+    bid = bid_for_team(session, actor, bid_id)
+    session.add(
+        BidNote(
+            studio_id=bid.studio_id,
+            project_id=bid.project_id,
+            bid_id=bid.id,
+            kind=note.kind,
+            held_on=note.held_on,
+            text=note.text,
+            written_by=actor.person,
+        )
+    )
+    session.flush()
+    return bid.posting_id
+
+
+def remove_note(session: Session, actor: Actor, bid_id: UUID, note_id: UUID) -> UUID:
+    """Remove a note of the caller's own on a bid, and return its posting; raise BidNoteNotFound for any other."""
+    bid = bid_for_team(session, actor, bid_id)
+    note = queries.own_note(session, note_id, actor.person)
+    if note is None or note.bid_id != bid_id:
+        raise BidNoteNotFound(f"no note {note_id} of yours")
+    session.delete(note)
     session.flush()
     return bid.posting_id
 

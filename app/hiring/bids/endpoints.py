@@ -12,6 +12,7 @@ from app.hiring.bids import service as bids
 from app.hiring.errors import (
     BidChanged,
     BidInvalid,
+    BidNoteNotFound,
     BidNotFound,
     BidNotSent,
     PostingClosed,
@@ -24,6 +25,7 @@ from app.hiring.postings.reads import comparison_read, posting_read
 from app.hiring.schemas import (
     BidComparison,
     BidContent,
+    BidNoteWrite,
     BidSend,
     BidWrite,
     PostingQuestionAdd,
@@ -114,4 +116,24 @@ def score_bid(
 ) -> BidComparison:
     """Keep the caller's scores of a bid; the others' are shown once each heading has one."""
     posting_id = comparison.score(session, actor, bid_id, body.scores, body.note)
+    return comparison_read(session, actor, posting_id)
+
+
+@router.post("/bids/{bid_id}/notes", status_code=201, responses=problems(BidNotFound, TeamNeeded, BidNotSent))
+def add_bid_note(
+    bid_id: UUID, body: BidNoteWrite, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> BidComparison:
+    """Add a note of a call or an interview to a bid, for the team only."""
+    posting_id = comparison.add_note(session, actor, bid_id, body)
+    return comparison_read(session, actor, posting_id)
+
+
+@router.delete(
+    "/bids/{bid_id}/notes/{bid_note_id}", responses=problems(BidNotFound, BidNoteNotFound, TeamNeeded, BidNotSent)
+)
+def remove_bid_note(
+    bid_id: UUID, bid_note_id: UUID, session: DbSession, actor: Actor = allows(Audience.TEAM)
+) -> BidComparison:
+    """Remove a note of the caller's own from a bid."""
+    posting_id = comparison.remove_note(session, actor, bid_id, bid_note_id)
     return comparison_read(session, actor, posting_id)

@@ -24,6 +24,7 @@ from app.hiring.schemas import (
     AskedLine,
     BidComparison,
     BidContent,
+    BidNoteRead,
     BusyRangeWrite,
     CandidateRead,
     Clash,
@@ -193,6 +194,7 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
     proven = [bid.designer.email for bid in sent if bid.designer.email_proof is not None]
     on_file = entries_of_bidders(session, actor, posting.studio_id, proven)
     samples = queries.samples_of(session, [bid.id for bid in sent])
+    notes = queries.notes_of(session, [bid.id for bid in sent])
     compared = []
     for bid in sent:
         entry, busy = on_file.get(bid.designer.email, (None, []))
@@ -227,6 +229,7 @@ def comparison_read(session: Session, actor: Actor, posting_id: UUID) -> BidComp
                     entry.available_from_on if entry else None,
                 ),
                 samples=samples_read(posting, bid, [sample for sample in samples if sample.bid_id == bid.id]),
+                notes=[BidNoteRead.model_validate(note) for note in notes if note.bid_id == bid.id],
                 own_scores=_scores(own) if own else None,
                 others=[_scores(other) for other in others] if others is not None else None,
                 scored_by=count,

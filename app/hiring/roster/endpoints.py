@@ -43,6 +43,7 @@ from app.hiring.roster.rules import Busy, RosterFilter, RosterService
 from app.hiring.roster.schemas import (
     BusyRangesWrite,
     CalendarFile,
+    LoansWrite,
     PostingChoice,
     ReelSoundAdd,
     RosterEntryChange,
@@ -164,6 +165,15 @@ def set_roster_busy(
     """Replace the days that were typed as taken; those of a calendar file stay."""
     ranges = [Busy(period.from_on, period.to_on, period.kind, period.note) for period in body.ranges]
     roster.set_busy(session, actor, roster_entry_id, ranges)
+    return entry_read(session, actor, roster_entry_id)
+
+
+@router.put("/roster/{roster_entry_id}/loans", responses=problems(RosterEntryNotFound, TeamNeeded, RosterInvalid))
+def set_roster_loans(
+    roster_entry_id: UUID, body: LoansWrite, session: DbSession, actor: Actor = TEAM
+) -> RosterEntryRead:
+    """Replace the list of equipment that is lent to a designer on file, with the days of return."""
+    roster.set_loans(session, actor, roster_entry_id, body.loans)
     return entry_read(session, actor, roster_entry_id)
 
 

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session, joinedload
 from app.accounts.models import Person, Studio
 from app.accounts.quotas.queries import Usage
 from app.accounts.rules import Actor
-from app.hiring.models import BusyRange, Candidate, Posting, ReelSound, RosterEntry
+from app.hiring.models import BusyRange, Candidate, Loan, Posting, ReelSound, RosterEntry
 from app.hiring.roster.rules import MAX_ENTRIES
 from app.hiring.rules import PostingState
 from app.projects.models import Engagement, Project
@@ -73,10 +73,21 @@ def drop_entry(session: Session, entry_id: UUID) -> None:
     """Remove an entry with its days and its reel."""
     for table, column in (
         (BusyRange, BusyRange.entry_id),
+        (Loan, Loan.entry_id),
         (ReelSound, ReelSound.entry_id),
         (RosterEntry, RosterEntry.id),
     ):
         session.execute(delete(table).where(column == entry_id))
+
+
+def loans_of(session: Session, entry_id: UUID) -> Sequence[Loan]:
+    """Return the loans to a designer on file, the first lent first."""
+    return session.scalars(select(Loan).where(Loan.entry_id == entry_id).order_by(Loan.lent_on, Loan.id)).all()
+
+
+def drop_loans(session: Session, entry_id: UUID) -> None:
+    """Remove the loans to a designer on file."""
+    session.execute(delete(Loan).where(Loan.entry_id == entry_id))
 
 
 def sounds_of(session: Session, entry_ids: Collection[UUID]) -> dict[UUID, list[ReelSound]]:

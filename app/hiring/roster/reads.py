@@ -22,6 +22,7 @@ from app.hiring.roster.rules import (
 )
 from app.hiring.roster.schemas import (
     BusyRangeRead,
+    LoanFacts,
     PostingChoice,
     ReelSoundRead,
     RosterEntryRead,
@@ -146,6 +147,7 @@ def entry_read(session: Session, actor: Actor, entry_id: UUID) -> RosterEntryRea
         first_week_on=monday_of(access.today),
         weeks=weeks(busy, access.today, entry.available_from_on),
         busy=[BusyRangeRead.model_validate(busy_range) for busy_range in ranges],
+        loans=[LoanFacts.model_validate(loan) for loan in roster_queries.loans_of(session, entry.id)],
         reel=[ReelSoundRead.model_validate(sound) for sound in sounds],
         designer=PersonBrief.model_validate(person) if person else None,
     )

@@ -67,6 +67,21 @@ class BusyRangesWrite(Schema):
     ranges: Annotated[list[BusyRangeWrite], Field(max_length=MAX_RANGES)]
 
 
+class LoanFacts(Schema):
+    """A piece of equipment that the studio lends."""
+
+    item: Line
+    lent_on: Day
+    due_on: Day | None = Field(None, description="The day by which it goes back.")
+    returned_on: Day | None = Field(None, description="Null: it is still lent.")
+
+
+class LoansWrite(Schema):
+    """All loans to a designer, as they should be."""
+
+    loans: Annotated[list[LoanFacts], Field(max_length=MAX_RANGES)]
+
+
 class BusyRangeRead(BusyRangeWrite):
     """Days that are taken, and whether a calendar file says so."""
 
@@ -166,6 +181,7 @@ class RosterEntryRead(Schema):
     calendar_name: str | None = Field(description="The calendar file that was read last.")
     calendar_read_at: datetime | None
     calendar_to_on: date | None = Field(description="Its events were followed to this day.")
+    loans: list[LoanFacts]
     reel: list[ReelSoundRead]
     designer: PersonBrief | None = Field(
         description="The account with this proven address, where it works or worked for the studio."

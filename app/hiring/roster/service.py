@@ -21,11 +21,12 @@ from app.hiring.errors import (
     RosterFull,
     RosterInvalid,
 )
-from app.hiring.models import BusyRange, Posting, RosterEntry
+from app.hiring.models import BusyRange, Loan, Posting, RosterEntry
 from app.hiring.postings.access import posting_for_team
 from app.hiring.roster import queries as roster_queries
 from app.hiring.roster.files import HORIZON, Range
 from app.hiring.roster.rules import MAX_ENTRIES, Busy, BusyKind, Known, RosterFilter, matches, tidy_values
+from app.hiring.roster.schemas import LoanFacts
 from app.projects.errors import ProducerNeeded, TeamNeeded
 from app.projects.service import project_access
 from app.references.errors import ReferenceInvalid
@@ -214,6 +215,22 @@ def set_busy(session: Session, actor: Actor, entry_id: UUID, ranges: Sequence[Bu
                 f"a period {message}", errors=[FieldProblem(where=f"ranges.{index}.to_on", message=message)]
             )
     _replace(session, _locked(session, entry_id), ranges, from_calendar=False)
+
+
+def set_loans(session: Session, actor: Actor, entry_id: UUID, loans: Sequence[LoanFacts]) -> None:
+    """Replace the loans to a designer on file; raise RosterInvalid where one ends before it begins."""
+    entry_seen(session, actor, entry_id)
+    for index, loan in enumerate(loans):
+        for name in ("due_on", "returned_on"):
+            ends_on = getattr(loan, name)
+            if ends_on is not None and ends_on < loan.lent_on:
+                message = "is before the day on which it was lent"
+                where = FieldProblem(where=f"loans.{index}.{name}", message=message)
+                raise RosterInvalid(f"the end of a loan {message}", errors=[where])
+    entry = _locked(session, entry_id)
+    roster_queries.drop_loans(session, entry.id)
+    session.add_all(Loan(studio_id=entry.studio_id, entry_id=entry.id, **loan.model_dump()) for loan in loans)
+    session.flush()
 
 
 def read_calendar(session: Session, actor: Actor, entry_id: UUID, calendar: Sequence[Range], *, file_name: str) -> None:

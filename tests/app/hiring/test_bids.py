@@ -185,6 +185,28 @@ def test_the_others_scores_are_shown_after_ones_own(world: World, posting: dict[
     assert world.reviewer.put(path, json={"scores": whole}).status_code == 403
 
 
+def test_notes_of_calls_and_interviews_are_the_teams(world: World, posting: dict[str, Any]) -> None:
+    send(world, posting, world.other_designer, WHOLE)
+    (bid,) = compared(world, posting)["bids"]
+    path = f"/v1/bids/{bid['id']}/notes"
+    note = {"kind": "interview", "held_on": "2026-12-01", "text": "Would start in January."}
+    added = world.producer.post(path, json=note)
+    assert added.status_code == 201, added.text
+    (seen,) = compared(world, posting, world.approver)["bids"][0]["notes"]
+    assert ({name: seen[name] for name in note}, seen["author"]["name"]) == (note, "Producer")
+    assert note["text"] not in world.other_designer.get(f"/v1/postings/{posting['id']}").text
+    for by, status in (
+        (world.other_designer, 403),
+        (world.designer, 404),
+        (world.stranger, 404),
+        (world.reviewer, 403),
+    ):
+        assert by.post(path, json=note).status_code == status
+    assert world.approver.delete(f"{path}/{seen['id']}").json()["code"] == "bid-note-not-found", "only one's own"
+    (left,) = world.producer.delete(f"{path}/{seen['id']}").json()["bids"]
+    assert left["notes"] == []
+
+
 @pytest.mark.slow
 def test_questions_are_answered_for_all_or_for_one(world: World, posting: dict[str, Any]) -> None:
     for by in (world.designer, world.other_designer):

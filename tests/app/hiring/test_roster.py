@@ -142,6 +142,26 @@ def test_days_that_are_taken_are_shown_and_clash(world: World) -> None:
     assert world.producer.get(path).json()["busy"] == changed["busy"]
 
 
+def test_loans_are_kept_with_their_days_of_return(world: World) -> None:
+    entry = add(world).json()
+    path = f"/v1/roster/{entry['id']}"
+    assert entry["loans"] == []
+    lent = {"item": "Field recorder", "lent_on": "2026-12-01", "due_on": "2026-12-20", "returned_on": None}
+    body = {"loans": [lent, {"item": "Microphone", "lent_on": "2026-12-02"}]}
+    kept = world.approver.put(f"{path}/loans", json=body)
+    assert kept.status_code == 200, kept.text
+    assert [loan["item"] for loan in kept.json()["loans"]] == ["Field recorder", "Microphone"]
+    back = lent | {"returned_on": "2026-12-18"}
+    assert world.producer.put(f"{path}/loans", json={"loans": [back]}).json()["loans"] == [back]
+    early = world.producer.put(f"{path}/loans", json={"loans": [lent | {"returned_on": "2026-11-30"}]})
+    assert (early.status_code, early.json()["code"]) == (422, "roster-invalid")
+    assert early.json()["errors"][0]["where"] == "loans.0.returned_on"
+    for by, status in ((world.reviewer, 403), (world.stranger, 404), (world.designer, 404)):
+        assert by.put(f"{path}/loans", json={"loans": []}).status_code == status
+    assert world.producer.get(path).json()["loans"] == [back]
+    assert world.producer.delete(path).status_code == 204
+
+
 def calendar_of(first: Any, last: Any) -> dict[str, str]:
     text = (
         "BEGIN:VCALENDAR\r\nVERSION:2.0\r\nPRODID:-//test//EN\r\nBEGIN:VEVENT\r\nUID:1\r\nDTSTAMP:20261101T000000Z\r\n"

@@ -12,6 +12,7 @@ import { KeysLine } from '@/ui/KeysLine'
 import { PageHead } from '@/ui/PageHead'
 
 import { AwardDialog } from './AwardDialog'
+import { BidNotesCard } from './BidNotesCard'
 import { BidsTable } from './BidsTable'
 import { type ComparedBid, type Comparison, comparisonQuery, useShortlist } from './api'
 import { ScoreCard } from './ScoreCard'
@@ -125,8 +126,9 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
               setAwarding(bid)
             }}
           />
-          <div ref={scores}>
+          <div ref={scores} className="stack">
             <ScoreCard key={chosen.id} comparison={comparison} bid={chosen} />
+            <BidNotesCard key={`notes-${chosen.id}`} comparison={comparison} bid={chosen} />
           </div>
         </>
       )}

@@ -10,6 +10,7 @@ export type PostingSummary = Schemas['PostingSummary']
 export type PostingAdd = Schemas['PostingAdd']
 export type PostingPreview = Schemas['PostingPreview']
 export type Comparison = Schemas['BidComparison']
+export type BidNote = Schemas['BidNoteRead']
 export type ComparedBid = Schemas['ComparedBid']
 export type BidLine = Schemas['BidLine']
 export type BidContent = Schemas['BidContent']
@@ -161,6 +162,16 @@ export const useShortlist = (postingId: string) =>
 export const useScore = (postingId: string) =>
   useBidChange(postingId, ({ id, ...body }: { id: string; scores: Record<string, number>; note: string }) =>
     put('/v1/bids/{bid_id}/scores', { bid_id: id }, body),
+  )
+
+export const useAddNote = (postingId: string) =>
+  useBidChange(postingId, ({ id, ...body }: { id: string } & Schemas['BidNoteWrite']) =>
+    post('/v1/bids/{bid_id}/notes', { bid_id: id }, body),
+  )
+
+export const useRemoveNote = (postingId: string) =>
+  useBidChange(postingId, ({ id, noteId }: { id: string; noteId: string }) =>
+    del('/v1/bids/{bid_id}/notes/{bid_note_id}', { bid_id: id, bid_note_id: noteId }),
   )
 
 export const useAward = (postingId: string) =>

@@ -88,6 +88,7 @@ const aBid = (id: string, name: string, more: Partial<ComparedBid> = {}): Compar
   busy: [],
   samples: [],
   own_scores: null,
+  notes: [],
   others: null,
   scored_by: 1,
   ...more,
@@ -586,4 +587,22 @@ test('a posting stays on the page while the server is away', async () => {
   })
   expect(queryClient.getQueryState(postingQuery('p1').queryKey)?.status).toBe('error')
   expect(screen.getByRole('heading', { name: 'Effects for Alpha' })).toBeVisible()
+})
+
+test('a call is noted on a bid, for the team', async () => {
+  const { server } = bidsOpened()
+  const note = { id: 'n1', kind: 'call' as const, held_on: '2026-12-01', text: 'Starts in January.' }
+  const noted = { ...note, author: { id: 'someone', name: 'Producer' }, created_at: '2026-12-01T10:00:00Z' }
+  server.answers['POST /v1/bids/b1/notes'] = () => {
+    const bids = [aBid('b1', 'Sound designer A', { notes: [noted] }), second]
+    server.answers['GET /v1/postings/p1/bids'] = compared(bids)
+    return compared(bids)
+  }
+  const card = await screen.findByRole('region', { name: 'Notes on Sound designer A' })
+  await userEvent.type(within(card).getByLabelText('What was said'), 'Starts in January.')
+  await userEvent.click(within(card).getByRole('button', { name: 'Add note' }))
+  expect(await within(card).findByText('Starts in January.', { selector: 'p' })).toBeVisible()
+  expect(server.sent('POST', '/v1/bids/b1/notes')[0]?.body).toMatchObject({ kind: 'call', text: 'Starts in January.' })
+  expect(within(card).getByRole('button', { name: /^Remove the note/ })).toBeVisible()
+  expect(within(card).getByLabelText('What was said')).toHaveValue('')
 })

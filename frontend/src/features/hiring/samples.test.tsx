@@ -171,6 +171,7 @@ const bid = (id: string, name: string, samples: Sample[]): ComparedBid => ({
   busy: [],
   samples,
   own_scores: null,
+  notes: [],
   others: null,
   scored_by: 0,
 })

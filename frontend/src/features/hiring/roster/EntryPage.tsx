@@ -27,6 +27,7 @@ import {
 import { AvailabilityCard } from './AvailabilityCard'
 import { EntryForm } from './EntryForm'
 import { FiguresCard } from './FiguresCard'
+import { LoansCard } from './LoansCard'
 import { ReelCard } from './ReelCard'
 import classes from './Roster.module.css'
 import { busyInWords } from './words'
@@ -59,6 +60,7 @@ export function EntryPage() {
           <AskCard entry={entry} />
           <AvailabilityCard key={entry.id} entry={entry} />
           <ReelCard entry={entry} />
+          <LoansCard entry={entry} />
           <WorkCard entry={entry} />
         </div>
       </div>

@@ -9,6 +9,8 @@ import { postingQuery } from '../api'
 import type { RosterSearch } from './words'
 
 type Schemas = components['schemas']
+export type Loan = Schemas['LoanFacts']
+export type OwnProject = Schemas['OwnProject']
 export type Roster = Schemas['RosterRead']
 export type RosterRow = Schemas['RosterRow']
 export type Entry = Schemas['RosterEntryRead']
@@ -56,6 +58,12 @@ export const workQuery = queryById('/v1/roster/{roster_entry_id}/work', (entryId
   queryKeys.rosterEntry(entryId, 'work'),
 )
 
+/** The projects that the current person is engaged on as a designer. */
+export const ownProjectsQuery = queryOptions({
+  queryKey: queryKeys.ownWork('projects'),
+  queryFn: () => answered(api.GET('/v1/me/own-projects')),
+})
+
 export const ownWorkQuery = queryOptions({
   queryKey: queryKeys.ownWork(),
   queryFn: () => get('/v1/me/work'),
@@ -97,6 +105,11 @@ export const useSaveEntry = (entryId: string) =>
 export const useSetBusy = (entryId: string) =>
   useEntryChange(entryId, (ranges: Schemas['BusyRangesWrite']['ranges']) =>
     put('/v1/roster/{roster_entry_id}/busy', { roster_entry_id: entryId }, { ranges }),
+  )
+
+export const useSetLoans = (entryId: string) =>
+  useEntryChange(entryId, (loans: Schemas['LoansWrite']['loans']) =>
+    put('/v1/roster/{roster_entry_id}/loans', { roster_entry_id: entryId }, { loans }),
   )
 
 export const useReadCalendar = (entryId: string) =>

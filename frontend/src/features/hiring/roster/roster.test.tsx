@@ -69,6 +69,7 @@ const anEntry = (more: Partial<Entry> = {}): Entry => ({
   calendar_name: null,
   calendar_read_at: null,
   calendar_to_on: null,
+  loans: [],
   reel: [],
   designer: null,
   added_at: '2026-11-20T10:00:00Z',
@@ -328,8 +329,35 @@ test('a sheet is shown row by row, and is not imported while a row has an error'
   })
 })
 
+test('a designer sees credit, people and playlists of each project', async () => {
+  const project = {
+    project_id: 'p1',
+    project_name: 'Shield Wing',
+    studio_name: 'Test studio',
+    credit_name: 'Quay Sound',
+    is_left_out: false,
+    credit_roles: ['Sound design'],
+    agreed_line: 'Sounds by Quay Sound',
+    shown_from: '1 May 2027',
+    people: [{ person: { id: 'a', name: 'Audio director', picture: null }, role: 'Audio direction' }],
+    playlists: [{ id: 'l1', name: 'Trailer', takes: 2 }],
+  }
+  served({ 'GET /v1/me/work': [], 'GET /v1/me/own-projects': [project] }, [])
+  openApp('/work')
+  const card = await screen.findByRole('region', { name: 'Shield Wing' })
+  expect(card).toHaveTextContent('CreditQuay Sound, Sound design.')
+  expect(card).toHaveTextContent('As the contract saysSounds by Quay Sound')
+  expect(card).toHaveTextContent('May be shown from1 May 2027')
+  expect(within(card).getByText('Audio director')).toBeVisible()
+  expect(within(card).getByRole('link', { name: 'Trailer' })).toHaveAttribute('href', '/projects/p1/playlists/l1')
+  expect(within(card).getByRole('link', { name: 'Change the credit in Shield Wing' })).toHaveAttribute(
+    'href',
+    '/projects/p1/credits',
+  )
+})
+
 test('a designer sees what each studio knows of their work', async () => {
-  served({ 'GET /v1/me/work': [FIGURES] }, [])
+  served({ 'GET /v1/me/work': [FIGURES], 'GET /v1/me/own-projects': [] }, [])
   openApp('/work')
   const card = await screen.findByRole('region', { name: 'Test studio' })
   expect(card).toHaveTextContent('Accepted as first sent50 %')
@@ -343,4 +371,37 @@ test('weeks are read out as runs with their Mondays', () => {
   expect(weeksInWords(weeks, '2026-11-23')).toMatch(/^booked from .*23.*, free from .*7.*, half days from .*14/)
   expect(weeksInWords(['free', 'free'], '2026-11-23')).toBe('free for 2 weeks')
   expect(weeksInWords(['free'], '2026-11-23')).toBe('free for 1 week')
+})
+
+test('equipment is lent, and recorded as returned', async () => {
+  const lent = { item: 'Field recorder', lent_on: '2026-11-01', due_on: '2026-11-20', returned_on: null }
+  const { asked } = served({
+    'GET /v1/roster/e1': anEntry({ loans: [lent] }),
+    'GET /v1/roster/e1/postings': [],
+    'PUT /v1/roster/e1/loans': anEntry(),
+  })
+  openApp('/roster/e1')
+  const card = await screen.findByRole('region', { name: /Equipment on loan/ })
+  expect(within(card).getByText(/due back/)).toBeVisible()
+  await userEvent.type(within(card).getByLabelText('Item'), 'Microphone')
+  await userEvent.click(within(card).getByRole('button', { name: 'Lend' }))
+  await waitFor(() => expect(wrote(asked, 'PUT /v1/roster/e1/loans')).toHaveLength(1))
+  expect(wrote(asked, 'PUT /v1/roster/e1/loans')[0]?.body).toMatchObject({
+    loans: [lent, { item: 'Microphone', due_on: null, returned_on: null }],
+  })
+})
+
+test('a loan that is returned says when', async () => {
+  const lent = { item: 'Field recorder', lent_on: '2026-11-01', due_on: '2026-11-20', returned_on: null }
+  const { asked } = served({
+    'GET /v1/roster/e1': anEntry({ loans: [lent] }),
+    'GET /v1/roster/e1/postings': [],
+    'PUT /v1/roster/e1/loans': anEntry({ loans: [{ ...lent, returned_on: '2026-11-18' }] }),
+  })
+  openApp('/roster/e1')
+  await userEvent.click(await screen.findByRole('button', { name: 'Record that Field recorder is returned' }))
+  expect(await screen.findByText(/returned .*18/)).toBeVisible()
+  expect(wrote(asked, 'PUT /v1/roster/e1/loans')[0]?.body).toMatchObject({
+    loans: [{ item: 'Field recorder', returned_on: expect.stringMatching(/^20\d\d-/) as string }],
+  })
 })

@@ -1,0 +1,111 @@
+import { TextInput } from '@mantine/core'
+import { type FormEvent } from 'react'
+
+import { useDraft } from '@/app/drafts'
+import { showToast } from '@/app/toast'
+import { Button } from '@/ui/Button'
+import { Card, CardHead } from '@/ui/Card'
+import { Refusal } from '@/ui/Refusal'
+import { shortDay } from '@/ui/format'
+import { Row, Rows } from '@/ui/Rows'
+
+import forms from '../Hiring.module.css'
+import { type Entry, type Loan, useSetLoans } from './api'
+import classes from './Roster.module.css'
+
+const today = () => new Date().toISOString().slice(0, 10)
+const emptyLoan = () => ({ item: '', lent_on: today(), due_on: '' })
+
+/** The equipment that the studio lends to a designer, and when it goes back. */
+export function LoansCard({ entry }: { entry: Entry }) {
+  const save = useSetLoans(entry.id)
+  const put = (loan: Loan, changed: Loan | null) =>
+    save.mutate(entry.loans.flatMap((each) => (each === loan ? (changed ? [changed] : []) : [each])))
+  return (
+    <Card aria-labelledby="loans">
+      <CardHead id="loans" title="Equipment on loan" count={entry.loans.filter(isLent).length || undefined} />
+      <Rows>
+        {entry.loans.map((loan, at) => (
+          <Row key={at} className={classes.posting}>
+            <div className="grow">
+              <p>{loan.item}</p>
+              <p className="small mid">
+                lent {shortDay(loan.lent_on)}
+                {loan.due_on && isLent(loan) && `, due back ${shortDay(loan.due_on)}`}
+                {loan.returned_on && `, returned ${shortDay(loan.returned_on)}`}
+              </p>
+              {isOverdue(loan) && (
+                <p className="small tone-warn">
+                  <span className="toned">Overdue</span>
+                </p>
+              )}
+            </div>
+            {isLent(loan) ? (
+              <Button
+                aria-label={`Record that ${loan.item} is returned`}
+                aria-busy={save.isPending}
+                onClick={() => put(loan, { ...loan, returned_on: today() })}
+              >
+                Returned
+              </Button>
+            ) : (
+              <Button
+                square
+                variant="quiet"
+                icon="cross"
+                aria-label={`Remove ${loan.item}`}
+                onClick={() => put(loan, null)}
+              />
+            )}
+          </Row>
+        ))}
+      </Rows>
+      <div className={forms.body}>
+        <Refusal error={save.error} />
+        <AddLoan entry={entry} save={save} />
+      </div>
+    </Card>
+  )
+}
+
+const isLent = ({ returned_on: returnedOn }: Loan) => !returnedOn
+const isOverdue = (loan: Loan) => isLent(loan) && loan.due_on != null && loan.due_on < today()
+
+function AddLoan({ entry, save }: { entry: Entry; save: ReturnType<typeof useSetLoans> }) {
+  const [loan, set, draft] = useDraft(`roster-loan:${entry.id}`, emptyLoan)
+  const send = (event: FormEvent) => {
+    event.preventDefault()
+    if (save.isPending || !loan.item.trim()) return
+    save.mutate([...entry.loans, { ...loan, due_on: loan.due_on || null, returned_on: null }], {
+      onSuccess: () => {
+        draft.discard()
+        showToast('Loan recorded.')
+      },
+    })
+  }
+  return (
+    <form onSubmit={send} noValidate className={classes.range} aria-label="Lend equipment">
+      <TextInput
+        label="Item"
+        maxLength={120}
+        value={loan.item}
+        onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, item: value }))}
+      />
+      <TextInput
+        label="Lent on"
+        type="date"
+        value={loan.lent_on}
+        onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, lent_on: value }))}
+      />
+      <TextInput
+        label="Due back"
+        type="date"
+        value={loan.due_on}
+        onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, due_on: value }))}
+      />
+      <Button type="submit" icon="plus" aria-busy={save.isPending} disabled={!loan.item.trim()}>
+        Lend
+      </Button>
+    </form>
+  )
+}
