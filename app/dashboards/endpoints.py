@@ -14,6 +14,8 @@ from app.dashboards.desk.own_desk import own_desk
 from app.dashboards.desk.own_desk_schemas import OwnDesk
 from app.dashboards.desk.reaper_project import reaper_project_of
 from app.dashboards.desk.service import Desk
+from app.dashboards.own_projects.schemas import OwnProject
+from app.dashboards.own_projects.service import own_projects
 from app.dashboards.progress import service as progress
 from app.dashboards.search import schemas as finding_schemas
 from app.dashboards.search import service as finding
@@ -86,6 +88,12 @@ def read_next_steps(
 def read_pace(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Pace:
     """Return the pace of a project: the work's beside the studio's own, for both parties."""
     return pace(session, actor, project_id)
+
+
+@router.get("/me/own-projects")
+def read_own_projects(session: DbSession, actor: Actor = allows(Audience.PERSON)) -> list[OwnProject]:
+    """Return the projects that the caller is engaged on as a designer: credit, people, playlists with their sounds."""
+    return own_projects(session, actor)
 
 
 @router.get("/me/work")

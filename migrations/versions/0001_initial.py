@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_f5984c54"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_27f78ae1"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -1342,6 +1342,8 @@ def upgrade() -> None:
         sa.Column("use", sa.String(), nullable=False),
         sa.Column("trigger", sa.String(), nullable=False),
         sa.Column("duration_s", sa.Double()),
+        sa.Column("duration_min_s", sa.Double()),
+        sa.Column("duration_max_s", sa.Double()),
         sa.Column("length_locked", sa.Boolean(), nullable=False),
         sa.Column("frame_rate_fps", sa.Double()),
         sa.Column("loop", sa.Boolean(), nullable=False),
@@ -1363,6 +1365,7 @@ def upgrade() -> None:
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.CheckConstraint("(state = 'cut') = (cut_at is not null)", name=op.f("ck_sound_lists_cues_cut_is_dated")),
+        sa.CheckConstraint("duration_min_s > 0 and duration_max_s >= duration_min_s", name=op.f("ck_sound_lists_cues_duration_bounds_in_order")),
         sa.CheckConstraint("duration_s is null or duration_s > 0", name=op.f("ck_sound_lists_cues_duration_positive")),
         sa.CheckConstraint("variations between 1 and 99", name=op.f("ck_sound_lists_cues_variations_in_range")),
         sa.ForeignKeyConstraint(["implementer_id"], ["accounts_people.id"], name=op.f("fk_sound_lists_cues_implementer_id")),

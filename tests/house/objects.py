@@ -300,6 +300,7 @@ class House(World):
             "take_id": take.id,
             "source_file_id": source_file.id,
             "handoff_id": handoff.id,
+            "designer_id": self.rival_id,
             "picture_id": picture.id,
             "render_id": render.id,
             "reel_id": reel.id,

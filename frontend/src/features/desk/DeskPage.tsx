@@ -1,5 +1,5 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { useParams } from '@tanstack/react-router'
+import { Link, useParams } from '@tanstack/react-router'
 import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
 
 import { ApiProblem, useSettled } from '@/api'
@@ -154,7 +154,10 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           </div>
         }
       >
-        {deskLine(desk)}
+        {deskLine(desk)}{' '}
+        <Link className="link" to="/work">
+          Your credits, people and playlists
+        </Link>
       </PageHead>
       {chooser.fields}
       <div className="columns side-356">

@@ -58,33 +58,25 @@ export const useWithdrawDryStem = (takeId: string) =>
     affects: [queryKeys.take(takeId)],
   })
 
-export const sourceBankQuery = (takeId: string) =>
-  queryOptions({
-    queryKey: queryKeys.take(takeId, 'source-bank'),
-    queryFn: () => answered(api.GET('/v1/takes/{take_id}/source-bank', ofTake(takeId))),
-  })
+export const sourceBankQuery = queryById('/v1/takes/{take_id}/source-bank', (takeId) =>
+  queryKeys.take(takeId, 'source-bank'),
+)
 
 /** Keep a file, which an upload into its delivery brought, in the source bank of a version. */
 export const giveSourceFile = (takeId: string, uploadId: string) =>
-  answered(api.POST('/v1/takes/{take_id}/source-files', { ...ofTake(takeId), body: { upload_id: uploadId } }))
+  post('/v1/takes/{take_id}/source-files', { take_id: takeId }, { upload_id: uploadId })
 
-export function useSetRecipe(takeId: string) {
-  const client = useQueryClient()
-  return useMutation({
-    mutationFn: (body: Schemas['RecipeSet']) =>
-      answered(api.PUT('/v1/takes/{take_id}/source-bank', { ...ofTake(takeId), body })),
-    onSuccess: () => invalidate(client, queryKeys.take(takeId, 'source-bank')),
+export const useSetRecipe = (takeId: string) =>
+  useMutation({
+    mutationFn: (body: Schemas['RecipeSet']) => put('/v1/takes/{take_id}/source-bank', { take_id: takeId }, body),
+    affects: [queryKeys.take(takeId, 'source-bank')],
   })
-}
 
-export function useRemoveSourceFile(takeId: string) {
-  const client = useQueryClient()
-  return useMutation({
-    mutationFn: (id: string) =>
-      answered(api.DELETE('/v1/source-files/{source_file_id}', { params: { path: { source_file_id: id } } })),
-    onSuccess: () => invalidate(client, queryKeys.take(takeId, 'source-bank')),
+export const useRemoveSourceFile = (takeId: string) =>
+  useMutation({
+    mutationFn: (id: string) => del('/v1/source-files/{source_file_id}', { source_file_id: id }),
+    affects: [queryKeys.take(takeId, 'source-bank')],
   })
-}
 
 /** How a version lies among the approved sounds; for the team. */
 export const fitQuery = (take: Take) =>

@@ -8,6 +8,7 @@ import { Refusal } from '@/ui/Refusal'
 import forms from '../Hiring.module.css'
 import { ownWorkQuery } from './api'
 import { FiguresCard } from './FiguresCard'
+import { OwnProjects } from './OwnProjects'
 
 /** What each studio knows of the current person from work there; no other studio sees it. */
 export function OwnWorkPage() {
@@ -16,8 +17,15 @@ export function OwnWorkPage() {
   return (
     <div className={`page stack ${forms.sheet}`} aria-busy={studios === undefined && error === null}>
       <PageHead title="Your work">
-        What each studio sees of your work there, computed from what was decided and logged. No other studio sees it.
+        Your credit, the people you work with and the playlists with your sounds, by project.
       </PageHead>
+      <OwnProjects />
+      <div>
+        <h2>What studios see</h2>
+        <p className="mid">
+          What each studio sees of your work there, computed from what was decided and logged. No other studio sees it.
+        </p>
+      </div>
       <Refusal error={error} />
       {studios?.length === 0 && (
         <EmptyState head="No work yet">

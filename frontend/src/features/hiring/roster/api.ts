@@ -61,7 +61,7 @@ export const workQuery = queryById('/v1/roster/{roster_entry_id}/work', (entryId
 /** The projects that the current person is engaged on as a designer. */
 export const ownProjectsQuery = queryOptions({
   queryKey: queryKeys.ownWork('projects'),
-  queryFn: () => answered(api.GET('/v1/me/own-projects')),
+  queryFn: () => get('/v1/me/own-projects'),
 })
 
 export const ownWorkQuery = queryOptions({

@@ -1,10 +1,10 @@
 import { NativeSelect, NumberInput, Textarea } from '@mantine/core'
-import { useQuery, useQueryClient } from '@tanstack/react-query'
+import { useQuery } from '@tanstack/react-query'
 import { type ChangeEvent, useState } from 'react'
 
 import { meQuery, useMyProject } from '@/api/me'
-import { queryKeys, invalidate } from '@/api/queryKeys'
-import { answered, api, useMutation } from '@/api'
+import { post, put, useMutation } from '@/api'
+import { queryKeys } from '@/api/queryKeys'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ErrorBanner } from '@/ui/ErrorBanner'
@@ -123,17 +123,11 @@ function HandoffLine({ handoff, projectId, mayName }: HandoffLineProps) {
 }
 
 function NextMaker({ handoff, projectId }: { handoff: Handoff; projectId: string }) {
-  const client = useQueryClient()
   const { data: people } = useQuery(cuePeopleQuery(projectId))
   const name = useMutation({
     mutationFn: (designerId: string) =>
-      answered(
-        api.PUT('/v1/handoffs/{handoff_id}/next-maker', {
-          params: { path: { handoff_id: handoff.id } },
-          body: { designer_id: designerId },
-        }),
-      ),
-    onSuccess: () => invalidate(client, queryKeys.handoffs(handoff.cue_id)),
+      put('/v1/handoffs/{handoff_id}/next-maker', { handoff_id: handoff.id }, { designer_id: designerId }),
+    affects: [queryKeys.handoffs(handoff.cue_id)],
   })
   const designers = (people ?? []).filter(({ id, is_designer }) => is_designer && id !== handoff.maker.id)
   if (designers.length === 0) {
@@ -165,21 +159,17 @@ interface HandoffFormProps {
 }
 
 function HandoffForm({ cueId, makerId, makerName, onClose }: HandoffFormProps) {
-  const client = useQueryClient()
   const save = useMutation({
     mutationFn: (body: { done_percent: number; missing: string; from_id: string | null }) =>
-      answered(api.POST('/v1/cues/{cue_id}/handoffs', { params: { path: { cue_id: cueId } }, body })),
-    onSuccess: async () => {
-      await invalidate(client, queryKeys.handoffs(cueId))
-      onClose()
-    },
+      post('/v1/cues/{cue_id}/handoffs', { cue_id: cueId }, body),
+    affects: [queryKeys.handoffs(cueId)],
   })
   return (
     <Form
       aria-label="Hand off this cue"
       initialValues={{ done_percent: 50, missing: '' }}
       mutation={save}
-      onSubmit={(values) => save.mutate({ ...values, from_id: makerId })}
+      onSubmit={(values) => save.mutate({ ...values, from_id: makerId }, { onSuccess: onClose })}
     >
       <p className="small mid">
         {makerId === null

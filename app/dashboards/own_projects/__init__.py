@@ -1,0 +1,1 @@
+"""The projects of a designer, for their own page."""
