@@ -65,7 +65,7 @@ describe('the source bank of a version', () => {
     const shown = await bankOf()
     await userEvent.click(within(shown).getByRole('button', { name: 'Write recipe' }))
     await userEvent.type(within(shown).getByLabelText('Plug-ins, one a line'), 'Pro-Q 3\n\nValhalla')
-    await userEvent.type(within(shown).getByLabelText('Recipe'), 'Two bowls.')
+    await userEvent.type(within(shown).getByRole('textbox', { name: 'Recipe' }), 'Two bowls.')
     await userEvent.click(within(shown).getByRole('button', { name: 'Save recipe' }))
     expect(await within(shown).findByText('Plug-ins: Pro-Q 3, Valhalla')).toBeVisible()
     expect(server.of('PUT /v1/takes/t1/source-bank').map((asked) => asked.body)).toEqual([
