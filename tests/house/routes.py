@@ -215,6 +215,7 @@ ADJUSTED: dict[str, dict[str, Any]] = {
     "record_spoken_placeholder": {"content_base64": base64.b64encode(b"RIFF\x04\x00\x00\x00WAVE").decode()},
     "change_cue": {"name": "Shield hit"},
     "add_sound_library": {"content_base64": SHEET_BASE64},
+    "add_bid_note": {"held_on": "2026-01-01", "text": "Clear."},
     "add_bid_sample": {"line_key": "", "content_base64": base64.b64encode(b"RIFF\x04\x00\x00\x00WAVE").decode()},
 }
 
