@@ -8,6 +8,7 @@ from typing import Any
 from app.agreements.deemed_acceptance.cues import answer_last_days
 from app.agreements.record.project_changes import (
     record_answer,
+    record_decisions,
     record_list_revision,
     record_question,
     record_spec_version,
@@ -50,7 +51,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {
     "signing_code.asked": ("notifications.mail_link",),
 }
 HANDLERS: dict[str, tuple[Handler, ...]] = {
-    "contract.agreed": (charge_deposits,),  # in the transaction of the second signature
+    "contract.agreed": (record_decisions, charge_deposits),  # in the transaction of the second signature
     "list.revised": (record_list_revision,),
     "question.asked": (record_question,),
     "question.answered": (record_answer,),

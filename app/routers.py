@@ -23,6 +23,7 @@ from app.agreements.redlines.endpoints import router as contract_redlines
 from app.agreements.signing.endpoints import router as contract_signing
 from app.amendments.endpoints import router as amendments
 from app.briefs.endpoints import router as briefs
+from app.briefs.kick_off.endpoints import router as kick_off
 from app.builds.audits.endpoints import router as audits
 from app.builds.clearance.endpoints import router as clearance
 from app.builds.contract_archive.endpoints import router as handovers
@@ -59,6 +60,7 @@ from app.operations.samples.endpoints import router as samples
 from app.projects.approval.endpoints import router as approval
 from app.projects.budgets.endpoints import router as budgets
 from app.projects.endpoints import router as projects
+from app.projects.members.endpoints import router as project_members
 from app.projects.specs.endpoints import router as specs
 from app.references.endpoints import router as references
 from app.references.spotting_endpoints import router as spotting
@@ -67,6 +69,7 @@ from app.reviews.adoptions.endpoints import router as adoptions
 from app.reviews.checklists.endpoints import router as checklists
 from app.reviews.endpoints import router as reviews
 from app.reviews.listened.endpoints import router as heard_takes
+from app.reviews.palette_approvals.endpoints import router as palette_approvals
 from app.reviews.reasons.endpoints import router as reasons
 from app.scenes.endpoints import router as scenes
 from app.shares.guest_endpoints import router as guests
@@ -102,9 +105,11 @@ BASE_ROUTERS: tuple[APIRouter, ...] = (
     invoice_details,
     projects,
     budgets,
+    project_members,
     approval,
     specs,
     briefs,
+    kick_off,
     sound_lists,
     refused_names,
     saved_specs,
@@ -123,6 +128,7 @@ BASE_ROUTERS: tuple[APIRouter, ...] = (
     reviews,
     heard_takes,
     checklists,
+    palette_approvals,
     reasons,
     guest_links,
     guests,

@@ -68,6 +68,12 @@ ME, THIS_PROJECT = "soundlist_person_id()", "soundlist_project_id()"
 SAID = {ME: PERSON, THIS_PROJECT: PROJECT}
 LISTS = {  # looked up when a transaction begins, and kept to its end
     "soundlist.studios": "select studio_id from accounts_memberships where person_id = me",
+    "soundlist.open_studios": """
+        select studio_id from accounts_memberships join accounts_studios on accounts_studios.id = studio_id
+        where person_id = me and members_see = 'all'""",
+    "soundlist.own_projects": """
+        select project_id from projects_members join accounts_memberships using (studio_id, person_id)
+        where person_id = me""",
     "soundlist.near_studios": """
         select studio_id from accounts_memberships where person_id = me
         union select studio_id from projects_engagements where designer_id = me
@@ -75,13 +81,24 @@ LISTS = {  # looked up when a transaction begins, and kept to its end
     "soundlist.engagements": "select project_id from projects_engagements where designer_id = me",
 }
 # A scalar subquery is worked out once a query, not once a row.
-STUDIOS, NEAR_STUDIOS, ENGAGEMENTS = (
+STUDIOS, OPEN_STUDIOS, OWN_PROJECTS, NEAR_STUDIOS, ENGAGEMENTS = (
     f"any((select nullif(current_setting('{name}', true), '')::uuid[])::uuid[])" for name in LISTS
 )
 
 
 class CannotGuardRows(Exception):
     """The database's login may not make the role that requests run as."""
+
+
+def teams(table: sa.Table) -> str:
+    """Return the rows of a table that members of a studio see; of projects, where it wants, only those they are in."""
+    project_id = "id" if table.name == "projects_projects" else "project_id"
+    if project_id not in table.columns:
+        return f"studio_id = {STUDIOS}"
+    rows = f"studio_id = {OPEN_STUDIOS} or {project_id} = {OWN_PROJECTS}"
+    if table.columns[project_id].nullable:
+        rows += f" or (project_id is null and studio_id = {STUDIOS})"
+    return rows
 
 
 def condition(table: sa.Table) -> str | None:
@@ -91,7 +108,7 @@ def condition(table: sa.Table) -> str | None:
     if table.name in UNGUARDED | ADD_ONLY | SERVERS_OWN:
         return None
     if table.name == "shares_saved_views":  # those of the review queue are the team's
-        return f"person_id = {ME} or (page = 'review_queue' and studio_id = {STUDIOS})"
+        return f"person_id = {ME} or (page = 'review_queue' and ({teams(table)}))"
     if table.name in PERSONAL:
         return f"person_id = {ME}"
     if table.name == "accounts_studios":
@@ -99,24 +116,24 @@ def condition(table: sa.Table) -> str | None:
     if table.name == "accounts_memberships":
         return f"studio_id = {STUDIOS} or person_id = {ME}"
     if table.name == "accounts_invoice_details":  # an account number is shown on the owner's invoices only
-        return f"studio_id = {STUDIOS} or person_id = {ME}"
+        return f"{teams(table)} or person_id = {ME}"
     if table.name in TEAMS_OWN:
-        return f"studio_id = {STUDIOS}"
+        return teams(table)
     if table.name in DESIGNERS_READ:
-        return f"studio_id = {STUDIOS} or project_id = {ENGAGEMENTS}"
+        return f"{teams(table)} or project_id = {ENGAGEMENTS}"
     if table.name == "shares_playlist_positions":  # where each designer stopped is their own
-        return f"studio_id = {STUDIOS} or (project_id = {ENGAGEMENTS} and person_id = {ME})"
+        return f"{teams(table)} or (project_id = {ENGAGEMENTS} and person_id = {ME})"
     if table.name in ("hiring_bids", "hiring_samples"):  # rates and samples are for the two parties only
-        return f"studio_id = {STUDIOS} or designer_id = {ME}"
+        return f"{teams(table)} or designer_id = {ME}"
     if table.name in ("builds_sound_libraries", "builds_library_sounds"):  # of the studio, and each person's own
-        return f"studio_id = {STUDIOS} or person_id = {ME}"
+        return f"{teams(table)} or person_id = {ME}"
     if table.name == "references_openings":  # the team reads who opened what; each person their own
-        return f"studio_id = {STUDIOS} or person_id = {ME}"
+        return f"{teams(table)} or person_id = {ME}"
     if "studio_id" not in columns:
         raise ValueError(f"{table.name} has no studio_id; give it one, or say here who may see its rows")
     if project_id not in columns:
         return f"studio_id = {NEAR_STUDIOS}"
-    return f"studio_id = {STUDIOS} or {project_id} = {ENGAGEMENTS} or {project_id} = {THIS_PROJECT}"
+    return f"{teams(table)} or {project_id} = {ENGAGEMENTS} or {project_id} = {THIS_PROJECT}"
 
 
 def written(table: sa.Table) -> str | None:
@@ -124,11 +141,11 @@ def written(table: sa.Table) -> str | None:
     if table.name == "accounts_people":
         return f"id = {ME}"
     if table.name in (*DESIGNERS_READ, "reviews_reason_lists"):
-        return f"studio_id = {STUDIOS}"
+        return teams(table)
     columns = set(table.columns.keys())
     if {"designer_id", "studio_id", "project_id"} <= columns:
         is_own = f"project_id = {ENGAGEMENTS} and designer_id = {ME}"
-        return f"studio_id = {STUDIOS} or ({is_own}) or project_id = {THIS_PROJECT}"
+        return f"{teams(table)} or ({is_own}) or project_id = {THIS_PROJECT}"
     return None
 
 

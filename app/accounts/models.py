@@ -6,7 +6,7 @@ from uuid import UUID
 from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
-from app.accounts.rules import AddressProof
+from app.accounts.rules import AddressProof, MembersSee
 from app.core import clock
 from app.core.columns import Dated, StudioOwned
 from app.core.db import Base, new_id
@@ -29,6 +29,7 @@ class Studio(Dated, Base):
     is_demo: Mapped[bool] = mapped_column(default=False)
     time_zone: Mapped[str] = mapped_column(default="UTC")  # an IANA name: Europe/Berlin
     second_factor_for: Mapped[list[str]] = mapped_column(default=list)  # each a SecondFactorUse
+    members_see: Mapped[MembersSee] = mapped_column(default=MembersSee.ALL)
     opened_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)  # None: by the server
 
 

@@ -1,8 +1,9 @@
 """Queries for people, studios, memberships and sessions."""
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy import ColumnElement, bindparam, delete, null, or_, select, update
@@ -24,7 +25,7 @@ from app.accounts.models import (
     StudioInvitation,
     Token,
 )
-from app.accounts.rules import Actor, Role, Scope, SecondFactorUse
+from app.accounts.rules import Actor, MembersSee, Role, Scope, SecondFactorUse
 from app.accounts.second_factors.queries import second_factor_exists
 from app.core import clock
 from app.core.db import Database, UtcDateTime
@@ -36,8 +37,17 @@ IDLE_FOR = timedelta(days=14)  # a browser unused for so long is signed out
 
 def actor_for_person(session: Session, person_id: UUID) -> Actor:
     """Return a person with the roles held in each studio."""
-    rows = session.execute(select(Membership.studio_id, Membership.roles).where(Membership.person_id == person_id))
-    return Actor(person_id=person_id, roles={studio: frozenset(Role(role) for role in roles) for studio, roles in rows})
+    held = select(Membership.studio_id, Membership.roles, Studio.members_see).join(Membership.studio)
+    rows = session.execute(held.where(Membership.person_id == person_id)).all()
+    return Actor(person_id=person_id, roles=_roles(rows), limited_studio_ids=_limited(rows))
+
+
+def _roles(rows: Iterable[Any]) -> dict[UUID, frozenset[Role]]:
+    return {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
+
+
+def _limited(rows: Iterable[Any]) -> frozenset[UUID]:
+    return frozenset(row.studio_id for row in rows if row.members_see is MembersSee.OWN)
 
 
 # Built once: every request of a browser asks for it.
@@ -51,6 +61,7 @@ _SIGNED_IN = (
         Membership.studio_id,
         Membership.roles,
         Studio.second_factor_for,
+        Studio.members_see,
         second_factor_exists(SignIn.person_id).label("has_second_factor"),
     )
     .join(Membership, Membership.person_id == SignIn.person_id, isouter=True)
@@ -80,14 +91,18 @@ def actor_for_sign_in(database: Database, secret_sha256: str) -> SignedIn | None
     rows = database.read_autocommit(_SIGNED_IN, values)
     if not rows:
         return None
-    roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
     first = rows[0]
     vouching = first.second_factor_studio_id
     is_required = any(
         SecondFactorUse.EVERYTHING in (row.second_factor_for or ()) for row in rows if row.studio_id != vouching
     )
     return SignedIn(
-        Actor(person_id=first.person_id, roles=roles, second_factor_studio_id=vouching),
+        Actor(
+            person_id=first.person_id,
+            roles=_roles(rows),
+            second_factor_studio_id=vouching,
+            limited_studio_ids=_limited(rows),
+        ),
         first.id if first.last_seen_at < now - SEEN_RECORDED_EVERY else None,
         first.created_at,
         lacks_second_factor=is_required and not first.has_second_factor,
@@ -133,8 +148,9 @@ def token_past_use(database: Database, secret_sha256: str) -> tuple[datetime | N
 
 
 _DESK_TOKEN = (
-    select(DeskToken.id, DeskToken.person_id, Membership.studio_id, Membership.roles)
+    select(DeskToken.id, DeskToken.person_id, Membership.studio_id, Membership.roles, Studio.members_see)
     .join(Membership, Membership.person_id == DeskToken.person_id, isouter=True)
+    .join(Studio, Studio.id == Membership.studio_id, isouter=True)
     .where(
         DeskToken.secret_sha256 == bindparam("secret_sha256"),
         DeskToken.expires_at > bindparam("now", type_=UtcDateTime()),
@@ -147,8 +163,8 @@ def actor_for_desk_token(database: Database, secret_sha256: str) -> tuple[Actor,
     rows = database.read_autocommit(_DESK_TOKEN, {"secret_sha256": secret_sha256, "now": clock.now()})
     if not rows:
         return None
-    roles = {row.studio_id: frozenset(map(Role, row.roles)) for row in rows if row.studio_id is not None}
-    return Actor(person_id=rows[0].person_id, roles=roles), rows[0].id
+    actor = Actor(person_id=rows[0].person_id, roles=_roles(rows), limited_studio_ids=_limited(rows))
+    return actor, rows[0].id
 
 
 def record_desk_token_use(session: Session, desk_token_id: UUID) -> None:
@@ -171,7 +187,7 @@ def actor_for_demo_part(session: Session, part: str) -> Actor | None:
         return None
     actor = actor_for_person(session, person_id)
     demo_ids = set(session.scalars(select(Studio.id).where(Studio.id.in_(actor.roles), Studio.is_demo)))
-    return Actor(person_id=person_id, roles={id_: roles for id_, roles in actor.roles.items() if id_ in demo_ids})
+    return replace(actor, roles={id_: roles for id_, roles in actor.roles.items() if id_ in demo_ids})
 
 
 def record_token_use(session: Session, token_id: UUID) -> None:

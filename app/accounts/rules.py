@@ -238,6 +238,7 @@ class Actor:
     token_project_id: UUID | None = None
     scopes: frozenset[Scope] = frozenset()
     second_factor_studio_id: UUID | None = None  # whose sign-in provider says that a second factor was used
+    limited_studio_ids: frozenset[UUID] = frozenset()  # whose members see only the projects that they are in
 
     @property
     def is_build(self) -> bool:
@@ -247,7 +248,7 @@ class Actor:
     @property
     def reach(self) -> AccessScope:
         """Whose rows the database shows."""
-        return AccessScope(person_id=self.person_id, project_id=self.token_project_id)
+        return AccessScope(self.person_id, self.token_project_id, self.limited_studio_ids)
 
     @property
     def person(self) -> UUID:
@@ -263,6 +264,13 @@ class Actor:
     def studios_with(self, roles: Collection[Role]) -> list[UUID]:
         """Return the studios in which the caller holds one of these roles."""
         return [studio_id for studio_id, held in self.roles.items() if not held.isdisjoint(roles)]
+
+
+class MembersSee(StrEnum):
+    """The projects of a studio that its members see."""
+
+    ALL = "all"
+    OWN = "own"  # those that they are in
 
 
 class Audience(StrEnum):

@@ -188,16 +188,17 @@ def _publish_change(
         queries.hand_tokens_over(session, studio_id, person_id, to=actor.person)
     elif not roles:
         queries.revoke_tokens(session, studio_id, person_id)
-    publish(
-        session,
-        "member.changed",
-        studio_id=studio_id,
-        person_id=person_id,
-        roles=[*roles],
-        changed_by=actor.person,
-        hand_over_to=hand_over_to,
-        kept=sorted(kept),
-    )
+    with bypass_row_policies(session):  # what ends is in projects too that the producer is not in
+        publish(
+            session,
+            "member.changed",
+            studio_id=studio_id,
+            person_id=person_id,
+            roles=[*roles],
+            changed_by=actor.person,
+            hand_over_to=hand_over_to,
+            kept=sorted(kept),
+        )
 
 
 def _membership_to_change(

@@ -44,6 +44,7 @@ PRICED_FACTS = {
     "length_locked": "exact length",
     "loop": "loop",
     "reverb": "reverb",
+    "channels": "mono or stereo",
     "variations": "variations",
 }
 LONG_TEXTS = frozenset({"description", "use"})

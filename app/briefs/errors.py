@@ -11,6 +11,14 @@ class FollowUpNotFound(NotFound):
     """No follow-up of that id within the caller's sight."""
 
 
+class DecisionNotFound(NotFound):
+    """No decision of that id within the caller's sight."""
+
+
+class DecisionSigned(Conflict):
+    """A contract was signed since the decision; what changes it now is another decision, or a change order."""
+
+
 class AnswerChanged(Conflict):
     """Another person changed an answer since the brief was read; `errors` names each."""
 

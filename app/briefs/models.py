@@ -1,6 +1,6 @@
 """The tables of this room."""
 
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any
 from uuid import UUID
 
@@ -9,7 +9,7 @@ from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
 from app.core import clock
-from app.core.columns import ProjectOwned, StudioOwned
+from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 
 
@@ -69,3 +69,17 @@ class FollowUp(ProjectOwned, Base):
     answered_at: Mapped[datetime | None]
     asker: Mapped[Person] = relationship(lazy="raise", foreign_keys=[asked_by])
     answerer: Mapped[Person | None] = relationship(lazy="raise", foreign_keys=[answered_by])
+
+
+class Decision(ProjectOwned, Dated, Base):
+    """A decision of the talks before a contract; it can be changed until a contract of the project is signed."""
+
+    __tablename__ = "briefs_decisions"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    decided_on: Mapped[date]
+    attended: Mapped[str]  # names, as typed
+    text: Mapped[str]  # it names questions of the brief and cues by their numbers
+    written_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    signed_at: Mapped[datetime | None]  # since then it stands in the record of a contract
+    author: Mapped[Person] = relationship(lazy="raise")

@@ -11,6 +11,7 @@ from app.core.web.http import Schema
 from app.deliveries.rules import TakeState
 from app.deliveries.schemas import CueBrief, GivenName, ShownName
 from app.projects.schemas import AcceptRead, LimitsRead
+from app.sound_lists.rules import CueChannels
 
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=5000, pattern="^[^\\x00]*$")]
 
@@ -195,8 +196,9 @@ class SpecView(Schema):
 
 
 class CueLength(Schema):
-    """The length that a cue asks for."""
+    """The length that a cue asks for, and its channels."""
 
+    channels: CueChannels | None = Field(description="Null: as the delivery spec says.")
     duration_s: float | None
     duration_min_s: float | None
     duration_max_s: float | None

@@ -10,6 +10,7 @@ class AccessScope:
 
     person_id: UUID | None = None
     project_id: UUID | None = None  # of a build's token, or of a shared link
+    limited_studio_ids: frozenset[UUID] = frozenset()  # of which the person sees only the projects that they are in
 
 
 NOBODY = AccessScope()

@@ -314,21 +314,31 @@ def row_of(new: Base) -> dict[str, Any]:
 @contextmanager
 def bypass_row_policies(session: Session) -> Iterator[None]:
     """Let a block access any row: each use states why the caller's reach is too narrow. Blocks may nest."""
-    if not _is_guarded(session) or session.info.get(BYPASSED):
+    if REACH not in session.info or session.info.get(BYPASSED):
         yield
         return
-    session.flush()  # what came before is held to the caller's reach
-    _send(session.connection(), "SET LOCAL ROLE NONE")
+    is_guarded = _is_guarded(session)
+    if is_guarded:
+        session.flush()  # what came before is held to the caller's reach
+        _send(session.connection(), "SET LOCAL ROLE NONE")
     session.info[BYPASSED] = True
     try:
         yield
-        session.flush()
+        if is_guarded:
+            session.flush()
     except BaseException:
-        session.rollback()  # the session must not go on with access to every row
+        if is_guarded:
+            session.rollback()  # the session must not go on with access to every row
         raise
     finally:
         session.info[BYPASSED] = False
-    _apply_reach(session, session.connection())  # which may be more now
+    if is_guarded:
+        _apply_reach(session, session.connection())  # which may be more now
+
+
+def scope_in_force(session: Session) -> AccessScope | None:
+    """Return the reach that holds a session's statements now; None for the server's own, and past the policies."""
+    return None if session.info.get(BYPASSED) else session.info.get(REACH)
 
 
 def _is_guarded(session: Session) -> bool:

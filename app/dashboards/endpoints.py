@@ -16,6 +16,8 @@ from app.dashboards.desk.reaper_project import reaper_project_of
 from app.dashboards.desk.service import Desk
 from app.dashboards.own_projects.schemas import OwnProject
 from app.dashboards.own_projects.service import own_projects
+from app.dashboards.phases import service as phases_service
+from app.dashboards.phases.schemas import PhasesRead
 from app.dashboards.progress import service as progress
 from app.dashboards.search import schemas as finding_schemas
 from app.dashboards.search import service as finding
@@ -82,6 +84,12 @@ def read_next_steps(
 ) -> NextSteps:
     """Return the caller's next steps in a project, the first thing first, and the people they wait for."""
     return next_steps.next_steps(session, actor, project_id, has_contracts=runtime.settings.commercial)
+
+
+@router.get("/projects/{project_id}/phases", responses=problems(ProjectNotFound))
+def read_phases(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> PhasesRead:
+    """Return the phases of the production: their cues, the gate before each, what is missing and who must act."""
+    return phases_service.phases(session, actor, project_id)
 
 
 @router.get("/projects/{project_id}/pace", responses=problems(ProjectNotFound, TeamNeeded))

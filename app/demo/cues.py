@@ -29,6 +29,7 @@ CUES: list[dict[str, Any]] = [
          description="A stone of a few kilograms on plate steel, heard from inside."),
     _cue(
         "shield_hit", "weapon", "Enemy shot meets the shield", 0.80, reverb="dry", playback_priority=1,
+        channels="mono", phase="alpha",
         description="An enemy shot meets the shield; must read over laser fire.", trigger="OnShieldHit",
     ),
     _cue("foot_deck_walk", "foley", "Crew on steel deck, walking", 0.40, variations=6,
@@ -44,7 +45,10 @@ CUES: list[dict[str, Any]] = [
     _cue("explosion_far", "impact", "A ship dies far off", 2.5, description="Low, wide, no crack: it is far."),
     _cue("alarm_red_alert", "ui", "Bridge alarm until silenced", 2.0, **LOOP, placeholder=True,
          description="Urgent for ten seconds, bearable for a minute."),
-    _cue("warp_in", "vehicle", "Own ship arrives", 2.0, reverb="dry", description="Suction, then arrival."),
+    _cue(
+        "warp_in", "vehicle", "Own ship arrives", 2.0, reverb="dry", phase="beta",
+        description="Suction, then arrival.",
+    ),
     _cue("missile_launch", "weapon", "Capital ship fires", 1.4, description="Release, ignition, departure."),
     _cue("vo_oath", "vo", "Captain swears in, English", 6.0, description="“By the light of a hundred suns.”"),
     _cue("void_whale", "creature", "Heard once, never seen", 9.0, **NOT_SETTLED,

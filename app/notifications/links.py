@@ -14,7 +14,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts import addresses
 from app.accounts.models import EmailChange, EmailVerification, MailedLink, PasswordReset, SignUp, StudioInvitation
-from app.accounts.rules import Actor, Role
+from app.accounts.rules import Actor
 from app.agreements.models import SigningCode
 from app.agreements.signing import codes as signing_codes
 from app.core import clock
@@ -123,11 +123,13 @@ def write(session: Session, payload: Payload, *, base_url: str) -> None:
     elif event == "sign_up.asked" and (link_id := addresses.begin_sign_up(session, payload["recipient"])) is None:
         (subject, line), link = KNOWN_ADDRESS, f"{base_url}/sign-in"
     names = {"from_name": payload.get("from_name") or "", "subject_name": payload.get("subject_name") or ""}
+    opened = session.get(kind.table, UUID(str(link_id))) if link_id else None
     note = str(payload.get("note") or "")
     service.write_mail(
         session,
         event_id=event_id,
         studio_id=UUID(payload["studio_id"]) if payload.get("studio_id") else None,
+        project_id=getattr(opened, "project_id", None),
         topic=topic,
         recipient=payload["recipient"],
         subject=subject.format(**names),
@@ -160,7 +162,7 @@ def link_by_hand(session: Session, actor: Actor, mail_id: UUID, *, base_url: str
     Raises MailNotFailed where there is nothing to hand over. The link proves no address.
     """
     mail = queries.mail_locked(session, mail_id)
-    if mail is None or mail.studio_id is None or not actor.roles_in(mail.studio_id) & {Role.PRODUCER}:
+    if mail is None or not queries.is_in_outbox(session, actor, mail):
         raise MailNotFound(f"no mail {mail_id}")
     is_sending = mail.claimed_until is not None and mail.claimed_until > clock.now()
     if mail.sent_at is not None or mail.failure is None or mail.secret_of is None or is_sending:

@@ -29,6 +29,7 @@ class Mail(Dated, Base):
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_studios.id"), index=True)  # None: account mail
+    about_project_id: Mapped[UUID | None]  # no foreign key: a mail outlives a project that is erased
     topic: Mapped[str]  # what it is about: news of the same topic joins an open mail
     recipient: Mapped[str]
     subject: Mapped[str]

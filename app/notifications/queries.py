@@ -4,11 +4,11 @@ from collections.abc import Collection, Sequence
 from datetime import date, datetime, timedelta
 from uuid import UUID
 
-from sqlalchemy import BindParameter, ColumnElement, Uuid, and_, delete, exists, func, literal, or_, select
+from sqlalchemy import BindParameter, ColumnElement, Uuid, and_, delete, exists, func, literal, not_, or_, select
 from sqlalchemy.orm import InstrumentedAttribute, Session
 
 from app.accounts.models import Membership, Person, StudioInvitation
-from app.accounts.rules import Role
+from app.accounts.rules import Actor, Role
 from app.agreements.models import Contract, Milestone
 from app.core import clock
 from app.core.db import bypass_row_policies
@@ -20,13 +20,14 @@ from app.notifications.rules import SECURITY_TOPICS
 from app.projects.approval.service import approval_rights
 from app.projects.models import Engagement, Project, ProjectInvitation
 from app.projects.queries import liaisons_of
-from app.projects.visibility import engaged_with_nda_accepted
+from app.projects.visibility import engaged_with_nda_accepted, is_closed_to
 from app.renders.models import Picture
 from app.reviews.models import ChangeRequest, Comment
 from app.sound_lists.models import Cue
 
 OUTBOX_ROWS = 200
 LINK_ROWS = 500
+DIGEST = "digest"  # how the topic of a mail begins that gathers news of several projects
 
 
 def open_mail(session: Session, topic: str, recipient: str) -> Mail | None:
@@ -61,14 +62,22 @@ def mail_locked(session: Session, mail_id: UUID) -> Mail | None:
     return session.get(Mail, mail_id, with_for_update=True)
 
 
-def outbox(session: Session, studio_id: UUID) -> Sequence[Mail]:
-    """Return a studio's mails, those that wait first, then the newest."""
+def outbox(session: Session, studio_id: UUID, *, with_digests: bool) -> Sequence[Mail]:
+    """Return a studio's mails but those about projects that the caller does not see: what waits first, then by age."""
+    of_studio = [Mail.studio_id == studio_id]
+    of_studio.append(or_(Mail.about_project_id.is_(None), Mail.about_project_id.in_(select(Project.id))))
+    if not with_digests:
+        of_studio.append(Mail.topic.not_like(f"{DIGEST}:%"))
     return session.scalars(
-        select(Mail)
-        .where(Mail.studio_id == studio_id)
-        .order_by(Mail.sent_at.is_not(None), Mail.id.desc())
-        .limit(OUTBOX_ROWS)
+        select(Mail).where(*of_studio).order_by(Mail.sent_at.is_not(None), Mail.id.desc()).limit(OUTBOX_ROWS)
     ).all()
+
+
+def is_in_outbox(session: Session, actor: Actor, mail: Mail) -> bool:
+    """Whether a caller runs the studio that a mail is sent for, and sees the project that it is about."""
+    if mail.studio_id is None or Role.PRODUCER not in actor.roles_in(mail.studio_id):
+        return False
+    return mail.about_project_id is None or session.get(Project, mail.about_project_id) is not None
 
 
 def link_mails(session: Session, project: Project, *, of_members: bool) -> Sequence[Mail]:
@@ -149,10 +158,20 @@ def has_part(studio_id: InstrumentedAttribute[UUID] | BindParameter[UUID], perso
     )
 
 
-def is_addressed(session: Session, studio_id: UUID, person_id: UUID) -> bool:
-    """Whether news of a studio may go to a person."""
+def is_addressed(session: Session, studio_id: UUID, person_id: UUID, project_id: UUID | None = None) -> bool:
+    """Whether news of a studio, or of one of its projects, may go to a person."""
+    is_part = has_part(literal(studio_id, Uuid()), person_id)
+    if project_id is not None:
+        is_part = and_(is_part, not_(is_closed_to(person_id, studio_id=studio_id, project_id=project_id)))
     with bypass_row_policies(session):  # nobody sees all that others have to do with a studio
-        return bool(session.scalar(select(has_part(literal(studio_id, Uuid()), person_id))))
+        return bool(session.scalar(select(is_part)))
+
+
+def _shown(person_id: UUID) -> ColumnElement[bool]:
+    """Admit a person's notices of studios and projects that still have to do with them."""
+    closed = is_closed_to(person_id, studio_id=Notice.studio_id, project_id=Notice.project_id)
+    of_them = and_(Notice.person_id == person_id, has_part(Notice.studio_id, person_id))
+    return and_(of_them, or_(Notice.project_id.is_(None), not_(closed)))
 
 
 def works_on(session: Session, project: Project, person_id: UUID) -> bool:
@@ -231,7 +250,7 @@ def _addresses_with(session: Session, studio_id: UUID, role: Role) -> set[str]:
 
 def notices_of(session: Session, person_id: UUID, *, before: UUID | None, limit: int) -> Sequence[Notice]:
     """Return a person's notices, newest first."""
-    query = select(Notice).where(Notice.person_id == person_id, has_part(Notice.studio_id, person_id))
+    query = select(Notice).where(_shown(person_id))
     if before is not None:
         query = query.where(Notice.id < before)
     with bypass_row_policies(session):  # who only bids does not see that they may
@@ -258,9 +277,7 @@ def has_notice(session: Session, person_id: UUID, topic: str, event_id: str) -> 
 
 def unread_notices(session: Session, person_id: UUID, *, limit: int) -> int:
     """Return the number of a person's unread notices, counted up to a limit."""
-    unread = select(Notice.id).where(
-        Notice.person_id == person_id, Notice.read_at.is_(None), has_part(Notice.studio_id, person_id)
-    )
+    unread = select(Notice.id).where(Notice.read_at.is_(None), _shown(person_id))
     with bypass_row_policies(session):  # who only bids does not see that they may
         return session.scalar(select(func.count()).select_from(unread.limit(limit).subquery())) or 0
 

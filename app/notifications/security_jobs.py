@@ -86,7 +86,7 @@ def notify_token(runtime: Runtime, payload: Payload) -> None:
             f"{day_in_words(token.expires_at)}. If nobody of you meant to, revoke it on the page Builds."
         )
         event_id, subject, path = payload["event_id"], f"{project.name}: a new token for builds", _builds_page(project)
-        _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path)
+        _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path, of=project)
 
 
 @notice("producer.named", topics={"producers": News.LIST})
@@ -147,7 +147,7 @@ def warn_of_token_ends(runtime: Runtime, _payload: Payload) -> None:
                 f"The token “{token.name}” ends on {end}. Builds that use it are refused from then on: make a new one."
             )
             subject, path = f"{project.name}: a token for builds ends on {end}", _builds_page(project)
-            _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path)
+            _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path, of=project)
 
 
 def _builds_page(project: Project) -> str:
@@ -178,15 +178,20 @@ def _tell_producers(
     path: str,
     *,
     but: str = "",
+    of: Project | None = None,
 ) -> None:
+    project_id = of.id if of else None
     recipients: Iterable[str] = sorted(queries.producer_addresses(session, studio_id) - {but})
     topic = f"{kind}:{event_id}"
     for recipient in recipients:
+        person_id = queries.person_id_at(session, recipient)
+        if person_id is not None and not queries.is_addressed(session, studio_id, person_id, project_id):
+            continue  # a member who is not in the project
         notices.add(
             session,
             event_id=event_id,
             studio_id=studio_id,
-            project_id=None,
+            project_id=project_id,
             topic=topic,
             recipient=recipient,
             subject=subject,
@@ -197,6 +202,7 @@ def _tell_producers(
             session,
             event_id=event_id,
             studio_id=studio_id,
+            project_id=project_id,
             topic=topic,
             recipient=recipient,
             subject=subject,

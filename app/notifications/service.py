@@ -8,7 +8,7 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
-from app.accounts.rules import Actor, MemberChange, Role
+from app.accounts.rules import Actor, MemberChange
 from app.accounts.service import ensure_producer_of
 from app.core import clock
 from app.core.db import insert_if_absent, new_id
@@ -36,6 +36,7 @@ def write_mail(
     *,
     event_id: str,
     studio_id: UUID | None,
+    project_id: UUID | None = None,
     topic: str,
     recipient: str,
     subject: str,
@@ -59,6 +60,7 @@ def write_mail(
     facts = {
         "id": mail_id,
         "studio_id": studio_id,
+        "about_project_id": project_id,
         "topic": topic,
         "recipient": recipient,
         "subject": subject,
@@ -111,11 +113,11 @@ def write_news(
 ) -> None:
     """Add a notice in the app, and mail the news as its reader wishes it: at once, hourly, daily or not at all.
 
-    Nothing is written to who left the studio, whatever still names them.
+    Nothing is written to who left the studio, or does not see the project, whatever still names them.
     By a subject that is a `Fold`, further news of the topic joins what the reader has not read.
     """
     person_id = queries.person_id_at(session, recipient)
-    if person_id is not None and not queries.is_addressed(session, studio_id, person_id):
+    if person_id is not None and not queries.is_addressed(session, studio_id, person_id, project_id):
         return
     news = news_of(topic)
     of_spots = [line for line in lines if isinstance(line, SpotLine)]
@@ -140,6 +142,7 @@ def write_news(
             session,
             event_id=event_id,
             studio_id=studio_id,
+            project_id=project_id,
             topic=topic,
             recipient=recipient,
             subject=heading,
@@ -155,7 +158,7 @@ def write_news(
         session,
         event_id=f"{event_id}:{topic}",  # an event may be several pieces of news
         studio_id=studio_id,
-        topic=f"digest:{cadence}:{studio_id}",
+        topic=f"{queries.DIGEST}:{cadence}:{studio_id}",
         recipient=recipient,
         subject=DIGEST_SUBJECTS[cadence],
         lines=["\n\n".join((heading, *mailed, link))],
@@ -179,7 +182,8 @@ def drop_news_of_member(session: Session, payload: Mapping[str, Any]) -> None:
 def outbox(session: Session, actor: Actor, studio_id: UUID) -> list[Mail]:
     """Return the mails that the studio's producer may see; mails about a person's account are left out."""
     ensure_producer_of(session, actor, studio_id)
-    return list(queries.outbox(session, studio_id))
+    is_limited = studio_id in actor.limited_studio_ids  # a digest gathers news of several projects
+    return list(queries.outbox(session, studio_id, with_digests=not is_limited))
 
 
 def mailed_links(session: Session, actor: Actor, project_id: UUID) -> Sequence[Mail]:
@@ -192,7 +196,7 @@ def mailed_links(session: Session, actor: Actor, project_id: UUID) -> Sequence[M
 def send_again(session: Session, actor: Actor, mail_id: UUID) -> Mail:
     """Try a mail again that was not sent."""
     mail = session.get(Mail, mail_id)
-    if mail is None or mail.studio_id is None or not actor.roles_in(mail.studio_id) & {Role.PRODUCER}:
+    if mail is None or not queries.is_in_outbox(session, actor, mail):
         raise MailNotFound(f"no mail {mail_id}")
     if mail.sent_at is None:
         publish(session, "mail.written", studio_id=mail.studio_id, mail_id=mail.id)

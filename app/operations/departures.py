@@ -10,12 +10,15 @@ from app.accounts.queries import live_tokens_of, membership, studio_invitations
 from app.accounts.rules import Actor, Role
 from app.accounts.service import ensure_producer_of
 from app.agreements.signing.service import contracts_to_sign
+from app.core.db import bypass_row_policies
 from app.hiring.queries import postings_linked_by
 from app.operations import queries
 from app.operations.schemas import DepartureItem, DepartureKind
 from app.projects.namings import namings_ending
 from app.shares.queries import open_links_by
 from app.webhooks.queries import enabled_webhooks_by
+
+OTHER_PROJECT = "in a project that you are not in"
 
 
 def departure(
@@ -26,9 +29,17 @@ def departure(
     if membership(session, studio_id, person_id) is None:
         raise MemberNotFound(f"no person {person_id} in this studio")
     names = queries.project_names(session, studio_id)
+    with bypass_row_policies(session):  # what ends is in projects too that the producer is not in
+        items = list(_items(session, studio_id, person_id, frozenset(roles)))
     return [
-        DepartureItem(kind=kind, id=id_, name=name, project_id=project_id, project_name=names.get(project_id))
-        for kind, id_, name, project_id in _items(session, studio_id, person_id, frozenset(roles))
+        DepartureItem(
+            kind=kind,
+            id=id_,
+            name=name if project_id is None or project_id in names else OTHER_PROJECT,
+            project_id=project_id if project_id in names else None,
+            project_name=names.get(project_id),
+        )
+        for kind, id_, name, project_id in items
     ]
 
 

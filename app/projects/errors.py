@@ -51,6 +51,14 @@ class LiaisonIsApprover(Conflict):
     """The liaison is the approver; another approver must be named first."""
 
 
+class ProjectMemberNotFound(NotFound):
+    """No such person in the project, or in its studio."""
+
+
+class MemberNeeded(Conflict):
+    """The project needs this person: an approver, a deputy, an audio lead, or its only producer."""
+
+
 class SpecChanged(Conflict):
     """The spec was changed by another person since it was read."""
 

@@ -60,6 +60,16 @@ class Liaison(StudioOwned, Dated, Base):
     person: Mapped[Person] = relationship(lazy="raise")
 
 
+class ProjectMember(StudioOwned, Dated, Base):
+    """A member of the studio who is in a project; only they see it where the studio's members see their own alone."""
+
+    __tablename__ = "projects_members"
+
+    project_id: Mapped[UUID] = mapped_column(ForeignKey("projects_projects.id"), primary_key=True)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), primary_key=True, index=True)
+    person: Mapped[Person] = relationship(lazy="raise")
+
+
 class ApproverChange(ProjectOwned, Dated, Base):
     """The approvers of a project, since when, and why it changed; the newest row holds."""
 

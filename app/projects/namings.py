@@ -14,8 +14,10 @@ from app.accounts.queries import membership, people_by_id
 from app.accounts.rules import LEAD_ROLES, MemberChange, Role
 from app.core import clock
 from app.core.errors import FieldProblem
+from app.core.plural import counted
 from app.projects import queries
 from app.projects.approval import queries as approval_queries
+from app.projects.members import service as members
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, ProjectInvitation
 
 A_DAY = timedelta(days=1)  # somewhere it is still yesterday, counted from UTC
@@ -84,16 +86,23 @@ def end_namings(session: Session, payload: Mapping[str, Any]) -> None:
     for invitation in namings.invitations:
         invitation.revoked_at = clock.now()
     session.flush()
+    members.end_membership(session, change)
 
 
 def _hand_approval_over(session: Session, change: MemberChange, projects: Sequence[Project]) -> None:
     name = people_by_id(session, {change.person_id})[change.person_id].name
     if change.hand_over_to is None:
+        seen = [project for project in projects if members.is_open_to(session, project, change.changed_by)]
+        names = [project.name for project in seen]
+        if len(seen) < len(projects):
+            names.append(
+                counted(len(projects) - len(seen), "project that you are not in", "projects that you are not in")
+            )
         raise HandOverNeeded(
-            f"{name} is the approver of {', '.join(project.name for project in projects)}",
+            f"{name} is the approver of {', '.join(names)}",
             errors=[
                 FieldProblem(where=f"projects.{project.id}", message=f"the approver of {project.name}")
-                for project in projects
+                for project in seen
             ],
             fix="say who takes over as hand_over_to, or name another approver in each of these projects",
         )
@@ -116,3 +125,4 @@ def _hand_approval_over(session: Session, change: MemberChange, projects: Sequen
                 changed_by=change.changed_by,
             )
         )
+        members.ensure_member(session, project, successor.person_id)

@@ -13,7 +13,7 @@ from app.accounts.quotas.queries import Usage
 from app.accounts.rules import LEAD_ROLES, Actor, Role
 from app.core import clock
 from app.core.db import bypass_row_policies
-from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
+from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, ProjectMember, Spec
 
 
 def project_by_id(session: Session, project_id: UUID) -> Project | None:
@@ -108,6 +108,9 @@ def rights_of(session: Session, caller: Actor | None) -> frozenset[str]:
         running = Engagement.designer_id == caller.person_id, Engagement.ended_at.is_(None)
         engaged = session.scalars(select(Engagement.project_id).where(*running))
         rights |= {f"project:{project_id}:designer" for project_id in engaged}
+    if caller.limited_studio_ids:
+        own = select(ProjectMember.project_id).where(ProjectMember.person_id == caller.person_id)
+        rights |= {f"project:{project_id}:member" for project_id in session.scalars(own)}
     return frozenset(rights)
 
 

@@ -30,6 +30,7 @@ from app.projects.errors import (
     SpecVersionNotFound,
     TeamNeeded,
 )
+from app.projects.members.service import ensure_member
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, ProjectInvitation, Spec
 from app.projects.rules import DesignersHear, ensure_can_approve
 from app.projects.specs.service import add_version, read_spec
@@ -157,8 +158,10 @@ def create_project(
     project = Project(
         studio_id=studio_id, name=name, description=description, cue_prefix=cue_prefix, created_by=actor.person
     )
-    session.add(project)
-    session.flush()
+    with bypass_row_policies(session):  # who sees only their own projects is in the new one from here on
+        session.add(project)
+        session.flush()
+        ensure_member(session, project, actor.person)
     toml = audio_checks.new_spec(preset, name=name)
     add_version(session, project, actor.person, toml=toml, number=1, note="The field's defaults")
     return project
@@ -201,6 +204,7 @@ def add_liaison(session: Session, actor: Actor, project_id: UUID, person_id: UUI
         raise LiaisonNotFound(f"no person {person_id} in this studio", fix="invite them into the studio first")
     if LEAD_ROLES.isdisjoint(member.roles):
         member.roles = sorted({*member.roles, Role.LIAISON})
+    ensure_member(session, access.project, person_id)
     if not queries.is_liaison(session, project_id, person_id):
         session.add(Liaison(project_id=project_id, person_id=person_id, studio_id=studio_id))
         session.flush()
@@ -238,6 +242,7 @@ def name_approver(session: Session, actor: Actor, project_id: UUID, *, person_id
         is_liaison=member is not None and queries.is_liaison(session, project_id, person_id),
         is_producer=member is not None and Role.PRODUCER in member.roles,
     )
+    ensure_member(session, project, person_id)
     session.add(
         ApproverChange(
             studio_id=project.studio_id,

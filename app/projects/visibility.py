@@ -4,14 +4,16 @@ from collections.abc import Collection
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, and_, exists, or_
+from sqlalchemy import ColumnElement, and_, exists, not_, or_
 from sqlalchemy.orm import InstrumentedAttribute
 
-from app.accounts.rules import Actor
-from app.projects.models import Engagement, Project
+from app.accounts.models import Membership, Studio
+from app.accounts.rules import Actor, MembersSee
+from app.projects.members import limits  # noqa: F401  every statement of who is limited leaves projects out
+from app.projects.models import Engagement, Project, ProjectMember
 from app.projects.rules import DesignersHear, EngagementKind
 
-Column = InstrumentedAttribute[UUID] | ColumnElement[Any]
+Column = InstrumentedAttribute[UUID] | InstrumentedAttribute[UUID | None] | ColumnElement[Any]
 
 
 def nda_is_pending(project: Project, engagement: Engagement) -> bool:
@@ -48,6 +50,23 @@ def _shows_list(actor: Actor, project_id: Column) -> ColumnElement[bool]:
     return exists().where(
         Engagement.project_id == project_id, Engagement.designer_id == actor.person_id, engaged_with_nda_accepted()
     )
+
+
+def is_closed_to(
+    person_id: Column | UUID, *, studio_id: Column | UUID, project_id: Column | UUID
+) -> ColumnElement[bool]:
+    """Admit projects that a member of the studio does not see, since they are not in it and see only their own."""
+    limited = exists().where(
+        Membership.studio_id == studio_id,
+        Membership.person_id == person_id,
+        Studio.id == Membership.studio_id,
+        Studio.members_see == MembersSee.OWN,
+    )
+    member = exists().where(ProjectMember.project_id == project_id, ProjectMember.person_id == person_id)
+    engaged = exists().where(
+        Engagement.project_id == project_id, Engagement.designer_id == person_id, Engagement.ended_at.is_(None)
+    )
+    return and_(limited, not_(member), not_(engaged))
 
 
 def project_opens(actor: Actor, project_id: Column, choices: Collection[DesignersHear]) -> ColumnElement[bool]:

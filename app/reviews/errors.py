@@ -105,3 +105,7 @@ class ChecklistItemNotFound(NotFound):
 
 class ReasonsInvalid(Invalid):
     """A list has a reason or label twice."""
+
+
+class PaletteIncomplete(Conflict):
+    """The palette has no cue, or one whose sound is not accepted."""

@@ -305,3 +305,14 @@ declare(Verdict, "verdict", owners=None, left_out=("dropped_draft",))  # which i
 declare(Feedback, "feedback", owners=None)
 declare(ChangeRequest, "change request", owners=None, left_out=("feedback_id", "sends_at", "mentions"))
 declare(Comment, "comment", owners=None, left_out=("resolved_at", "resolved_by", "mentions"))
+
+
+class PaletteApproval(ProjectOwned, Dated, Base):
+    """The approval of a project's palette as a set; the newest holds while the palette has no other cue."""
+
+    __tablename__ = "reviews_palette_approvals"
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    approved_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    cue_ids: Mapped[list[str]]
+    approver: Mapped[Person] = relationship(lazy="raise")

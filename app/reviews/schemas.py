@@ -15,7 +15,7 @@ from app.renders.schemas import SoundBrief, ThumbRead
 from app.reviews.checklists.schemas import BlockedTake, CueChecklist
 from app.reviews.reasons.schemas import Reasons
 from app.reviews.rules import HistoryKind, PausedBy, QueueKind, VerdictKind
-from app.sound_lists.rules import CueState, Reverb
+from app.sound_lists.rules import CueChannels, CueState, Reverb
 
 MAX_HEARD = 200  # takes that are recorded at once
 NO_NUL = "^[^\\x00]*$"  # PostgreSQL takes none in text
@@ -43,6 +43,7 @@ class ReviewCue(Schema):
     variations: int
     state: CueState
     reverb: Reverb | None
+    channels: CueChannels | None
     placeholder: bool
     palette: bool
     due_on: date | None

@@ -14,7 +14,7 @@ from app.core.columns import Dated, ProjectOwned, StudioOwned
 from app.core.db import Base, new_id
 from app.core.recorded_rows import declare
 from app.sound_lists.own_columns.rules import ColumnKind
-from app.sound_lists.rules import CueState, Need, Reverb, folded
+from app.sound_lists.rules import CueChannels, CueState, Need, Phase, Reverb, folded
 
 
 def _folded_stem(context: DefaultExecutionContext) -> str:
@@ -62,8 +62,10 @@ class Cue(StudioOwned, Dated, Base):
     frame_rate_fps: Mapped[float | None]
     loop: Mapped[bool] = mapped_column(default=False)
     reverb: Mapped[Reverb | None]
+    channels: Mapped[CueChannels | None]  # None: as the delivery spec says
     variations: Mapped[int] = mapped_column(default=1)
     state: Mapped[CueState] = mapped_column(default=CueState.PROTOTYPE)
+    phase: Mapped[Phase | None]
     need: Mapped[Need] = mapped_column(default=Need.MUST)
     playback_priority: Mapped[int | None]
     due_on: Mapped[date | None]  # the day on which the sound is needed

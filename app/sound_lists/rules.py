@@ -28,6 +28,23 @@ class Reverb(StrEnum):
     SEPARATE_TAIL = "separate-tail"
 
 
+class CueChannels(StrEnum):
+    """The channels of a cue's files, where they are not as the delivery spec says."""
+
+    MONO = "mono"
+    STEREO = "stereo"
+
+
+class Phase(StrEnum):
+    """A phase of the production, in order; a later one opens once every sound of it is accepted."""
+
+    CONCEPT = "concept"
+    PALETTE = "palette"
+    ALPHA = "alpha"
+    BETA = "beta"
+    GOLD = "gold"
+
+
 class Need(StrEnum):
     """The game's need for a cue: without a "must" it cannot ship."""
 
@@ -58,9 +75,11 @@ NEW_CUE: Mapping[str, Any] = {
     "frame_rate_fps": None,
     "loop": False,
     "reverb": None,
+    "channels": None,
     "variations": 1,
     "state": CueState.PROTOTYPE,
     "need": Need.MUST,
+    "phase": None,
     "playback_priority": None,
     "due_on": None,
     "placeholder": False,
@@ -72,7 +91,7 @@ NEW_CUE: Mapping[str, Any] = {
 CueOrdering = Literal["list", "playback_priority"]
 NO_PLAYBACK_PRIORITY = 1_001  # after every playback priority, which end at 1000; 0 comes first
 PEOPLE: Mapping[str, str] = {"implementer": "implementer_id", "recorder": "recorder_id"}  # columns of sheets, facts
-CHECKED_FACTS = frozenset({"category", *LENGTHS, "length_locked", "frame_rate_fps", "loop", "reverb"})
+CHECKED_FACTS = frozenset({"category", *LENGTHS, "length_locked", "frame_rate_fps", "loop", "reverb", "channels"})
 NAMING_FACTS = frozenset({"name", "file_name", "variations"})
 LINES = {"name": 200, "file_name": 200, "category": 60}
 TEXTS = {"description": 10_000, "use": 2_000, "trigger": 2_000}

@@ -25,9 +25,11 @@ from app.sound_lists.rules import (
     NAMING_FACTS,
     NEW_CUE,
     PEOPLE,
+    CueChannels,
     CueState,
     Facts,
     Need,
+    Phase,
     Reverb,
     folded,
     label,
@@ -82,7 +84,9 @@ def whole_facts(given: Mapping[str, Any], before: Mapping[str, Any] = NEW_CUE) -
     facts = {**before, **tidy(given)}
     facts["state"] = CueState(facts["state"])
     facts["need"] = Need(facts["need"])
+    facts["phase"] = Phase(facts["phase"]) if facts["phase"] else None
     facts["reverb"] = Reverb(facts["reverb"]) if facts["reverb"] else None
+    facts["channels"] = CueChannels(facts["channels"]) if facts["channels"] else None
     facts["extra"] = dict(facts["extra"])
     return tidy(facts)
 

@@ -11,7 +11,7 @@ from app.core.web.http import Schema, Whole
 from app.projects.rules import EngagementKind
 from app.projects.schemas import ResolvedSpec, SpecRead
 from app.sound_lists.clarity.rules import Fact
-from app.sound_lists.rules import CueState, Need, Reverb
+from app.sound_lists.rules import CueChannels, CueState, Need, Phase, Reverb
 
 OpenState = Literal["concept", "prototype", "locked"]
 Text = Annotated[str, Field(max_length=20_000)]
@@ -48,8 +48,10 @@ class CueRead(Schema):
     frame_rate_fps: float | None
     loop: bool
     reverb: Reverb | None
+    channels: CueChannels | None = Field(description="Null: as the delivery spec says.")
     variations: int
     state: CueState
+    phase: Phase | None = Field(description="The phase by whose end its sound is accepted.")
     need: Need = Field(description="How much the game needs it: without a must it cannot ship.")
     playback_priority: int | None
     due_on: date | None = Field(description="The day on which the sound is needed.")
@@ -98,9 +100,11 @@ class CueFields(Schema):
     frame_rate_fps: Figure | None = None
     loop: bool = False
     reverb: Reverb | None = None
+    channels: CueChannels | None = None
     variations: Whole = 1
     state: OpenState = "prototype"
     need: Need = Need.MUST
+    phase: Phase | None = None
     playback_priority: Whole | None = None
     due_on: date | None = None
     placeholder: bool = False
@@ -247,9 +251,11 @@ ImportField = Literal[
     "frame_rate_fps",
     "loop",
     "reverb",
+    "channels",
     "variations",
     "state",
     "need",
+    "phase",
     "playback_priority",
     "due_on",
     "placeholder",
@@ -454,6 +460,7 @@ class ImportRow(Schema):
     duration_min_s: float | None
     duration_max_s: float | None
     loop: bool
+    channels: CueChannels | None = Field(description="Null: as the delivery spec says.")
     variations: int
     state: CueState
     due_on: date | None
@@ -506,6 +513,7 @@ class PreviewCue(Schema):
     duration_min_s: float | None
     duration_max_s: float | None
     loop: bool
+    channels: CueChannels | None
     variations: int
     state: CueState
 

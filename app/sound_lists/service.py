@@ -66,7 +66,8 @@ def cues_read(session: Session, access: ProjectAccess, cues: Sequence[Cue]) -> l
 
 def preview_cues(cues: Sequence[Cue], cue_prefix: str) -> list[PreviewCue]:
     """Return the cues that are still wanted, as an invited designer sees them before having an account."""
-    shown = ("number", "name", "file_name", "category", "description", "use", *LENGTHS, "loop", "variations")
+    texts = ("number", "name", "file_name", "category", "description", "use")
+    shown = (*texts, *LENGTHS, "loop", "channels", "variations")
     return [
         PreviewCue(label=label(cue_prefix, cue.number), state=cue.state, **{fact: getattr(cue, fact) for fact in shown})
         for cue in cues
@@ -88,6 +89,7 @@ def cue_facts(cue: Cue) -> audio_checks.CueFacts:
         frame_rate_fps=cue.frame_rate_fps,
         loop=cue.loop,
         reverb=cue.reverb.value if cue.reverb else None,
+        channels=cue.channels.value if cue.channels else None,
         variations=cue.variations,
         state=cue.state.value,
     )

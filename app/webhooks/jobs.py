@@ -14,8 +14,8 @@ def write_calls(runtime: Runtime, payload: Payload) -> None:
     """Write the messages of an event for every webhook that is called for it."""
     with runtime.database.writing() as session:
         project_id, message = message_of(session, runtime.settings.base_url, payload)
-        for webhook in queries.enabled_webhooks(session, UUID(payload["studio_id"])):
-            if message.event in webhook.events and webhook.project_id in (None, project_id):
+        for webhook in queries.webhooks_called(session, UUID(payload["studio_id"]), project_id):
+            if message.event in webhook.events:
                 service.write_call(session, webhook, payload["event_id"], message)
 
 

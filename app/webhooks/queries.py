@@ -3,10 +3,11 @@
 from collections.abc import Collection, Sequence
 from uuid import UUID
 
-from sqlalchemy import ColumnElement, func, select
+from sqlalchemy import ColumnElement, func, not_, or_, select
 from sqlalchemy.orm import Session, contains_eager, joinedload, selectinload
 
 from app.projects.models import Project
+from app.projects.visibility import is_closed_to
 from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
 
 
@@ -31,8 +32,19 @@ def webhooks_count(session: Session, studio_id: UUID) -> int:
     return session.scalar(select(func.count()).select_from(Webhook).where(Webhook.studio_id == studio_id)) or 0
 
 
+def webhooks_called(session: Session, studio_id: UUID, project_id: UUID) -> Sequence[Webhook]:
+    """Return the webhooks that are called for an event of a project: of it or all, by people who see it."""
+    enabled = select(Webhook).where(
+        Webhook.studio_id == studio_id,
+        Webhook.disabled_at.is_(None),
+        or_(Webhook.project_id.is_(None), Webhook.project_id == project_id),
+        not_(is_closed_to(Webhook.created_by, studio_id=studio_id, project_id=project_id)),
+    )
+    return session.scalars(enabled.order_by(Webhook.id)).all()
+
+
 def enabled_webhooks(session: Session, studio_id: UUID) -> Sequence[Webhook]:
-    """Return the webhooks of a studio that are called."""
+    """Return the webhooks of a studio that are called for some event."""
     enabled = select(Webhook).where(Webhook.studio_id == studio_id, Webhook.disabled_at.is_(None))
     return session.scalars(enabled.order_by(Webhook.id)).all()
 
@@ -56,8 +68,9 @@ def calls_of(session: Session, webhook_id: UUID, *, before: UUID | None, limit: 
 
 def call_in(session: Session, studio_ids: Collection[UUID], call_id: UUID) -> WebhookCall | None:
     """Return a call of a webhook of one of these studios, with its webhook and its attempts."""
-    query = select(WebhookCall).where(WebhookCall.id == call_id, WebhookCall.studio_id.in_(studio_ids))
-    return session.scalar(query.options(joinedload(WebhookCall.webhook), selectinload(WebhookCall.attempts)))
+    query = select(WebhookCall).join(WebhookCall.webhook)
+    query = query.where(WebhookCall.id == call_id, WebhookCall.studio_id.in_(studio_ids))
+    return session.scalar(query.options(contains_eager(WebhookCall.webhook), selectinload(WebhookCall.attempts)))
 
 
 def is_attempt_at(condition: ColumnElement[bool]) -> ColumnElement[bool]:

@@ -60,7 +60,7 @@ def valid_secrets(secret_key: str, webhook: Webhook, now: datetime) -> list[byte
 def webhooks_of(session: Session, actor: Actor, studio_id: UUID) -> Sequence[Webhook]:
     """Return a studio's webhooks, for its producers."""
     ensure_producer_of(session, actor, studio_id)
-    return queries.webhooks_of(session, studio_id)
+    return [webhook for webhook in queries.webhooks_of(session, studio_id) if _is_seen(actor, webhook)]
 
 
 def projects_of(session: Session, studio_id: UUID) -> Sequence[Project]:
@@ -179,7 +179,7 @@ def calls_of(
 def replay(session: Session, actor: Actor, call_id: UUID) -> WebhookCall:
     """Send a call again at once, whatever happened to it; its attempts are counted from the start."""
     call = queries.call_in(session, _studios_run_by(actor), call_id)
-    if call is None:
+    if call is None or not _is_seen(actor, call.webhook):
         raise WebhookCallNotFound(f"no call {call_id}")
     _ensure_enabled(call.webhook)
     call.state, call.tries = CallState.WAITING, 0
@@ -190,9 +190,15 @@ def replay(session: Session, actor: Actor, call_id: UUID) -> WebhookCall:
 def webhook_for(session: Session, actor: Actor, webhook_id: UUID, *, locked: bool = False) -> Webhook:
     """Return a webhook of a studio that the caller runs; raise WebhookNotFound."""
     webhook = queries.webhook_in(session, _studios_run_by(actor), webhook_id, locked=locked)
-    if webhook is None:
+    if webhook is None or not _is_seen(actor, webhook):
         raise WebhookNotFound(f"no webhook {webhook_id}")
     return webhook
+
+
+def _is_seen(actor: Actor, webhook: Webhook) -> bool:
+    """Whether a producer sees a webhook: one of all projects is its maker's where producers see their own only."""
+    is_limited = webhook.studio_id in actor.limited_studio_ids
+    return not is_limited or webhook.project_id is not None or webhook.created_by == actor.person_id
 
 
 def _studios_run_by(actor: Actor) -> list[UUID]:

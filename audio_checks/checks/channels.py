@@ -6,8 +6,9 @@ Beds of more channels say by a channel mask where each one stands; without it, q
 whatever the next tool guesses.
 How to fix: export with the accepted number of channels, beds with the layout chosen in the export
 window; mix to mono yourself and listen to it, since what is out of phase disappears.
-Source: the delivery spec, `[accept] channels` and `layouts`, or the target's channels; speaker
-positions of WAVEFORMATEXTENSIBLE; ambisonic files have (order + 1)² channels and no positions.
+Source: the delivery spec, `[accept] channels` and `layouts`, or the target's channels; the sound
+list, `channels`: a cue that is mono or stereo comes before the spec; speaker positions of
+WAVEFORMATEXTENSIBLE; ambisonic files have (order + 1)² channels and no positions.
 """
 
 from collections.abc import Iterator
@@ -32,15 +33,21 @@ COUNTS = {1: "mono", 2: "stereo"}
 
 
 def applies(spec: DeliverySpec, cue: CueFacts | None) -> bool:
-    """Apply only where the spec lists numbers of channels, or layouts."""
-    return spec.accept.channels is not None or spec.accept.layouts is not None
+    """Apply only where the spec lists numbers of channels, or layouts, or the cue is mono or stereo."""
+    return spec.channels_for(cue) is not None or spec.accept.layouts is not None
 
 
-def check(file: "AudioFile", spec: DeliverySpec) -> Iterator[Finding]:
-    """Yield `channels:not-accepted` for a number that the spec does not list, else `channels:layout` for a layout."""
-    counts, layouts = spec.accept.channels, spec.accept.layouts
+def check(file: "AudioFile", spec: DeliverySpec, cue: CueFacts | None = None) -> Iterator[Finding]:
+    """Yield `channels:cue` for another number than the cue asks for.
+
+    Else `channels:not-accepted` for a number that the spec does not list, or `channels:layout` for a layout.
+    """
+    counts, layouts = spec.channels_for(cue), spec.accept.layouts
     channels = file.facts.channels
-    if counts is not None and channels not in counts:
+    if counts != spec.accept.channels:
+        if counts is not None and channels not in counts:
+            yield _other_than_cue(channels, counts[0], of_render=spec.target is not None)
+    elif counts is not None and channels not in counts:
         yield _other_count(channels, sorted(counts), of_render=spec.target is not None)
     elif layouts is not None and not set(layouts) & set(_layouts_of(file)):
         yield _other_layout(file, layouts)
@@ -56,6 +63,18 @@ def _other_count(channels: int, channel_counts: list[int], *, of_render: bool) -
         fix=f"{again} as {_words(nearest)}",
         measured=float(channels),
         limit=float(nearest),
+        unit="channels",
+    )
+
+
+def _other_than_cue(channels: int, wanted: int, *, of_render: bool) -> Finding:
+    fix = "render it again from its master" if of_render else f"export it from the session as {_words(wanted)}"
+    return Finding(
+        code="channels:cue",
+        message=f"{_words(channels)}, and the sound list asks for {_words(wanted)}",
+        fix=fix,
+        measured=float(channels),
+        limit=float(wanted),
         unit="channels",
     )
 

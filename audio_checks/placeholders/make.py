@@ -154,7 +154,7 @@ def make_placeholder(
         `placeholder:container`: the spec accepts no WAV.
     """
     _ensure_free(path)
-    form = _Form.of(view)
+    form = _Form.of(view, cue)
     recording = read_recording(said, form.sample_rate_hz) if said is not None else None
     frames = _frames(
         cue, view, form.sample_rate_hz, DURATION_S if recording is None else len(recording) / form.sample_rate_hz
@@ -201,7 +201,7 @@ class _Form:
     coder: Coder | None = None
 
     @classmethod
-    def of(cls, view: DeliverySpec) -> "_Form":
+    def of(cls, view: DeliverySpec, cue: CueFacts) -> "_Form":
         """Return the form of a target, or the plainest that deliveries may have."""
         accept, target = view.accept, view.target
         is_wav = target is None or target.coding is None
@@ -212,8 +212,9 @@ class _Form:
                 'name a --target, or add "wav" to [accept] containers',
             )
         layouts = sorted((LAYOUTS[name] for name in accept.layouts or ()), key=lambda layout: layout.channels)
-        fitting = [layout for layout in layouts if accept.channels is None or layout.channels in accept.channels]
-        channels = fitting[0].channels if fitting else min(accept.channels or (1,))
+        counts = view.channels_for(cue)
+        fitting = [layout for layout in layouts if counts is None or layout.channels in counts]
+        channels = fitting[0].channels if fitting else min(counts or (1,))
         mask = fitting[0].masks[0] if fitting and channels > 2 and fitting[0].masks else None
         if target is not None:
             ensure_codable(channels, target)

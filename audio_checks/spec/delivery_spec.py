@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from audio_checks.errors import SpecError
+from audio_checks.metadata.layouts import LAYOUTS
 from audio_checks.spec import check_names
 from audio_checks.spec import keys as spec_keys
 from audio_checks.spec.check_names import Level
@@ -110,6 +111,13 @@ class DeliverySpec:
         is_dry = cue is not None and cue.reverb == "dry"
         is_asked = is_dry or "reverb" in self.engine.adds or "baked-reverb" in self.checks
         return is_asked and (cue is None or cue.reverb != "designed-tail")
+
+    def channels_for(self, cue: CueFacts | None) -> tuple[int, ...] | None:
+        """Return the accepted numbers of channels: the target's own, else the cue's, else the spec's; None for any."""
+        is_folded = self.target is not None and self.target.channels != "master"
+        if cue is None or cue.channels is None or is_folded:
+            return self.accept.channels
+        return (LAYOUTS[cue.channels].channels,)
 
     @cached_property
     def sha256(self) -> str:

@@ -14,6 +14,11 @@ from typing import Any
 from audio_checks.spec.list_heads import COUNTED_UNITS, UNITS
 
 STATES = ("concept", "prototype", "locked", "cut")
+CHANNELS: Mapping[str, str] = {
+    **dict.fromkeys(("mono", "m", "1", "1.0", "1ch", "1 ch", "1 channel", "mono 1.0"), "mono"),
+    **dict.fromkeys(("stereo", "st", "s", "2", "2.0", "2ch", "2 ch", "2 channels", "stereo 2.0"), "stereo"),
+}
+PHASES = ("concept", "palette", "alpha", "beta", "gold")
 REVERBS = ("dry", "designed-tail", "separate-tail")
 NEEDS = ("must", "should", "wish")
 EMPTY = frozenset({"", "-", "–", "—", "?", "n/a", "na", "none", "null", "tba", "tbd", "k.a.", "なし", "未定", "無"})
@@ -444,6 +449,24 @@ def _read_reverb(text: str, _context: CellContext) -> Reading:
     return Reading(plain)
 
 
+def _read_channels(text: str, _context: CellContext) -> Reading:
+    plain = " ".join(re.split(r"[\s_-]+", text.strip().lower()))
+    if plain in EMPTY:
+        return Reading(None)
+    if plain not in CHANNELS:
+        raise ValueError(f'wanted mono, stereo, or nothing for what the spec says, found "{text[:40]}"')
+    return Reading(CHANNELS[plain])
+
+
+def _read_phase(text: str, _context: CellContext) -> Reading:
+    plain = text.strip().lower()
+    if plain in EMPTY:
+        return Reading(None)
+    if plain not in PHASES:
+        raise ValueError(f'wanted {", ".join(PHASES)}, found "{text[:40]}"')
+    return Reading(plain)
+
+
 def _read_need(text: str, _context: CellContext) -> Reading:
     if text.strip().lower() in EMPTY:
         return Reading(None)
@@ -563,6 +586,8 @@ READERS: Mapping[str, Callable[[str, CellContext], Reading]] = {
     "palette": _read_flag,
     "state": _read_state,
     "reverb": _read_reverb,
+    "channels": _read_channels,
+    "phase": _read_phase,
     "need": _read_need,
     "due_on": _read_day,
 }

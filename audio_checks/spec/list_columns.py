@@ -28,6 +28,8 @@ FIELD_WORDS = {
     "playback_priority": "whole numbers",
     "state": "concept, prototype, locked or cut",
     "reverb": "dry, designed-tail or separate-tail",
+    "channels": "mono or stereo",
+    "phase": "concept, palette, alpha, beta or gold",
     "need": "must, should or wish",
     "due_on": "days",
 }

@@ -58,6 +58,9 @@ HEADS: Mapping[str, str] = {
     "|循环|是否循环|循環|루프|반복|цикл|зацикленный|зациклить|луп|pętla|zapętlony|em loop|ciclo|ciclico|in loop"
     "|lus",
     "reverb": "reverb|reverb tail|hall|reverb type|réverbération|reverberación|リバーブ|残響",
+    "channels": "channels|channel|channel count|number of channels|num channels|mono stereo|stereo mono|mono or stereo|"
+    "stereo or mono|ch|chs|channel format|channel config|kanäle|kanal|canaux|canales|canali|チャンネル|チャンネル数"
+    "|声道|聲道|채널|каналы|kanały|canais|kanalen",
     "variations": "variations|how many|variation|variants|variant|vars|var|count|qty|quantity|num variations|"
     "varianten|variationen|variante|anzahl|files|versions|alternates|alts|round robins|round robin|rr|takes|"
     "anz|stück|dateien|variantes|variaciones|variación|variante|nombre de variations|nb variations|nb de variations|"
@@ -70,6 +73,8 @@ HEADS: Mapping[str, str] = {
     "need": "need|needed|need level|moscow|must should wish|must should could|must have|necessity|required|"
     "production priority|bedarf|notwendigkeit|muss soll wunsch|nécessité|besoin|necesidad|必要度|必須度"
     "|必要性|必需|필요도|необходимость|potrzeba|necessidade|necessità|noodzaak",
+    "phase": "phase|production phase|project phase|phase of production|needed for phase|produktionsphase|fase|"
+    "fase de producción|phase de production|フェーズ|阶段|階段|단계|фаза|faza",
     "playback_priority": "priority|prio|playback priority|playback prio|voice priority|engine priority|importance|"
     "sound priority|priorität|abspielpriorität|wichtigkeit|rang|priorité|prioridad|importancia|優先度|優先順位|重要度"
     "|优先级|優先級|우선순위|приоритет|priorytet|prioridade|priorità|prioriteit",

@@ -208,6 +208,7 @@ class CueFacts:
     frame_rate_fps: float | None = None
     loop: bool = False
     reverb: str | None = None
+    channels: str | None = None  # "mono" or "stereo"; None: as the spec says
     variations: int = 1
     state: str = "concept"
     more: Mapping[str, str] = field(default_factory=dict, compare=False)

@@ -36,11 +36,12 @@ COLUMNS = (
     "frame_rate_fps",
     "loop",
     "reverb",
+    "channels",
     "variations",
     "state",
 )
 LENGTHS = ("duration_s", "duration_min_s", "duration_max_s")
-TYPED = frozenset({*LENGTHS, "length_locked", "frame_rate_fps", "loop", "reverb", "variations", "state"})
+TYPED = frozenset({*LENGTHS, "length_locked", "frame_rate_fps", "loop", "reverb", "channels", "variations", "state"})
 _MOST_VARIATIONS = 999
 
 

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_27f78ae1"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_c7cd46d7"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -247,6 +247,7 @@ def upgrade() -> None:
         sa.Column("is_demo", sa.Boolean(), nullable=False),
         sa.Column("time_zone", sa.String(), nullable=False),
         sa.Column("second_factor_for", JSON, nullable=False),
+        sa.Column("members_see", sa.Enum("all", "own", name="memberssee", native_enum=False, length=32), nullable=False),
         sa.Column("opened_by", sa.Uuid()),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.ForeignKeyConstraint(["opened_by"], ["accounts_people.id"], name=op.f("fk_accounts_studios_opened_by")),
@@ -507,6 +508,7 @@ def upgrade() -> None:
         "notifications_mails",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid()),
+        sa.Column("about_project_id", sa.Uuid()),
         sa.Column("topic", sa.String(), nullable=False),
         sa.Column("recipient", sa.String(), nullable=False),
         sa.Column("subject", sa.String(), nullable=False),
@@ -640,6 +642,24 @@ def upgrade() -> None:
         sa.UniqueConstraint("project_id", name=op.f("uq_briefs_briefs_project_id")),
     )
     op.create_index(op.f("ix_briefs_briefs_studio_id"), "briefs_briefs", ["studio_id"])
+    op.create_table(
+        "briefs_decisions",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("decided_on", sa.Date(), nullable=False),
+        sa.Column("attended", sa.String(), nullable=False),
+        sa.Column("text", sa.String(), nullable=False),
+        sa.Column("written_by", sa.Uuid(), nullable=False),
+        sa.Column("signed_at", sa.DateTime(timezone=True)),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_briefs_decisions_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_briefs_decisions_studio_id")),
+        sa.ForeignKeyConstraint(["written_by"], ["accounts_people.id"], name=op.f("fk_briefs_decisions_written_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_briefs_decisions")),
+    )
+    op.create_index(op.f("ix_briefs_decisions_project_id"), "briefs_decisions", ["project_id"])
+    op.create_index(op.f("ix_briefs_decisions_studio_id"), "briefs_decisions", ["studio_id"])
     op.create_table(
         "briefs_follow_ups",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -1162,6 +1182,19 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_projects_liaisons_studio_id"), "projects_liaisons", ["studio_id"])
     op.create_table(
+        "projects_members",
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_projects_members_person_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_projects_members_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_projects_members_studio_id")),
+        sa.PrimaryKeyConstraint("project_id", "person_id", name=op.f("pk_projects_members")),
+    )
+    op.create_index(op.f("ix_projects_members_person_id"), "projects_members", ["person_id"])
+    op.create_index(op.f("ix_projects_members_studio_id"), "projects_members", ["studio_id"])
+    op.create_table(
         "projects_specs",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("version", sa.Integer(), nullable=False),
@@ -1227,6 +1260,21 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_reviews_feedback_project_id"), "reviews_feedback", ["project_id"])
     op.create_index(op.f("ix_reviews_feedback_studio_id"), "reviews_feedback", ["studio_id"])
+    op.create_table(
+        "reviews_palette_approvals",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("approved_by", sa.Uuid(), nullable=False),
+        sa.Column("cue_ids", JSON, nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["approved_by"], ["accounts_people.id"], name=op.f("fk_reviews_palette_approvals_approved_by")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_reviews_palette_approvals_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_reviews_palette_approvals_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews_palette_approvals")),
+    )
+    op.create_index(op.f("ix_reviews_palette_approvals_project_id"), "reviews_palette_approvals", ["project_id"])
+    op.create_index(op.f("ix_reviews_palette_approvals_studio_id"), "reviews_palette_approvals", ["studio_id"])
     op.create_table(
         "scenes_comparisons",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -1348,8 +1396,10 @@ def upgrade() -> None:
         sa.Column("frame_rate_fps", sa.Double()),
         sa.Column("loop", sa.Boolean(), nullable=False),
         sa.Column("reverb", sa.Enum("dry", "designed-tail", "separate-tail", name="reverb", native_enum=False, length=32)),
+        sa.Column("channels", sa.Enum("mono", "stereo", name="cuechannels", native_enum=False, length=32)),
         sa.Column("variations", sa.Integer(), nullable=False),
         sa.Column("state", sa.Enum("concept", "prototype", "locked", "cut", name="cuestate", native_enum=False, length=32), nullable=False),
+        sa.Column("phase", sa.Enum("concept", "palette", "alpha", "beta", "gold", name="phase", native_enum=False, length=32)),
         sa.Column("need", sa.Enum("must", "should", "wish", name="need", native_enum=False, length=32), nullable=False),
         sa.Column("playback_priority", sa.Integer()),
         sa.Column("due_on", sa.Date()),

@@ -23,7 +23,7 @@ from tests.support.server import RunningServer
 SMALL = {
     "accounts_studios", "accounts_people", "accounts_memberships", "accounts_sign_ins", "accounts_tokens",
     "core_heartbeats", "projects_projects", "projects_specs", "projects_engagements",
-    "projects_liaisons", "projects_approver_changes",
+    "projects_liaisons", "projects_members", "projects_approver_changes",
 }  # fmt: skip
 LARGE = set(Base.metadata.tables) - SMALL
 

@@ -11,6 +11,7 @@ from psycopg import sql
 from sqlalchemy.orm import Session
 
 from app import tables  # noqa: F401
+from app.accounts.rules import MembersSee
 from app.core.access_scope import NOBODY, AccessScope
 from app.core.db import Base, Database, UtcDateTime, bypass_row_policies, new_id, set_access_scope
 from app.migrate import migrate
@@ -106,6 +107,25 @@ def seen(session: Session, name: str) -> set[UUID]:
 def projects_seen(session: Session, name: str) -> set[UUID]:
     column = "id" if name == "projects_projects" else "project_id"
     return set(session.scalars(sa.select(Base.metadata.tables[name].columns[column])))
+
+
+@pytest.mark.parametrize("name", TENANT)
+def test_where_members_see_their_own_projects_the_others_are_hidden(database: Database, name: str):
+    table = Base.metadata.tables[name]
+    if "project_id" not in table.columns and name != "projects_projects":
+        return
+    one, _ = PROJECTS[HERE]
+    with database.engine.begin() as connection:
+        studios, members = (Base.metadata.tables[kind] for kind in ("accounts_studios", "projects_members"))
+        connection.execute(sa.update(studios).where(studios.c.id == HERE).values(members_see=MembersSee.OWN))
+        connection.execute(sa.update(members).where(members.c.project_id == one).values(person_id=MEMBER))
+    try:
+        with database.reading(AccessScope(person_id=MEMBER)) as session:
+            assert projects_seen(session, name) - {None} <= {one}
+            assert projects_seen(session, name), "who is in a project sees it"
+    finally:
+        with database.engine.begin() as connection:
+            connection.execute(sa.update(studios).where(studios.c.id == HERE).values(members_see=MembersSee.ALL))
 
 
 def test_every_table_says_who_may_see_its_rows():

@@ -20,7 +20,7 @@ from app.accounts.queries import actor_for_person
 from app.accounts.rules import Scope
 from app.accounts.service import add_token
 from app.agreements.rules import ContractKind
-from app.briefs.models import Brief, BriefVersion, FollowUp
+from app.briefs.models import Brief, BriefVersion, Decision, FollowUp
 from app.builds.models import Build, SealedPack
 from app.builds.rules import PackState
 from app.conformance.models import CheckRun
@@ -32,7 +32,7 @@ from app.deliveries.cue_counts.service import update_cue_sums
 from app.deliveries.models import Adoption, Delivery, DryStem, Handoff, SourceFile, Take, TrayAction
 from app.deliveries.rules import SourceFileKind, TakeState, TrayActionKind
 from app.notifications.models import Mail
-from app.projects.models import CreditLine, Deputy, Engagement, Project
+from app.projects.models import CreditLine, Deputy, Engagement, Project, ProjectMember
 from app.projects.queries import current_spec
 from app.projects.rules import EngagementKind
 from app.projects.service import create_project
@@ -88,7 +88,7 @@ class House(World):
         of = {"studio_id": self.studio_id, "project_id": self.project_id}
         engagement = Engagement(**of, designer_id=self.rival_id, kind=EngagementKind.CONTRACT)
         cue = Cue(**of, number=1, position=1, name="Shield hit", file_name="shield_hit")
-        session.add_all([engagement, cue])
+        session.add_all([engagement, cue, ProjectMember(**of, person_id=self.approver_id)])
         session.flush()
         delivery = Delivery(**of, designer_id=self.designer_id, number=1)
         question = Question(**of, cue_id=cue.id, text="What hits the shield?", asked_by=self.designer_id)
@@ -248,7 +248,10 @@ class House(World):
         )
         answered = Brief(**of, revision=1, answers=answers, changed_by=self.producer_id)
         version = BriefVersion(**of, number=1, answers=answers, published_by=self.producer_id)
-        session.add_all([follow_up, answered, version])
+        decision = Decision(
+            **of, decided_on=date(2026, 11, 2), attended="Producer", text="No reverb.", written_by=self.producer_id
+        )
+        session.add_all([follow_up, answered, version, decision])
         session.add_all([picture, render, draft, comment, note, build, batch, pack, reel, export, mail, run, sets])
         posting_secret = new_secret()
         hiring = add_posting(
@@ -295,6 +298,7 @@ class House(World):
             "cue_id": cue.id,
             "question_id": question.id,
             "follow_up_id": follow_up.id,
+            "decision_id": decision.id,
             "kit_key": "platformer",
             "delivery_id": delivery.id,
             "take_id": take.id,

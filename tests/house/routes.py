@@ -105,6 +105,7 @@ EXAMPLES: dict[str, Any] = {
     "paid_on": "2026-11-20",
     "worked_on": "2026-11-20",
     "shipped_on": "2026-11-20",
+    "decided_on": "2026-11-20",
     "from_on": "2998-11-20",
     "until_on": "2998-11-21",
     "currency": "USD",

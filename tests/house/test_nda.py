@@ -36,6 +36,7 @@ OF_THE_PROJECT = (ONE_DESIGNERS - CONTRACTS) | {
         "cue_id",
         "question_id",
         "follow_up_id",
+        "decision_id",
         "batch_id",
         "pack_id",
         "build_id",

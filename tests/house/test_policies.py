@@ -19,11 +19,11 @@ from httpx import Response
 from sqlalchemy import delete, update
 from sqlalchemy.orm import Session
 
-from app.accounts.models import Membership, SignIn
-from app.accounts.rules import Audience, Scope
+from app.accounts.models import Membership, SignIn, Studio
+from app.accounts.rules import Audience, MembersSee, Scope
 from app.core import clock
 from app.core.web.http import SAFE_METHODS
-from app.projects.models import Engagement
+from app.projects.models import Engagement, ProjectMember
 from app.routers import ROUTERS
 from tests.house.objects import House
 from tests.house.routes import Operation, api_routes, ask, document, operations, policy_of
@@ -262,6 +262,41 @@ def test_what_is_not_seen_is_answered_as_what_is_not_there(house: SharedHouse) -
     for client, hidden in ((house.rival, ONE_DESIGNERS), (house.designer, STUDIOS), (house.reviewer, CONTRACTS)):
         asked = [operation for operation in about_something if names_in(operation) & hidden]
         telling += telling_answers(house, client, asked, hidden)
+    assert not telling, "\n".join(telling)
+
+
+# Of the studio and of people: who is outside a project sees these, or does not for other reasons.
+OF_NO_PROJECT = {
+    *("studio_id", "person_id", "studio_invitation_id", "template_id", "library_id", "mail_id"),
+    *("roster_entry_id", "reel_sound_id", "sign_in_id", "passkey_id", "desk_token_id", "upload_id", "job_id"),
+    *WEBHOOKS,
+}
+
+
+def test_for_members_outside_a_project_it_does_not_exist(house: SharedHouse) -> None:
+    """Where members see only the projects that they are in, neither status nor words tell of another one."""
+
+    def is_of_project(operation: Operation) -> bool:
+        names = names_in(operation) - OF_NO_PROJECT
+        return is_about_something(operation) and any(name.endswith("_id") for name in names)
+
+    of_project = those(is_of_project)
+
+    def close(session: Session) -> None:
+        session.execute(update(Studio).where(Studio.id == house.studio_id).values(members_see=MembersSee.OWN))
+        session.execute(delete(ProjectMember))
+
+    as_it_was = house.saved
+    house.server.in_database(close)
+    house.saved = house.copy_of_database()
+    try:
+        callers = (house.producer, house.approver, house.reviewer)
+        wrong = house.wrong(of_project, callers, is_refused(404))
+        telling = telling_answers(house, house.producer, of_project)
+    finally:
+        house.saved = as_it_was
+        house.put_back()
+    assert wrong == []
     assert not telling, "\n".join(telling)
 
 

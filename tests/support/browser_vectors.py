@@ -149,6 +149,8 @@ def levels() -> Iterator[tuple[str, bytes, str, Facts]]:
     yield "the cue locks its bounds", pcm(tone(frames=101), 8, 1_000), FREE, exact
     within = {"duration_s": 0.1, "length_locked": True, "frame_rate_fps": 60.0}
     yield "locked, within a frame", pcm(tone(frames=110), 8, 1_000), FREE, within
+    for asked in ("mono", "stereo"):
+        yield f"the cue is {asked}", pcm(tone(frames=80, channels=2), 8, 1_000), FREE, {"channels": asked}
 
 
 def severities() -> Iterator[tuple[str, bytes, str, Facts]]:

@@ -8,9 +8,13 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.agreements.drafts.documents import sha256_of
+from app.agreements.models import Contract
 from app.agreements.plan import queries as plan_queries
 from app.agreements.record import service as record
 from app.agreements.record.sealed_facts import sealed
+from app.agreements.rules import ORDERS
+from app.briefs.kick_off.queries import decisions_of
+from app.core import clock
 from app.core.recorded_rows import TABLES, RowChanges
 from app.projects.models import Project
 from app.projects.queries import spec_version
@@ -66,3 +70,18 @@ def record_spec_version(session: Session, event: Mapping[str, Any]) -> None:
     facts = {"spec_version": version, "toml_sha256": sha256_of(spec.toml) if spec else ""}
     for contract_id in plan_queries.running_contracts(session, project_id):
         record.append(session, contract_id, "spec_changed", facts, by=UUID(event["person_id"]))
+
+
+def record_decisions(session: Session, event: Mapping[str, Any]) -> None:
+    """Write the decisions of the talks before a contract that was signed into its record; they change no more."""
+    contract = session.get_one(Contract, UUID(event["contract_id"]))
+    decisions = decisions_of(session, contract.project_id)
+    if contract.kind not in ORDERS or not decisions:
+        return
+    for decision in decisions:
+        decision.signed_at = decision.signed_at or clock.now()
+    facts = [
+        {"decided_on": decision.decided_on.isoformat(), "attended": decision.attended, "text": decision.text}
+        for decision in decisions
+    ]
+    record.append(session, contract.id, "kick_off", {"decisions": facts}, by=UUID(event["person_id"]))

@@ -12,8 +12,10 @@ from app.projects.queries import current_spec
 from app.projects.service import project_access
 from app.renders.queries import parsed_spec
 from app.sound_lists.queries import cues_of
-from app.sound_lists.rules import CueState
+from app.sound_lists.rules import CueChannels, CueState
 from audio_checks import TARGET_PRESETS, DeliverySpec, SoundSize, memory_use
+
+CHANNEL_COUNTS = {CueChannels.MONO: 1, CueChannels.STEREO: 2}
 
 
 def visible_targets(session: Session, actor: Actor, project_id: UUID) -> TargetsRead:
@@ -73,4 +75,5 @@ def _sizes_to_come(session: Session, pack: Pack) -> Iterator[SoundSize]:
     there = {sound.cue.id for sound in pack.sounds if sound.made}
     for cue in cues_of(session, pack.project.id):
         if cue.state is not CueState.CUT and cue.id not in there:
-            yield SoundSize(cue.category or None, cue.duration_s, files=cue.variations)
+            channels = CHANNEL_COUNTS[cue.channels] if cue.channels else None
+            yield SoundSize(cue.category or None, cue.duration_s, channels=channels, files=cue.variations)

@@ -20,7 +20,7 @@ from app.deliveries.rules import TakeState
 from app.renders.models import Picture
 from app.reviews.models import HeardTake, Round
 from app.sound_lists.models import Cue, Question
-from app.sound_lists.rules import CueState, Need
+from app.sound_lists.rules import CueState, Need, Phase
 
 DECIDED = 50
 Ts = TypeVarTuple("Ts")
@@ -118,6 +118,8 @@ class ListRow(NamedTuple):
     variations: int
     placeholder: bool
     palette: bool
+    phase: Phase | None
+    category: str
     is_asked: bool
     facts: str | None
 
@@ -133,7 +135,9 @@ def list_rows(
 ) -> list[ListRow]:
     """Return the cues that follow a position and number in list order, with what their takes add up to in a view."""
     columns = (Cue.id, Cue.number, Cue.position, Cue.name, Cue.state, Cue.variations, Cue.placeholder, Cue.palette)
-    query = select(*columns, _is_asked(), CueSums.facts).join(CueSums, _of_view(viewer_id), isouter=True)
+    query = select(*columns, Cue.phase, Cue.category, _is_asked(), CueSums.facts).join(
+        CueSums, _of_view(viewer_id), isouter=True
+    )
     query = query.select_from(Cue).where(Cue.project_id == project_id)
     if after is not None:
         query = query.where(tuple_(Cue.position, Cue.number) > tuple_(*after))

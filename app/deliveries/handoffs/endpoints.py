@@ -79,7 +79,7 @@ def download_handed_master(
 
 @router.get(
     "/handoffs/{handoff_id}/source-files/{source_file_id}",
-    **downloads("application/octet-stream", HandoffNotFound, SourceFileNotFound, DownloadUnpaid, BlobMissing),
+    **downloads("application/octet-stream", SourceFileNotFound, DownloadUnpaid, BlobMissing),
 )
 def download_handed_source_file(
     handoff_id: UUID,

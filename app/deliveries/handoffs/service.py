@@ -103,10 +103,14 @@ def handed_take(session: Session, actor: Actor, handoff_id: UUID, take_id: UUID)
 
 def handed_source_file(session: Session, actor: Actor, handoff_id: UUID, source_file_id: UUID) -> SourceFile:
     """Return a source file of a hand-off that the caller may download; raise DownloadUnpaid while it is closed."""
-    handoff, access = _visible(session, actor, handoff_id)
+    not_found = SourceFileNotFound(f"no source file {source_file_id}")
+    try:
+        handoff, access = _visible(session, actor, handoff_id)
+    except HandoffNotFound:
+        raise not_found from None
     file = source_file_by_id(session, source_file_id)
     if file is None or file.take_id not in {take.id for take in _with_banks(session, access, handoff)}:
-        raise SourceFileNotFound(f"no source file {source_file_id}")
+        raise not_found
     _ensure_open(session, actor, handoff)
     return file
 

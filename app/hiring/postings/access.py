@@ -1,6 +1,6 @@
 """Viewers of a posting: those who act for the studio, and candidates as far as an NDA lets them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from uuid import UUID
 from zoneinfo import ZoneInfo
@@ -9,13 +9,12 @@ from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.core import clock
-from app.core.access_scope import AccessScope
 from app.core.db import bypass_row_policies, set_access_scope
 from app.hiring import queries
 from app.hiring.errors import BidNotFound, BidNotSent, PostingNotFound
 from app.hiring.models import Bid, Posting
 from app.hiring.rules import BidState
-from app.projects.errors import DesignerNeeded, NdaNeeded, TeamNeeded
+from app.projects.errors import DesignerNeeded, NdaNeeded, ProjectNotFound, TeamNeeded
 from app.projects.queries import any_engagement_of
 from app.projects.service import ProjectAccess, project_access
 from app.projects.visibility import nda_is_pending
@@ -59,8 +58,12 @@ def posting_access(session: Session, actor: Actor, posting_id: UUID) -> PostingA
     if posting is None:
         raise PostingNotFound(f"no posting {posting_id}")
     if actor.roles_in(posting.studio_id):
-        return PostingAccess(posting, actor, project_access(session, actor, posting.project_id), nda_open=False)
-    set_access_scope(session, AccessScope(person_id=actor.person_id, project_id=posting.project_id))
+        try:
+            access = project_access(session, actor, posting.project_id)
+        except ProjectNotFound:  # a member who is not in the project
+            raise PostingNotFound(f"no posting {posting_id}") from None
+        return PostingAccess(posting, actor, access, nda_open=False)
+    set_access_scope(session, replace(actor.reach, project_id=posting.project_id))
     return PostingAccess(posting, actor, None, nda_open=is_nda_open(session, posting, actor.person))
 
 

@@ -1,5 +1,6 @@
 """Links of postings: what they show, and how a person without an account comes to bid."""
 
+from dataclasses import replace
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -9,7 +10,6 @@ from app.accounts.models import Person
 from app.accounts.people import person_by_link
 from app.accounts.rules import Actor, ensure_address
 from app.core import clock
-from app.core.access_scope import AccessScope
 from app.core.db import bypass_row_policies, set_access_scope
 from app.hiring import queries
 from app.hiring.errors import LinkTaken, OwnPosting, PersonalLinkNeeded, PostingNotFound
@@ -105,5 +105,5 @@ def preview(session: Session, actor: Actor, secret: str) -> tuple[Posting, Candi
         return posting, candidate, posting.project.nda_needed
     if actor.roles_in(posting.studio_id):
         return posting, candidate, False
-    set_access_scope(session, AccessScope(person_id=actor.person_id, project_id=posting.project_id))
+    set_access_scope(session, replace(actor.reach, project_id=posting.project_id))
     return posting, candidate, is_nda_open(session, posting, actor.person_id)

@@ -8,6 +8,7 @@ from app.accounts.queries import member_at_address, membership, studio_locked
 from app.accounts.rules import LEAD_ROLES, Actor, Role, ensure_address
 from app.accounts.service import invite_member
 from app.projects import queries, service
+from app.projects.members.service import ensure_member
 from app.projects.models import ApproverChange, Liaison, Project
 
 REASON = "invited as the approver"
@@ -40,6 +41,7 @@ def name_invited(session: Session, *, project_id: UUID, person_id: UUID, invited
     if not queries.is_liaison(session, project_id, person_id):
         session.add(Liaison(project_id=project_id, person_id=person_id, studio_id=project.studio_id))
         session.flush()
+    ensure_member(session, project, person_id)
     session.add(
         ApproverChange(
             studio_id=project.studio_id,

@@ -16,6 +16,7 @@ from app.core.db import bypass_row_policies
 from app.projects import queries
 from app.projects.approval import queries as approval_queries
 from app.projects.errors import ApproverNeeded, DeputyNotFound
+from app.projects.members.service import ensure_member
 from app.projects.models import CategoryApprover, Deputy, Project
 from app.projects.rules import NO_CUE, ApprovalRights, ApprovalScope, ensure_can_approve, ensure_deputy
 from app.projects.service import ProjectAccess, project_access
@@ -131,6 +132,7 @@ def _ensure_can_approve(session: Session, project: Project, person_id: UUID, *, 
         is_producer=member is not None and Role.PRODUCER in member.roles,
         where=where,
     )
+    ensure_member(session, project, person_id)
 
 
 def deputies_named(session: Session, actor: Actor, project_id: UUID) -> tuple[str, list[Deputy]]:

@@ -14,6 +14,7 @@ from app.sound_lists.service import cue_facts
 
 OWN_COLUMNS = (
     "need",
+    "phase",
     "playback_priority",
     "due_on",
     "placeholder",

@@ -612,7 +612,8 @@ def _row_read(edit: Edit, cue_prefix: str, people: KnownPeople) -> ImportRow:
         if before and before[fact] != value
     ]
     number = edit.cue.number if edit.cue else edit.number
-    shown = ("name", "file_name", "category", "description", *LENGTHS, "loop", "variations", "state", "due_on")
+    texts = ("name", "file_name", "category", "description")
+    shown = (*texts, *LENGTHS, "loop", "channels", "variations", "state", "due_on")
     return ImportRow(
         row=edit.row,
         action="add" if edit.cue is None else "change" if changes else "same",

@@ -13,7 +13,7 @@ from xlsxwriter.worksheet import Worksheet
 from app.sound_lists.models import Cue
 from app.sound_lists.own_columns.rules import Column, ColumnKind, key_of
 from app.sound_lists.people.rules import KnownPeople
-from app.sound_lists.rules import PEOPLE, CueState, Need, Reverb, label, typed_text
+from app.sound_lists.rules import PEOPLE, CueChannels, CueState, Need, Phase, Reverb, label, typed_text
 from app.sound_lists.sheets.export import value_columns, values_by_key
 from audio_checks import HEADS, is_broken_formula
 
@@ -26,8 +26,10 @@ YES_NO = ("yes", "no")
 OFFERED: dict[str, Sequence[str]] = {
     **dict.fromkeys(("length_locked", "loop", "placeholder", "palette"), YES_NO),
     "reverb": [*Reverb],
+    "channels": [*CueChannels],
     "state": [*CueState],
     "need": [*Need],
+    "phase": [*Phase],
 }
 
 

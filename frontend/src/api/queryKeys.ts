@@ -25,6 +25,7 @@ export const queryKeys = {
   emailChange: family('email-change'),
   emailChangeLink: family<[secret: string]>('email-change-link'),
   secondFactorRequirement: family<[studioId: string]>('second-factor-requirement'),
+  membersSee: family<[studioId: string]>('members-see'),
   signInProvider: family<[studioId: string]>('sign-in-provider'),
   providerOfDomain: family<[domain: string]>('provider-of-domain'),
   mailPreferences: family('mail-preferences'),
@@ -44,6 +45,7 @@ export const queryKeys = {
   project: family<[projectId: string]>('project'),
   approvers: family<[projectId: string]>('approvers'),
   deputies: family<[projectId: string]>('deputies'),
+  projectMembers: family<[projectId: string]>('project-members'),
   projectInvitations: family<[projectId: string]>('project-invitations'),
   invitation: family<[secret: string]>('invitation'),
   spec: family<[projectId: string]>('spec'),
@@ -55,7 +57,9 @@ export const queryKeys = {
   checkPage: family<[check: string]>('check-page'),
 
   // briefs
-  brief: family<[projectId: string, part?: 'spec']>('brief'),
+  brief: family<[projectId: string, part?: 'spec' | 'vision']>('brief'),
+  phases: family<[projectId: string]>('phases'),
+  decisions: family<[projectId: string]>('decisions'),
   briefVersions: family<[projectId: string]>('brief-versions'),
   briefComparison: family<[projectId: string, from: number, to: number | 'now']>('brief-comparison'),
   briefReads: family<[projectId: string]>('brief-reads'),

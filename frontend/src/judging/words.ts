@@ -113,6 +113,7 @@ export function asked(cue: ReviewCue): string {
     cue.loop ? 'loop' : 'one-shot',
     cue.variations > 1 ? `set of ${cue.variations}` : '',
     cue.duration_s === null ? '' : `target ${length(cue.duration_s)}`,
+    cue.channels ?? '',
     cue.reverb === null ? '' : (REVERB_WORDS[cue.reverb] ?? ''),
   ]
   return capital(facts.filter(Boolean).join(', '))

@@ -122,9 +122,22 @@ function layoutsOf({ channels, channelMask: mask, isAmbisonic }: Layout): string
   return channels === 2 ? ['stereo'] : named(({ masks }) => masks.length === 0)
 }
 
-function* channels({ layout, spec }: Subject): Iterable<Found> {
+const CUE_CHANNELS = { mono: 1, stereo: 2 }
+
+function* channels({ layout, spec, length: asked }: Subject): Iterable<Found> {
   const { channels: counts, layouts } = spec.accept
-  if (counts !== null && !counts.includes(layout.channels)) {
+  const ofCue = asked?.channels ? CUE_CHANNELS[asked.channels] : null
+  if (ofCue !== null && !(counts?.length === 1 && counts[0] === ofCue)) {
+    if (layout.channels === ofCue) return
+    yield {
+      code: 'channels:cue',
+      message: `${channelWords(layout.channels)}, and the sound list asks for ${channelWords(ofCue)}`,
+      fix: `export it from the session as ${channelWords(ofCue)}`,
+      measured: layout.channels,
+      limit: ofCue,
+      unit: 'channels',
+    }
+  } else if (counts !== null && !counts.includes(layout.channels)) {
     const wanted = ascending(counts)
     const nearest = byNearness(wanted, layout.channels)
     yield {

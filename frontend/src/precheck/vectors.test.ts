@@ -3,7 +3,7 @@ import { File as NodeFile } from 'node:buffer'
 import { expect, test } from 'vitest'
 
 import { CHECKED_HERE } from './checks'
-import type { Finding, SpecView } from './findings'
+import type { CueLength, Finding, SpecView } from './findings'
 import { judgeFile } from './judge'
 import { fixed, general } from './numbers'
 import { peaksOf, wavSlices } from './peaks'
@@ -20,7 +20,7 @@ const near = (findings: readonly Finding[]) =>
 
 test.each(vectors)('$name: what the server finds', async ({ name, fileName, bytes, spec, length, expected }) => {
   const file = new NodeFile([bytesOf(bytes)], fileName) as unknown as File
-  const judgement = await judgeFile({ file, spec: spec as SpecView, length })
+  const judgement = await judgeFile({ file, spec: spec as SpecView, length: length as CueLength })
   if (LEFT_TO_SERVER.includes(name)) {
     expect(judgement).toBeNull()
     return

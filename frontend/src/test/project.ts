@@ -249,6 +249,7 @@ export const inProject = (part: Part = 'producer', more: Answers = {}): Answers 
   'GET /v1/projects/p1/spec': aSpec(),
   'GET /v1/checks': checks,
   'GET /v1/studios/s1/invitations': [],
+  'GET /v1/projects/p1/members': { members_see: 'all', members: [] },
   'GET /v1/projects/p1/sound-list': { revision: 1, cues: [aCue('shield_hit', 'impact'), aCue('theme', 'music')] },
   'GET /v1/projects/p1/placeholders/countdown': {
     target: 'game',

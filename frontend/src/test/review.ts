@@ -114,6 +114,7 @@ export function aCue(cue: Partial<ReviewCue> = {}): ReviewCue {
     variations: 1,
     state: 'locked',
     reverb: 'dry',
+    channels: null,
     placeholder: false,
     palette: false,
     due_on: null,

@@ -28,6 +28,8 @@ export function aCue(number: number, name: string, cue: Partial<Cue> = {}): Cue 
     frame_rate_fps: null,
     loop: false,
     reverb: null,
+    channels: null,
+    phase: null,
     variations: 1,
     state: 'locked',
     need: 'must',

@@ -271,6 +271,18 @@ def test_a_changed_cue_rechecks_its_takes(world: World) -> None:
 
 
 @pytest.mark.slow
+def test_a_cue_that_is_stereo_returns_mono_files(world: World) -> None:
+    [cue] = add_cues(world, {"name": "laser_fire", "channels": "mono"})
+    take = deliver(world, "laser_fire.wav", tone())
+    assert checked(world, take["id"])["verdict"] == "conforming"
+    changed = world.producer.patch(f"/v1/cues/{cue['id']}", json={"edition": cue["edition"], "channels": "stereo"})
+    assert changed.status_code == 200, changed.text
+    assert codes(checked(world, take["id"])) == ["channels:cue"]
+    head, row = world.designer.get(f"/v1/projects/{world.project_id}/sound-list.csv").text.splitlines()[:2]
+    assert dict(zip(head.split(","), row.split(","), strict=True))["channels"] == "stereo"
+
+
+@pytest.mark.slow
 def test_a_recheck_overtakes_the_check_that_still_waits(world: World) -> None:
     take = deliver(world, "laser.wav", tone(hz=352))
     recheck_takes(world.server.runtime, {"project_id": str(world.project_id)})

@@ -95,7 +95,10 @@ def adopted(count: int, capsys: pytest.CaptureFixture[str]) -> str:
             [f"the cue has {count}; there is no number 9" for count in ("0 variations", "1 variation", "2 variations")],
         ),
         (heard_bands, ["The sound is silent", "Heard in 1 of 1 band", "Heard in 2 of 2 bands"]),
-        (audio_leads_warning, [None, None, None]),
+        (
+            audio_leads_warning,
+            ["no audio lead speaks for the team; name one or two, so that designers know whom to ask", None, None],
+        ),
     ],
 )
 def test_a_sentence_says_none_one_and_two(sentence: Callable[[int], str | None], said: Sequence[str | None]) -> None:

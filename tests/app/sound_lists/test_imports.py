@@ -254,8 +254,8 @@ def wild_rows() -> list[dict[str, Any]]:
          "use": "@home", "trigger": "-x"},
         {"name": "'quoted'", "file_name": "quoted", "extra": {"Mood": "=cmd|' /C calc'!A0", "mood of all": "'tis"}},
         {"name": "Tür", "file_name": "tür.wav", "category": "foley", "duration_s": 0.1, "length_locked": True,
-         "frame_rate_fps": 29.97, "loop": True, "reverb": "designed-tail", "variations": 12, "state": "locked",
-         "playback_priority": 3, "placeholder": True, "palette": True},
+         "frame_rate_fps": 29.97, "loop": True, "reverb": "designed-tail", "channels": "stereo", "variations": 12,
+         "state": "locked", "playback_priority": 3, "placeholder": True, "palette": True},
         {"name": "＝1＋1", "file_name": "wide", "description": "＋2", "use": "－3", "trigger": "＠home",
          "extra": {"Mood": "＝HYPERLINK(\"https://elsewhere.example\")", "＠mood": "calm"}},  # full-width
         {"name": "Plain", "duration_s": 3, "duration_min_s": 2.5, "duration_max_s": 4, "state": "concept",
@@ -278,8 +278,8 @@ def test_the_export_comes_back_as_it_went(world: World, server: Any) -> None:
     elsewhere = World(server)
     assert send(elsewhere, text.encode())["imported"]
     kept = ("label", "name", "file_name", "stems", "description", "use", "trigger", "duration_s", "duration_min_s",
-            "duration_max_s", "length_locked", "frame_rate_fps", "loop", "reverb", "variations", "state",
-            "playback_priority", "placeholder", "palette", "extra", "category")  # fmt: skip
+            "duration_max_s", "length_locked", "frame_rate_fps", "loop", "reverb", "channels", "variations",
+            "state", "playback_priority", "placeholder", "palette", "extra", "category")  # fmt: skip
     assert [[cue[key] for key in kept] for cue in cues(elsewhere)] == [[cue[key] for key in kept] for cue in before]
 
 
@@ -297,6 +297,7 @@ def test_the_command_line_reads_the_export_as_the_server_does(world: World) -> N
             "frame_rate_fps",
             "loop",
             "reverb",
+            "channels",
             "variations",
             "state",
         ):

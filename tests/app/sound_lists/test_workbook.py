@@ -58,6 +58,7 @@ def rows(draw: st.DrawFn) -> dict[str, Any]:
         "frame_rate_fps": draw(st.none() | st.floats(1e-3, 1000)),
         "loop": draw(st.booleans()),
         "reverb": draw(st.sampled_from([None, "dry", "designed-tail", "separate-tail"])),
+        "channels": draw(st.sampled_from([None, "mono", "stereo"])),
         "variations": draw(st.integers(1, 99)),
         "state": draw(st.sampled_from(["concept", "prototype", "locked"])),
         "need": draw(st.sampled_from(["must", "should", "wish"])),

@@ -4,7 +4,7 @@ import pytest
 
 from audio_checks.audio.audio_file import AudioFile
 from audio_checks.checks import channels as channels_check
-from audio_checks.spec.delivery_spec import parse_spec
+from audio_checks.spec.delivery_spec import CueFacts, parse_spec
 from tests.support.waves import PCM_GUID, chunk, extensible, riff, silence
 
 
@@ -97,3 +97,33 @@ def test_a_wrong_number_is_said_once(codes_of):
     assert codes_of("channels", silence(channels=2), "accept.channels = [1]\naccept.layouts = ['mono']") == [
         "channels:not-accepted"
     ]
+
+
+@pytest.mark.parametrize(
+    ("channels", "asked", "accepted", "codes"),
+    [
+        (2, "mono", "[1, 2]", ["channels:cue"]),
+        (1, "mono", "[1, 2]", []),
+        (1, "stereo", "[1, 2]", ["channels:cue"]),
+        (2, "stereo", "[1]", []),  # what one cue asks for comes before the spec
+        (2, "mono", '"any"', ["channels:cue"]),
+        (2, None, "[1]", ["channels:not-accepted"]),
+    ],
+)
+def test_a_cue_is_mono_or_stereo(codes_of, channels, asked, accepted, codes):
+    cue = CueFacts("SW-001", channels=asked)
+    assert codes_of("channels", silence(channels=channels), f"accept.channels = {accepted}", cue=cue) == codes
+
+
+@pytest.mark.parametrize(("wanted", "codes"), [("1", ["channels:not-accepted"]), ('"master"', [])])
+def test_a_target_that_folds_channels_comes_before_the_cue(codes_of, wanted, codes):
+    tables = f"targets.game = {{ sample_rate_hz = 48000, bit_depth = 24, channels = {wanted} }}"
+    cue = CueFacts("SW-001", channels="stereo")
+    assert codes_of("channels", silence(channels=2), tables, target="game", cue=cue) == codes
+
+
+def test_another_number_than_the_cue_asks_for_in_words(found_by):
+    cue = CueFacts("SW-001", channels="mono")
+    (finding,) = found_by("channels", silence(channels=2), "accept.channels = [1, 2]", cue=cue)
+    assert finding.message == "stereo, and the sound list asks for mono"
+    assert finding.fix == "export it from the session as mono"

@@ -57,6 +57,20 @@ def test_what_is_no_length_is_refused(text):
         reading_of("duration_s", text)
 
 
+@pytest.mark.parametrize(
+    ("text", "channels"),
+    [("mono", "mono"), ("Stereo", "stereo"), ("1", "mono"), ("2 ch", "stereo"), ("M", "mono"), ("", None)],
+)
+def test_channels(text, channels):
+    assert reading_of("channels", text).value == channels
+
+
+def test_more_channels_than_two_are_the_specs():
+    with pytest.raises(ValueError, match=r"wanted mono, stereo, .* found \"5\.1\""):
+        reading_of("channels", "5.1")
+    assert head_of("Mono/Stereo").field == head_of("Channels").field == "channels"
+
+
 def test_frames_and_samples_are_a_length_at_a_rate():
     assert reading_of("duration_s", "120", CellContext(counted="frames", frame_rate_fps=60)).value == 2
     assert reading_of("duration_s", "48000 samples", CellContext(sample_rate_hz=48_000)).value == 1

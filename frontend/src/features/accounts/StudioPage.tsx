@@ -15,6 +15,7 @@ import { useRenameStudio } from './api'
 import { CalendarCard } from './CalendarCard'
 import { EraseCard } from './EraseCard'
 import { InvoiceDetailsCard } from './InvoiceDetailsCard'
+import { MembersSeeCard } from './MembersSeeCard'
 import { OutboxCard } from './OutboxCard'
 import { InvitationsCard, PeopleCard } from './PeopleCards'
 import { QuotasCard } from './QuotasCard'
@@ -99,6 +100,7 @@ export function StudioPage() {
             <InvoiceDetailsCard key={`invoices ${studio.id}`} studioId={studio.id} />
             <SignInProviderCard key={`provider ${studio.id}`} studioId={studio.id} />
             <SecondFactorRequirementCard key={`second factor ${studio.id}`} studioId={studio.id} />
+            <MembersSeeCard key={`members see ${studio.id}`} studioId={studio.id} />
             <QuotasCard key={`quotas ${studio.id}`} studioId={studio.id} />
             <EraseCard to={`/erase/studios/${studio.id}`} title="Erase the studio" />
           </div>

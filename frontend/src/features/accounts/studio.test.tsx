@@ -6,6 +6,26 @@ import { asPerson, PRODUCER, STUDIO } from '@/test/account'
 import { openApp } from '@/test/openApp'
 import { type Answers, refusal, serve } from '@/test/server'
 
+describe('the projects that members see', () => {
+  test('a producer limits members to the projects they are in', async () => {
+    const path = '/v1/studios/s1/members-see'
+    const { asked, answers } = serve(
+      asPerson(PRODUCER, {
+        [`GET ${path}`]: { members_see: 'all' },
+        [`PUT ${path}`]: { members_see: 'own' },
+      }),
+    )
+    openApp('/studio')
+    const card = within(await screen.findByRole('region', { name: 'Projects' }))
+    const box = await card.findByRole('checkbox', { name: 'Only the projects they are in' })
+    expect(box).not.toBeChecked()
+    answers[`GET ${path}`] = { members_see: 'own' }
+    await userEvent.click(box)
+    await waitFor(() => expect(box).toBeChecked())
+    expect(asked.find(({ method }) => method === 'PUT')?.body).toEqual({ members_see: 'own' })
+  })
+})
+
 describe('the studio', () => {
   const PEOPLE = [
     { person: PRODUCER.person, email: PRODUCER.email, roles: ['producer'], since: '2026-11-01T09:00:00Z' },

@@ -17,6 +17,7 @@ import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { type Brief, readsQuery, sizeQuery, usePublishBrief } from './api'
 import classes from './Brief.module.css'
+import { KickOffCard } from './KickOffCard'
 import type { Saving } from './useAnswers'
 import { questionsOf, refused } from './words'
 
@@ -32,6 +33,7 @@ export function SideCards({ projectId, brief, saving }: SideCardsProps) {
       <SpecCard projectId={projectId} mayApply={brief.may_answer} saving={saving} />
       {brief.may_answer && <PublishCard projectId={projectId} brief={brief} saving={saving} />}
       {brief.may_answer && <SizeCard projectId={projectId} revision={brief.revision} />}
+      <KickOffCard projectId={projectId} brief={brief} />
       <CoverageCard projectId={projectId} />
       <OpenCard projectId={projectId} brief={brief} />
     </>

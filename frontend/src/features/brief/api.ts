@@ -1,6 +1,6 @@
 import { keepPreviousData, queryOptions, useInfiniteQuery, useQueryClient } from '@tanstack/react-query'
 
-import { get, patch, post, put, queryById, useMutation } from '@/api'
+import { del, get, patch, post, put, queryById, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -9,6 +9,7 @@ export type Brief = Schemas['BriefDocument']
 export type Topic = Schemas['BriefTopicRead']
 export type Question = Schemas['BriefQuestionRead']
 export type FollowUp = Schemas['FollowUpRead']
+export type Decision = Schemas['DecisionRead']
 
 /** An answer as it is sent. */
 export interface AnswerWrite {
@@ -87,3 +88,23 @@ export const useAnswerFollowUp = (projectId: string) =>
       post('/v1/brief-follow-ups/{follow_up_id}/answer', { follow_up_id: id }, { text }),
     affects: [queryKeys.brief(projectId)],
   })
+
+/** What was decided before the contract. */
+export const decisionsQuery = queryById('/v1/projects/{project_id}/decisions', queryKeys.decisions)
+
+export const useSaveDecision = (projectId: string) =>
+  useMutation({
+    mutationFn: ({ id, body }: { id?: string; body: Schemas['DecisionWrite'] }) =>
+      id === undefined
+        ? post('/v1/projects/{project_id}/decisions', { project_id: projectId }, body)
+        : put('/v1/decisions/{decision_id}', { decision_id: id }, body),
+    affects: [queryKeys.decisions(projectId)],
+  })
+
+export function useRemoveDecision(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: (id: string) => del('/v1/decisions/{decision_id}', { decision_id: id }),
+    onSettled: () => invalidate(client, queryKeys.decisions(projectId)),
+  })
+}

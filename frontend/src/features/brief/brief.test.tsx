@@ -38,6 +38,7 @@ class BriefServer {
   newest = 0
   kept: Record<string, Kept> = {}
   followUps: Record<string, unknown>[] = []
+  decisions: Record<string, unknown>[] = []
   refuseWith: unknown = null
   proposal = {
     based_on_version: 3,
@@ -80,6 +81,8 @@ class BriefServer {
           categories_without_cue: [],
           priority_without_cue: ['Shield hit'],
         },
+        'GET /v1/projects/p1/decisions': () => this.decisions,
+        'POST /v1/projects/p1/decisions': ({ body }: Asked) => answer(body, 201),
         'GET /v1/projects/p1/brief/spec': () => this.proposal,
         'POST /v1/projects/p1/brief/spec': () => {
           this.proposal = { ...this.proposal, based_on_version: 4, changes: [] }
@@ -279,6 +282,27 @@ describe('both sides', () => {
       based_on_version: 3,
       brief_revision: 0,
     })
+  })
+
+  test('a decision before the contract is added, and its cues and questions are links', async () => {
+    const decided = { decided_on: '2026-11-02', attended: 'Producer', text: 'SW-001 stays dry; see question 1.' }
+    const kept = { ...decided, id: 'd1', author: PRODUCER, created_at: AT, signed_at: null }
+    const server = new BriefServer()
+    server.decisions = []
+    openApp('/projects/p1/brief')
+    const card = within(await screen.findByRole('region', { name: 'Kick-off' }))
+    await userEvent.click(card.getByRole('button', { name: 'Add decision' }))
+    fireEvent.change(card.getByLabelText('Date'), { target: { value: decided.decided_on } })
+    await userEvent.type(card.getByLabelText('Attended'), decided.attended)
+    await userEvent.type(card.getByLabelText('Decision'), decided.text)
+    server.decisions = [kept]
+    await userEvent.click(card.getByRole('button', { name: 'Save decision' }))
+    expect(await card.findByRole('link', { name: 'SW-001' })).toHaveAttribute(
+      'href',
+      '/projects/p1/sound-list?q=SW-001',
+    )
+    expect(card.getByRole('link', { name: 'question 1' })).toBeVisible()
+    expect(wrote(server.asked, 'POST /v1/projects/p1/decisions')[0]?.body).toEqual(decided)
   })
 
   test('what the answers name and the list lacks is said', async () => {

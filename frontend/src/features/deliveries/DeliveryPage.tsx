@@ -5,6 +5,7 @@ import { projectQuery } from '@/api/project'
 import { useRoles } from '@/api/roles'
 import { useTitle } from '@/app/title'
 import { reasonsText } from '@/judging/words'
+import { ClosedGateNote } from '@/phases'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { bytes, plural } from '@/ui/format'
@@ -31,6 +32,10 @@ export function DeliveryPage() {
   return (
     <div className="page stack">
       <Head delivery={delivery} />
+      <ClosedGateNote
+        projectId={delivery.project_id}
+        cueIds={delivery.takes.flatMap(({ cue }) => (cue ? [cue.id] : []))}
+      />
       <Files takes={delivery.takes} />
       {delivery.dry_stems.length > 0 && <DryStems stems={delivery.dry_stems} />}
       {delivery.archives.map((archive) => (

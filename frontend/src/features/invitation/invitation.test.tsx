@@ -20,6 +20,7 @@ const CUE: PreviewCue = {
   duration_min_s: null,
   duration_max_s: null,
   loop: false,
+  channels: null,
   variations: 4,
   state: 'locked',
 }

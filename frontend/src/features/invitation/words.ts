@@ -52,9 +52,9 @@ export const KIND_WORDS: Record<Invitation['kind'], string> = {
   'in-house': 'to make its sounds in-house',
 }
 
-/** "set of 4, loop", or nothing for a single one-shot. */
-export const shapeOf = ({ variations, loop }: PreviewCue): string =>
-  [variations > 1 ? `set of ${variations}` : '', loop ? 'loop' : ''].filter(Boolean).join(', ')
+/** "set of 4, loop, mono", or nothing for a single one-shot in the channels of the spec. */
+export const shapeOf = ({ variations, loop, channels }: PreviewCue): string =>
+  [variations > 1 ? `set of ${variations}` : '', loop ? 'loop' : '', channels ?? ''].filter(Boolean).join(', ')
 
 /** How many sounds and files a list asks for. */
 export function sumOf(cues: readonly PreviewCue[]): { cues: number; files: number; settled: number } {

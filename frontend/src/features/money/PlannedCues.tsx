@@ -3,6 +3,7 @@ import { Link } from '@tanstack/react-router'
 import { useState } from 'react'
 
 import type { ListedCue } from '@/money/api'
+import { ClosedGateNote } from '@/phases'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
@@ -32,7 +33,8 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
       .map(({ key, name }, place) => ({ value: key, label: name.trim() || `Milestone ${place + 1}` })),
   ]
   const keys = new Set(choices.map(({ value }) => value))
-  const covered = cues.filter(({ id }) => keys.has(typed.cues[id]?.milestone ?? '') && typed.cues[id]?.milestone).length
+  const coveredCues = cues.filter(({ id }) => keys.has(typed.cues[id]?.milestone ?? '') && typed.cues[id]?.milestone)
+  const covered = coveredCues.length
   if (cues.length === 0) {
     return (
       <EmptyState
@@ -50,6 +52,7 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
   return (
     <Card aria-labelledby="cues">
       <CardHead id="cues" title="Cues" end={`${covered} of ${plural(cues.length, 'cue')} in this contract`} />
+      <ClosedGateNote projectId={projectId} cueIds={coveredCues.map(({ id }) => id)} />
       <div className={`grid gap-3 ${classes.bulk}`}>
         <TextInput
           label="Show"

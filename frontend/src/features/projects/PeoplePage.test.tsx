@@ -204,6 +204,25 @@ describe('people', () => {
     const alert = await screen.findByRole('alert')
     expect(alert).toHaveTextContent('This audio lead is the project’s approver. Name another approver first.')
   })
+
+  test('where members see their own projects only, a producer adds one to the project', async () => {
+    const isIn = (...who: { id: string; name: string }[]) => ({
+      members_see: 'own',
+      members: who.map((person) => ({ person, roles: ['reviewer'], since: '2026-11-20T10:00:00Z' })),
+    })
+    const { asked, answers } = serve({
+      ...inProject(),
+      'GET /v1/projects/p1/members': isIn(people.producer, people.approver),
+      'PUT /v1/projects/p1/members/x4': answer(null, 204),
+    })
+    openApp('/projects/p1/people')
+    const add = await screen.findByRole('button', { name: 'Add to the project: Composer' })
+    expect(screen.getByText(/^reviewer, not in the project/)).toBeVisible()
+    answers['GET /v1/projects/p1/members'] = isIn(people.producer, people.approver, people.composer)
+    await userEvent.click(add)
+    expect(await screen.findByRole('button', { name: 'Remove from the project: Composer' })).toBeVisible()
+    expect(wrote(asked, 'PUT /v1/projects/p1/members/x4')).toHaveLength(1)
+  })
 })
 
 describe('what designers hear of each other', () => {

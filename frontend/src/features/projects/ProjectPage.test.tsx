@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { inProject, people } from '@/test/project'
-import { refusal, serve } from '@/test/server'
+import { answer, refusal, serve, wrote } from '@/test/server'
 
 beforeAll(() => import('./ProjectPage'))
 
@@ -80,5 +80,58 @@ describe('the overview of a project', () => {
     serve(inProject('producer', { 'GET /v1/projects/p1': refusal(404, 'project-not-found', 'no such project') }))
     openApp('/projects/p1')
     expect(await screen.findByRole('heading', { name: 'Page not found' })).toBeVisible()
+  })
+})
+
+describe('phases', () => {
+  const PHASES = {
+    phases: [
+      {
+        phase: 'palette',
+        cues: 4,
+        accepted: 1,
+        is_open: true,
+        is_done: false,
+        awaited: [
+          { who: 'Ida', act: 'deliver', count: 2 },
+          { who: 'Tom', act: 'review', count: 1 },
+        ],
+      },
+      { phase: 'beta', cues: 5, accepted: 0, is_open: false, is_done: false, awaited: [] },
+    ],
+    palette_approval: null,
+    may_approve_palette: false,
+    closed_cue_ids: [],
+  }
+
+  test('a gate says what is missing and who must act', async () => {
+    serve({ ...inProject(), 'GET /v1/projects/p1/phases': PHASES })
+    openApp('/projects/p1')
+    const list = await screen.findByRole('list', { name: 'Phases' })
+    expect(
+      within(list).getByText('3 cues without an accepted version: Ida to deliver 2, Tom to review 1.'),
+    ).toBeVisible()
+    expect(within(list).getByText('opens when the phase before is done')).toBeVisible()
+    expect(within(list).getByRole('link', { name: 'Beta' })).toHaveAttribute(
+      'href',
+      '/projects/p1/sound-list?phase=beta',
+    )
+  })
+
+  test('the approver approves the palette as a set', async () => {
+    const { asked, answers } = serve({
+      ...inProject(),
+      'GET /v1/projects/p1/phases': { ...PHASES, may_approve_palette: true },
+      'POST /v1/projects/p1/palette-approval': answer({}, 201),
+    })
+    openApp('/projects/p1')
+    const button = await screen.findByRole('button', { name: 'Approve palette' })
+    answers['GET /v1/projects/p1/phases'] = {
+      ...PHASES,
+      palette_approval: { approver: { id: 'x2', name: 'Audio director' }, created_at: '2026-11-20T10:00:00Z' },
+    }
+    await userEvent.click(button)
+    expect(await screen.findByText('Audio director approved the palette as a set.')).toBeVisible()
+    expect(wrote(asked, 'POST /v1/projects/p1/palette-approval')).toHaveLength(1)
   })
 })

@@ -23,6 +23,7 @@ import { StatusBadge, STATES } from '@/ui/StatusBadge'
 
 import { packsQuery, type Project } from './api'
 import classes from './Overview.module.css'
+import { PhasesCard } from './PhasesCard'
 import { PlaylistsCard } from './PlaylistsCard'
 import { type Status, STATUSES } from './steps'
 import { KIND_WORDS, otherMembers } from './words'
@@ -54,6 +55,7 @@ export function ProjectPage() {
             {isParty && <MoneyCard projectId={projectId} />}
             {project.mine.is_team ? <NextPackCard projectId={projectId} /> : <PlaylistsCard projectId={projectId} />}
           </div>
+          <PhasesCard projectId={projectId} />
         </>
       )}
     </div>

@@ -4,6 +4,7 @@ import { asked } from '@/judging/words'
 import { WordText } from '@/references'
 import { Button } from '@/ui/Button'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
+import { VisionLine } from '@/vision'
 
 import classes from './Review.module.css'
 
@@ -35,6 +36,7 @@ export function CueHead({ projectId, review, waitingHere, queued, onQueue }: Cue
       <div className="mid">
         <WordText projectId={projectId} text={description} /> <span className="dim">{asked(cue)}</span>
       </div>
+      <VisionLine projectId={projectId} />
     </header>
   )
 }

@@ -4,6 +4,7 @@ import { shellRoute } from '@/app/roots'
 
 import { readPersonFilter } from './people'
 import type { ListSearch } from './rows'
+import { PHASES } from '@/phases/words'
 import { NEEDS, STATUS_ORDER } from './words'
 
 interface CompareSearch {
@@ -22,6 +23,7 @@ export const soundListRoutes = [
       state,
       category,
       need,
+      phase,
       person,
       by,
       view,
@@ -32,6 +34,7 @@ export const soundListRoutes = [
       state: STATUS_ORDER.find((status) => status === state),
       category: typeof category === 'string' && category !== '' ? category : undefined,
       need: NEEDS.find(({ value }) => value === need)?.value,
+      phase: PHASES.find(({ value }) => value === phase)?.value,
       person: readPersonFilter(person),
       view: view === 'content' ? view : undefined,
       by: by === 'category' || by === 'state' || by === 'priority' ? by : undefined,

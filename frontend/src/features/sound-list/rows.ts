@@ -1,4 +1,5 @@
 import type { Peaks } from '@/audio'
+import type { Phase } from '@/phases/words'
 import { figure, plural } from '@/ui/format'
 import type { Need } from '@/ui/NeedMark'
 import type { NeedSum } from '@/ui/NeedSums'
@@ -98,10 +99,14 @@ export function blocksOf({ progress, cue }: CueRow): SetBlock[] {
   })
 }
 
+/** A cue of the palette is in that phase, whatever else it says. */
+export const phaseOf = ({ palette, phase }: Cue): Phase | null => (palette ? 'palette' : phase)
+
 export interface Filter {
   state?: CueStatus
   category?: string
   need?: Need
+  phase?: Phase
   person?: PersonFilter
   unclear?: boolean
   heard?: 'no'
@@ -112,7 +117,7 @@ export interface Filter {
 
 /** The rows that match: every typed word must stand somewhere in the row. */
 export function matching(rows: readonly CueRow[], filter: Filter): CueRow[] {
-  const { state, category, need, person, unclear, heard, playedId, words } = filter
+  const { state, category, need, phase, person, unclear, heard, playedId, words } = filter
   const isPlayed = ({ progress }: CueRow) => playedId != null && progress?.newest_take?.id === playedId
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
   return rows.filter(
@@ -120,6 +125,7 @@ export function matching(rows: readonly CueRow[], filter: Filter): CueRow[] {
       (state === undefined || row.status === state) &&
       (category === undefined || row.cue.category === category) &&
       (need === undefined || row.cue.need === need) &&
+      (phase === undefined || phaseOf(row.cue) === phase) &&
       (person === undefined || isOf(row.cue, person)) &&
       (!unclear || row.unclear.length > 0) &&
       (heard === undefined || row.isUnheard || isPlayed(row)) &&
@@ -134,6 +140,7 @@ export interface ListSearch {
   state?: CueStatus
   category?: string
   need?: Need
+  phase?: Phase
   /** Who puts the cue in the game or records it. */
   person?: PersonFilter
   by?: Grouping

@@ -20,9 +20,11 @@ const FIELD_WORDS: Record<string, string> = {
   frame_rate_fps: 'Frame rate',
   loop: 'Loop',
   reverb: 'Reverb',
+  channels: 'Mono or stereo',
   variations: 'Variations',
   state: 'Design status',
   need: 'Need',
+  phase: 'Phase',
   playback_priority: 'Playback priority',
   due_on: 'Needed by',
   placeholder: 'Placeholder in build',
@@ -54,9 +56,11 @@ export const IMPORT_FIELDS: readonly { value: ImportField; label: string }[] = [
       'frame_rate_fps',
       'loop',
       'reverb',
+      'channels',
       'variations',
       'state',
       'need',
+      'phase',
       'playback_priority',
       'due_on',
       'placeholder',
@@ -86,6 +90,12 @@ export const REVERBS = [
   { value: 'dry', label: 'Dry' },
   { value: 'designed-tail', label: 'Designed tail' },
   { value: 'separate-tail', label: 'Separate tail file' },
+] as const
+
+export const CHANNELS = [
+  { value: '', label: 'As the spec says' },
+  { value: 'mono', label: 'Mono' },
+  { value: 'stereo', label: 'Stereo' },
 ] as const
 
 const VALUE_WORDS: Record<string, Record<string, string>> = {

@@ -20,7 +20,8 @@ function useProjectChange<Asked>(projectId: string, change: (asked: Asked) => Pr
   return useMutation({
     mutationFn: change,
     onSuccess: (project) => client.setQueryData(projectQuery(projectId).queryKey, project),
-    onSettled: () => invalidate(client, queryKeys.me(), queryKeys.approvers(projectId)),
+    onSettled: () =>
+      invalidate(client, queryKeys.me(), queryKeys.approvers(projectId), queryKeys.projectMembers(projectId)),
   })
 }
 
@@ -41,6 +42,21 @@ export const useNameCategoryApprover = (projectId: string) =>
   useProjectChange(projectId, (body: Schemas['CategoryApproverName']) =>
     put('/v1/projects/{project_id}/category-approvers', { project_id: projectId }, body),
   )
+
+/** Which members are in the project, and whether the others see it. */
+export const projectMembersQuery = queryById('/v1/projects/{project_id}/members', queryKeys.projectMembers)
+
+export function useSetProjectMember(projectId: string) {
+  const client = useQueryClient()
+  return useMutation({
+    mutationFn: ({ personId, isIn }: { personId: string; isIn: boolean }) => {
+      const where = { project_id: projectId, person_id: personId }
+      const path = '/v1/projects/{project_id}/members/{person_id}'
+      return isIn ? put(path, where) : del(path, where)
+    },
+    onSettled: () => invalidate(client, queryKeys.projectMembers(projectId), queryKeys.me()),
+  })
+}
 
 /** The checklists of a project, and what blocks approval there. */
 export const approvalSettingsQuery = queryById(

@@ -1,3 +1,4 @@
+import { PHASES } from '@/phases/words'
 import { Autocomplete, Checkbox, NativeSelect, Textarea, TextInput } from '@mantine/core'
 
 import { WordList } from '@/references'
@@ -7,7 +8,7 @@ import { choicesOf } from '../columns/values'
 import classes from './CueFields.module.css'
 import type { CueDraft, DraftField, DraftValue, Faults } from './draft'
 import { type CuePerson, TASKS } from '../people'
-import { fieldWord, NEEDS, REVERBS, SETTLED } from '../words'
+import { CHANNELS, fieldWord, NEEDS, REVERBS, SETTLED } from '../words'
 
 interface CueFieldsProps {
   projectId: string
@@ -59,6 +60,7 @@ export function CueFields({
       />
       <NativeSelect {...text('state')} size="xs" data={[...SETTLED]} />
       <NativeSelect {...text('need')} size="xs" data={[...NEEDS]} />
+      <NativeSelect {...text('phase')} size="xs" data={[{ value: '', label: '–' }, ...PHASES]} />
       <TextInput {...text('use', 'two')} />
       <TextInput {...text('trigger', 'two')} />
       <TextInput {...text('duration_s')} label="Length, s" inputMode="decimal" />
@@ -70,6 +72,7 @@ export function CueFields({
         <WordList projectId={projectId} text={draft.description as string} />
       </div>
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />
+      <NativeSelect {...text('channels')} size="xs" data={[...CHANNELS]} />
       <TextInput {...text('playback_priority')} inputMode="numeric" />
       <TextInput {...text('due_on')} type="date" />
       {TASKS.map(({ fact }) => (

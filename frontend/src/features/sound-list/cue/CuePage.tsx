@@ -13,7 +13,9 @@ import { day, length, lengthAsked } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { NeedMark } from '@/ui/NeedMark'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { PHASE_WORDS } from '@/phases/words'
 import { StatusBadge } from '@/ui/StatusBadge'
+import { VisionLine } from '@/vision'
 import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
 
 import {
@@ -34,7 +36,7 @@ import { History } from './History'
 import { keepLastCue } from '../lastCue'
 import { AskForm, QuestionLine } from './Questions'
 import { cuePeopleQuery, namesOf, TASKS } from '../people'
-import { categoriesOf, rowsOf } from '../rows'
+import { categoriesOf, phaseOf, rowsOf } from '../rows'
 import { Versions } from './Versions'
 import { SpokenPlaceholder } from '../spoken/SpokenPlaceholder'
 import { REVERBS, SETTLED } from '../words'
@@ -151,6 +153,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
               {stands.after}
             </p>
           )}
+          <VisionLine projectId={projectId} />
         </div>
         <div className={`flex wrap gap-2 ${classes.acts}`}>
           {mayEdit && (
@@ -256,6 +259,7 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const names = namesOf(people ?? [])
   const facts: [string, ReactNode][] = [
     ['Need', <NeedMark key="need" need={cue.need} />],
+    ['Phase', PHASE_WORDS[phaseOf(cue) ?? ''] ?? null],
     ['Use in the game', cue.use],
     ['Trigger', cue.trigger && <span className="mono">{cue.trigger}</span>],
     ['Category', cue.category],
@@ -271,6 +275,7 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
     ['Plays', cue.loop ? 'as a loop' : 'once'],
     ['Variations', cue.variations > 1 && `a set of ${cue.variations}`],
     ['Reverb', cue.reverb && wordOf(REVERBS, cue.reverb).toLowerCase()],
+    ['Channels', cue.channels],
     ['Playback priority', cue.playback_priority],
     ['Needed by', cue.due_on && day(cue.due_on)],
     ...TASKS.map(({ fact, label }): [string, ReactNode] => [label, names.get(cue[fact] ?? '') ?? null]),

@@ -17,9 +17,11 @@ export interface CueDraft {
   frame_rate_fps: string
   loop: boolean
   reverb: string
+  channels: string
   variations: string
   state: string
   need: string
+  phase: string
   playback_priority: string
   due_on: string
   placeholder: boolean
@@ -50,9 +52,11 @@ export const EMPTY_DRAFT: CueDraft = {
   frame_rate_fps: '',
   loop: false,
   reverb: '',
+  channels: '',
   variations: '1',
   state: 'concept',
   need: 'must',
+  phase: '',
   playback_priority: '',
   due_on: '',
   placeholder: false,
@@ -77,6 +81,8 @@ export function draftOf(cue: Cue): CueDraft {
     playback_priority: typed(cue.playback_priority),
     variations: String(cue.variations),
     reverb: cue.reverb ?? '',
+    channels: cue.channels ?? '',
+    phase: cue.phase ?? '',
     due_on: cue.due_on ?? '',
     implementer_id: cue.implementer_id ?? '',
     recorder_id: cue.recorder_id ?? '',
@@ -117,7 +123,7 @@ export interface ReadDraft {
 /** What a draft says, and what in it cannot be read. */
 export function readDraft(draft: CueDraft): ReadDraft {
   const facts: Record<string, unknown> = { ...draft }
-  for (const field of ['reverb', 'due_on', 'implementer_id', 'recorder_id'] as const)
+  for (const field of ['reverb', 'channels', 'phase', 'due_on', 'implementer_id', 'recorder_id'] as const)
     facts[field] = draft[field] || null
   const faults: Faults = {}
   for (const [field, figure] of Object.entries(FIGURES) as [DraftField, Figure][]) {

@@ -13,6 +13,7 @@ import type { CueStatus } from '../api'
 import { type CuePerson, readPersonFilter, TASKS } from '../people'
 import { type CueRow, type Grouping, kindOf, type ListSearch } from '../rows'
 import classes from './SoundList.module.css'
+import { PHASES } from '@/phases/words'
 import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
 
 export type ToolsPanel = 'filter' | 'display' | 'more'
@@ -61,9 +62,15 @@ export function ListTools({
   for (const { status } of rows) counts.set(status, (counts.get(status) ?? 0) + 1)
   const unclear = rows.filter((row) => row.unclear.length > 0).length
   const unheard = rows.filter(({ isUnheard }) => isUnheard).length
-  const filters = [search.state, search.category, search.need, search.person, search.unclear, search.heard].filter(
-    Boolean,
-  ).length
+  const filters = [
+    search.state,
+    search.category,
+    search.need,
+    search.phase,
+    search.person,
+    search.unclear,
+    search.heard,
+  ].filter(Boolean).length
   const toggle = (panel: ToolsPanel) => onShown(shown === panel ? null : panel)
   const list = `/projects/${projectId}/sound-list`
   return (
@@ -175,6 +182,25 @@ export function ListTools({
               </select>
               <Icon name="chevron" />
             </span>
+            {(search.phase !== undefined || rows.some(({ cue }) => cue.phase !== null)) && (
+              <span className={classes.select}>
+                <select
+                  aria-label="Phase"
+                  value={search.phase ?? ''}
+                  onChange={(event) =>
+                    onSearch({ phase: PHASES.find(({ value }) => value === event.currentTarget.value)?.value })
+                  }
+                >
+                  <option value="">Any phase</option>
+                  {PHASES.map(({ value, label }) => (
+                    <option key={value} value={value}>
+                      {label}
+                    </option>
+                  ))}
+                </select>
+                <Icon name="chevron" />
+              </span>
+            )}
             {(search.person !== undefined ||
               rows.some(({ cue }) => cue.implementer_id !== null || cue.recorder_id !== null)) && (
               <span className={`inline-flex items-center ${classes.select}`}>

@@ -62,9 +62,15 @@ export function SoundListPage(): ReactNode {
 
   const [adding, setAdding] = useState<{ name?: string } | null>(null)
   const [panel, setPanel] = useState<{ id: string; kind: PanelKind } | null>(null)
-  const isFiltered = [search.state, search.category, search.need, search.person, search.unclear, search.heard].some(
-    Boolean,
-  )
+  const isFiltered = [
+    search.state,
+    search.category,
+    search.need,
+    search.phase,
+    search.person,
+    search.unclear,
+    search.heard,
+  ].some(Boolean)
   const [tools, setTools] = useState<ToolsPanel | null>(isFiltered ? 'filter' : null) // a filter that is on is in sight
   const chips = useRef<HTMLDivElement>(null)
   const filter = useRef<HTMLInputElement>(null)
@@ -76,16 +82,16 @@ export function SoundListPage(): ReactNode {
   )
   const categories = useMemo(() => categoriesOf(rows), [rows])
   const needs = useMemo(() => needSumsOf(rows), [rows])
-  const { state, category, need, person, view, by = 'list', unclear: onlyUnclear, heard, q: words = '' } = search
+  const { state, category, need, phase, person, view, by = 'list', unclear: onlyUnclear, heard, q: words = '' } = search
   const sought = useDeferredValue(words)
   const playedId = heard && playing.takeId
   const groups = useMemo(
     () =>
       groupsOf(
-        matching(rows, { state, category, need, person, unclear: onlyUnclear, heard, playedId, words: sought }),
+        matching(rows, { state, category, need, phase, person, unclear: onlyUnclear, heard, playedId, words: sought }),
         by,
       ),
-    [rows, state, category, need, person, onlyUnclear, heard, playedId, sought, by],
+    [rows, state, category, need, phase, person, onlyUnclear, heard, playedId, sought, by],
   )
   const shown = useMemo(() => groups.flatMap((group) => group.rows), [groups])
   const { selected, selectedId, select, step, picked, pick, unpick } = useCueSelection(projectId, shown)
@@ -154,11 +160,16 @@ export function SoundListPage(): ReactNode {
     )
   }, [selectedId])
   const clear = () => {
-    if ([state, category, need, person, heard].some((filter) => filter !== undefined) || onlyUnclear || words !== '')
+    if (
+      [state, category, need, phase, person, heard].some((filter) => filter !== undefined) ||
+      onlyUnclear ||
+      words !== ''
+    )
       onSearch({
         state: undefined,
         category: undefined,
         need: undefined,
+        phase: undefined,
         person: undefined,
         unclear: undefined,
         heard: undefined,

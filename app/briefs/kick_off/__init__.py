@@ -1,0 +1,1 @@
+"""Decisions of the talks before a contract."""

@@ -1,0 +1,1 @@
+"""The phases of a production, and the gates between them."""

@@ -1,0 +1,50 @@
+"""The members of projects."""
+
+from collections.abc import Sequence
+from uuid import UUID
+
+from sqlalchemy import Row, and_, delete, select, update
+from sqlalchemy.orm import Session, joinedload
+
+from app.accounts.models import Membership, Token
+from app.accounts.rules import Role
+from app.core import clock
+from app.projects.models import Project, ProjectMember
+
+OF_MEMBER = and_(Membership.studio_id == ProjectMember.studio_id, Membership.person_id == ProjectMember.person_id)
+
+
+def members_of(session: Session, project_id: UUID) -> Sequence[Row[ProjectMember, list[str]]]:
+    """Return the members of a project with their roles in the studio, in order of joining."""
+    return session.execute(
+        select(ProjectMember, Membership.roles)
+        .join(Membership, OF_MEMBER)
+        .where(ProjectMember.project_id == project_id)
+        .options(joinedload(ProjectMember.person))
+        .order_by(ProjectMember.created_at, ProjectMember.person_id)
+    ).all()
+
+
+def projects_without_producer(session: Session, studio_id: UUID) -> list[Project]:
+    """Return the projects of a studio that no producer is in, archived ones too."""
+    members = select(ProjectMember.project_id, Membership.roles).join(Membership, OF_MEMBER)
+    rows = session.execute(members.where(ProjectMember.studio_id == studio_id))
+    led = {project_id for project_id, roles in rows if Role.PRODUCER in roles}
+    return [project for project in projects_of_studio(session, studio_id) if project.id not in led]
+
+
+def projects_of_studio(session: Session, studio_id: UUID) -> Sequence[Project]:
+    """Return the projects of a studio, archived ones too."""
+    return session.scalars(select(Project).where(Project.studio_id == studio_id).order_by(Project.id)).all()
+
+
+def delete_memberships(session: Session, studio_id: UUID, person_id: UUID) -> None:
+    """Delete a person's place in every project of a studio."""
+    of_person = ProjectMember.studio_id == studio_id, ProjectMember.person_id == person_id
+    session.execute(delete(ProjectMember).where(*of_person))
+
+
+def revoke_tokens(session: Session, project_id: UUID, person_id: UUID) -> None:
+    """Revoke the tokens that a person made for a project's builds."""
+    live = Token.project_id == project_id, Token.created_by == person_id, Token.revoked_at.is_(None)
+    session.execute(update(Token).where(*live).values(revoked_at=clock.now()))

@@ -1,0 +1,29 @@
+"""What the endpoints of project members take and return."""
+
+from datetime import datetime
+
+from pydantic import Field
+
+from app.accounts.rules import MembersSee, Role
+from app.accounts.schemas import PersonBrief
+from app.core.web.http import Schema
+
+
+class ProjectSight(Schema):
+    """The projects of a studio that its members see."""
+
+    members_see: MembersSee = Field(description="`own`: only the projects that they are in.")
+
+
+class ProjectMemberRead(Schema):
+    """A member of the studio who is in a project."""
+
+    person: PersonBrief
+    roles: list[Role] = Field(description="Their roles in the studio.")
+    since: datetime
+
+
+class ProjectMembersRead(ProjectSight):
+    """The members of a project."""
+
+    members: list[ProjectMemberRead]

@@ -1,0 +1,42 @@
+"""Members join projects when they are named there, and leave them with the studio."""
+
+from uuid import UUID
+
+from sqlalchemy import literal, select
+from sqlalchemy.orm import Session
+
+from app.accounts.models import Studio
+from app.accounts.queries import members
+from app.accounts.rules import MemberChange, MembersSee, Role
+from app.projects.members import queries
+from app.projects.models import Project, ProjectMember
+from app.projects.visibility import is_closed_to
+
+
+def ensure_member(session: Session, project: Project, person_id: UUID) -> None:
+    """Put a member of the studio in a project unless they are in it."""
+    if session.get(ProjectMember, (project.id, person_id)) is None:
+        session.add(ProjectMember(project_id=project.id, person_id=person_id, studio_id=project.studio_id))
+        session.flush()
+
+
+def is_open_to(session: Session, project: Project, person_id: UUID) -> bool:
+    """Whether a member of the studio sees a project."""
+    closed = is_closed_to(person_id, studio_id=project.studio_id, project_id=project.id)
+    return session.scalar(select(literal(1)).where(closed)) is None
+
+
+def end_membership(session: Session, change: MemberChange) -> None:
+    """Take who left the studio out of its projects; a producer joins those that none is in then."""
+    if change.has_left:
+        queries.delete_memberships(session, change.studio_id, change.person_id)
+    if session.get_one(Studio, change.studio_id).members_see is MembersSee.OWN:
+        producers = [member.person_id for member in members(session, change.studio_id) if Role.PRODUCER in member.roles]
+        leaves_themselves = change.changed_by not in producers
+        lead_projects(session, change.studio_id, producers[0] if leaves_themselves else change.changed_by)
+
+
+def lead_projects(session: Session, studio_id: UUID, producer_id: UUID) -> None:
+    """Put a producer in the projects of a studio that no producer is in."""
+    for project in queries.projects_without_producer(session, studio_id):
+        ensure_member(session, project, producer_id)

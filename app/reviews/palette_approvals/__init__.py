@@ -1,0 +1,1 @@
+"""The palette, approved as a set."""

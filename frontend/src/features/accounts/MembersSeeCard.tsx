@@ -1,0 +1,38 @@
+import { Checkbox } from '@mantine/core'
+import { useQuery } from '@tanstack/react-query'
+
+import { showToast } from '@/app/toast'
+import { Card, CardHead } from '@/ui/Card'
+
+import { CardProblem } from './CardProblem'
+import { membersSeeQuery, useSetMembersSee } from './membersSeeApi'
+import classes from './Studio.module.css'
+
+/** Whether members see all projects of the studio, or only those that they are in. */
+export function MembersSeeCard({ studioId }: { studioId: string }) {
+  const { data: sight, error } = useQuery(membersSeeQuery(studioId))
+  const save = useSetMembersSee(studioId)
+  const seen = save.isPending ? save.variables : sight?.members_see
+  return (
+    <Card aria-labelledby="members-see">
+      <CardHead id="members-see" title="Projects" note="seen by members" />
+      <CardProblem error={error ?? save.error} />
+      {sight && (
+        <fieldset className={classes.uses} disabled={save.isPending}>
+          <legend className="visually-hidden">Projects that members see</legend>
+          <Checkbox
+            label="Only the projects they are in"
+            description="for everyone else, producers too, a project does not exist"
+            checked={seen === 'own'}
+            onChange={({ currentTarget }) =>
+              save.mutate(currentTarget.checked ? 'own' : 'all', { onSuccess: () => showToast('Saved.') })
+            }
+          />
+        </fieldset>
+      )}
+      <p className={`small mid ${classes.foot}`}>
+        Who opened a project, its audio leads, approvers and deputies are in it. Others are added under People.
+      </p>
+    </Card>
+  )
+}

@@ -1,0 +1,3 @@
+export { phasesQuery, useApprovePalette } from './api'
+export { ClosedGateNote } from './ClosedGateNote'
+export { gateWords, PHASE_WORDS } from './words'

@@ -1,0 +1,1 @@
+export { VisionLine } from './VisionLine'
