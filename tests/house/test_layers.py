@@ -26,6 +26,7 @@ MAY_KNOW = {
 }
 SELECTS_ELSEWHERE = {
     "app.accounts.rate_limits": "one statement counts and reads a try; what it answers is read beside it",
+    "app.projects.members.limits": "restricts every SELECT of a member to their projects",
     "app.deliveries.cue_counts.service": "locks, reads and writes materialized counts when the transaction ends",
 }
 

@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from uuid import UUID
 
-from sqlalchemy import Row, and_, delete, select, update
+from sqlalchemy import Row, and_, delete, literal, select, update
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Membership, Token
 from app.accounts.rules import Role
 from app.core import clock
 from app.projects.models import Project, ProjectMember
+from app.projects.visibility import is_closed_to
 
 OF_MEMBER = and_(Membership.studio_id == ProjectMember.studio_id, Membership.person_id == ProjectMember.person_id)
 
@@ -23,6 +24,12 @@ def members_of(session: Session, project_id: UUID) -> Sequence[Row[ProjectMember
         .options(joinedload(ProjectMember.person))
         .order_by(ProjectMember.created_at, ProjectMember.person_id)
     ).all()
+
+
+def is_open_to(session: Session, project: Project, person_id: UUID) -> bool:
+    """Whether a member of the studio sees a project."""
+    closed = is_closed_to(person_id, studio_id=project.studio_id, project_id=project.id)
+    return session.scalar(select(literal(1)).where(closed)) is None
 
 
 def projects_without_producer(session: Session, studio_id: UUID) -> list[Project]:

@@ -2,7 +2,6 @@
 
 from uuid import UUID
 
-from sqlalchemy import literal, select
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
@@ -10,7 +9,6 @@ from app.accounts.queries import members
 from app.accounts.rules import MemberChange, MembersSee, Role
 from app.projects.members import queries
 from app.projects.models import Project, ProjectMember
-from app.projects.visibility import is_closed_to
 
 
 def ensure_member(session: Session, project: Project, person_id: UUID) -> None:
@@ -22,8 +20,7 @@ def ensure_member(session: Session, project: Project, person_id: UUID) -> None:
 
 def is_open_to(session: Session, project: Project, person_id: UUID) -> bool:
     """Whether a member of the studio sees a project."""
-    closed = is_closed_to(person_id, studio_id=project.studio_id, project_id=project.id)
-    return session.scalar(select(literal(1)).where(closed)) is None
+    return queries.is_open_to(session, project, person_id)
 
 
 def end_membership(session: Session, change: MemberChange) -> None:
