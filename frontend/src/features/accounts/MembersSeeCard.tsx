@@ -30,7 +30,7 @@ export function MembersSeeCard({ studioId }: { studioId: string }) {
           />
         </fieldset>
       )}
-      <p className={`small mid ${classes.foot}`}>
+      <p className="small mid p-3-inset">
         Who opened a project, its audio leads, approvers and deputies are in it. Others are added under People.
       </p>
     </Card>

@@ -58,6 +58,7 @@ describe('the studio', () => {
       'GET /v1/studios/s1/invitations': [],
       'GET /v1/studios/s1/outbox': { can_send: false, mails: [MAIL] },
       'GET /v1/studios/s1/quotas': QUOTAS,
+      'GET /v1/studios/s1/members-see': { members_see: 'all' },
       'GET /v1/studios/s1/calendar': { time_zone: 'Europe/Berlin', holidays: [CHRISTMAS] },
       ...more,
     })

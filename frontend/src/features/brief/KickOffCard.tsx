@@ -26,7 +26,7 @@ export function KickOffCard({ projectId, brief }: { projectId: string; brief: Br
       <CardHead title="Kick-off" count={decisions.length} />
       <ul aria-label="Decisions">
         {decisions.map((decision) => (
-          <li key={decision.id} className={classes.change}>
+          <li key={decision.id} className="grid gap-2px border-b wrap-anywhere p-2-inset">
             {editing === decision.id ? (
               <DecisionForm
                 key={decision.id}
@@ -127,8 +127,7 @@ function DecisionForm({ projectId, decision, onDone }: DecisionFormProps) {
         description="Name cues and questions by their numbers: SW-014, question 4."
         required
         withAsterisk={false}
-        autosize
-        minRows={2}
+        rows={2}
         maxLength={2000}
         value={values.text}
         onChange={({ currentTarget }) => change({ text: currentTarget.value })}

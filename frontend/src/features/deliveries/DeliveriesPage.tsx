@@ -30,6 +30,11 @@ export function DeliveriesPage() {
         <Link className="link" to="/projects/$projectId" params={{ projectId }}>
           {project?.name ?? 'Project'}
         </Link>
+        {project?.mine.is_team === false && (
+          <Link className="link" to="/work">
+            Your credits, people and playlists
+          </Link>
+        )}
       </PageHead>
       <Refusal error={error} />
       {deliveries?.length === 0 && (

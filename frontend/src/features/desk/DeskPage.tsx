@@ -1,5 +1,5 @@
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { Link, useParams } from '@tanstack/react-router'
+import { useParams } from '@tanstack/react-router'
 import { useCallback, useEffect, useMemo, useRef, useState } from 'react'
 
 import { ApiProblem, useSettled } from '@/api'
@@ -154,10 +154,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
           </div>
         }
       >
-        {deskLine(desk)}{' '}
-        <Link className="link" to="/work">
-          Your credits, people and playlists
-        </Link>
+        {deskLine(desk)}
       </PageHead>
       {chooser.fields}
       <div className="columns side-356">

@@ -18,7 +18,7 @@ export function PhasesCard({ projectId }: { projectId: string }) {
   return (
     <Card aria-labelledby="phases">
       <CardHead id="phases" title="Phases" note={at && (at.is_done ? 'all done' : `now ${PHASE_WORDS[at.phase]}`)} />
-      <div className={classes.inside}>
+      <div className="grid gap-3 p-3-inset-4">
         <ul className={classes.rows} aria-label="Phases">
           {data.phases.map((phase) => (
             <li key={phase.phase}>

@@ -43,7 +43,7 @@ export function SourceBankCard({ take, isMaker }: { take: Take; isMaker: boolean
   return (
     <Card aria-labelledby="source-bank">
       <CardHead id="source-bank" title="Source bank" />
-      <div className={`stack ${classes.inside}`}>
+      <div className="stack p-3-inset-14px">
         <p className="small mid">{isMaker ? ownerOf(bank) : 'Handed over by contract. It is in no pack.'}</p>
         {bank.files.length > 0 && (
           <ul className={classes.files}>

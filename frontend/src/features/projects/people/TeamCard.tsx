@@ -51,7 +51,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
         comment.
       </p>
       {isLimited && (
-        <p className={`small mid ${classes.says}`}>
+        <p className="small mid p-2-inset">
           Only who is in the project sees it; <Link to="/studio">the studio</Link> has set this.
         </p>
       )}

@@ -36,7 +36,7 @@ export function Handoffs({ cue, projectId, versions }: HandoffsProps) {
   return (
     <Card aria-labelledby="handoffs">
       <CardHead id="handoffs" title="Hand-off" count={handoffs.length || undefined} />
-      <div className={`stack ${classes.inside}`}>
+      <div className="stack p-3-inset-4">
         {handoffs.map((handoff) => (
           <HandoffLine key={handoff.id} handoff={handoff} projectId={projectId} mayName={isProducer} />
         ))}

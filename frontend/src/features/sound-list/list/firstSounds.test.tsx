@@ -17,6 +17,7 @@ const anAnswer = (more: object) => ({
   header_row: 1,
   columns: [],
   rows: [],
+  cells: [],
   errors: [],
   refused_names: { names: [], patterns: [] },
   added: 0,
