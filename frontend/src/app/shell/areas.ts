@@ -146,7 +146,13 @@ export const HOMES: readonly PageHome[] = [
     also: ['invite', 'designer', 'members', 'hours', 'credits'],
   },
   { area: 'people', label: 'Roster', routes: ['/roster'], sees: hires, also: ['hire', 'on file', 'reel'] },
-  { area: 'people', label: 'Postings', routes: ['P/postings'], sees: (viewer) => leads(viewer) && hires(viewer), also: ['hire', 'bid', 'award', 'job'] },
+  {
+    area: 'people',
+    label: 'Postings',
+    routes: ['P/postings'],
+    sees: (viewer) => leads(viewer) && hires(viewer),
+    also: ['hire', 'bid', 'award', 'job'],
+  },
 
   {
     area: 'money',

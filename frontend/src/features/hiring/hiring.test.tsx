@@ -505,7 +505,14 @@ test('each person who is asked has the state of their email beside them, and the
 
 test('a bidder reads the cues of each line that is priced', async () => {
   const { server } = bidOpened()
-  const cue = { line: 'footsteps', duration_s: null, duration_min_s: null, duration_max_s: null, loop: false, is_concept: false }
+  const cue = {
+    line: 'footsteps',
+    duration_s: null,
+    duration_min_s: null,
+    duration_max_s: null,
+    loop: false,
+    is_concept: false,
+  }
   server.answers['GET /v1/postings/p1/cues'] = [
     { ...cue, id: 'c1', name: 'Grass', variations: 1 },
     { ...cue, id: 'c2', name: 'Sand', variations: 6, duration_s: 0.4, loop: true, is_concept: true },
