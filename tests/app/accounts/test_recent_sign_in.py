@@ -28,6 +28,7 @@ ACCESS_GIVEN = {
     "confirm_my_totp",
     "end_my_totp",
     "renew_my_recovery_codes",
+    "set_members_see",
     "set_second_factor_requirement",
     "request_my_email_change",
     "begin_my_passkey",

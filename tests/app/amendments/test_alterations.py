@@ -17,6 +17,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from app.agreements.models import (
+    ClockPause,
     Contract,
     ContractAcceptance,
     ContractCue,
@@ -37,7 +38,7 @@ from app.deliveries.rules import TakeState
 from app.money.ledger.rules import LineKind
 from app.money.models import ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Spec
-from app.reviews.models import ChangeRequest, ClockPause, Comment, Feedback, Verdict
+from app.reviews.models import ChangeRequest, Comment, Feedback, Verdict
 from app.reviews.rules import VerdictKind
 from app.sound_lists.models import CueChange, Question
 from tests.app.agreements.conftest import Contracts

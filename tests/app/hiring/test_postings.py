@@ -276,7 +276,7 @@ def test_a_bidder_sees_the_cues_that_each_line_counts(world: World) -> None:
         ("footsteps", "Cue 1", 4, 2.5, True, False),
         ("ui", "Cue 4", 1, None, False, False),
     ]
-    assert shown[0].keys() == {"id", *facts}
+    assert shown[0].keys() == {"id", *facts, "duration_min_s", "duration_max_s"}
     assert world.producer.get(path).json() == shown
     assert world.stranger.get(path).status_code == 404
     ask_for_nda(world)
