@@ -38,5 +38,6 @@ export const speaksFor = (project: MyProject | undefined): boolean =>
 /** Whether contracts and money are between this person and another; a server may have none at all. */
 export function useIsParty(projectId: string): boolean {
   const { data: me } = useQuery(meQuery)
-  return me?.has_contracts !== false && speaksFor(useMyProject(projectId))
+  const project = useMyProject(projectId)
+  return me?.has_contracts !== false && speaksFor(project)
 }

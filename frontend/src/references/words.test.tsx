@@ -18,7 +18,7 @@ const aReference = (id: string, words: string): Reference => ({
     ...{ id: `v-${id}`, number: 1, kind: 'audio', media_type: 'audio/wav', file_name: `${id}.wav`, url: null },
     ...{ file_bytes: 100, excerpt: '', preview: 'none', problem: '', width_px: null, height_px: null },
     ...{ added_at: '2026-11-25T10:00:00Z', added_by: { id: 'a', name: 'Producer' } },
-  } as Reference['version'],
+  },
 })
 
 const drawn = (what: ReactNode) => draw(<QueryClientProvider client={new QueryClient()}>{what}</QueryClientProvider>)

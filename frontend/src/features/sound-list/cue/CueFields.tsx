@@ -69,7 +69,7 @@ export function CueFields({
       <TextInput {...text('variations')} inputMode="numeric" />
       <Textarea {...text('description', 'four')} rows={2} classNames={{ input: classes.grows }} />
       <div className={classes.four}>
-        <WordList projectId={projectId} text={draft.description as string} />
+        <WordList projectId={projectId} text={draft.description} />
       </div>
       <NativeSelect {...text('reverb')} size="xs" data={[...REVERBS]} />
       <NativeSelect {...text('channels')} size="xs" data={[...CHANNELS]} />

@@ -165,6 +165,8 @@ export function ImportRows({ read, head, match, onKeep, onSkip, onEdit, onFillDo
           </span>
         }
       />
+      {/* What scrolls is reached by the keyboard too. */}
+      {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
       <div className={classes.sheet} tabIndex={0} role="group" aria-label="Sheet">
         <table
           ref={table}
