@@ -1,6 +1,6 @@
 """The jobs of the commercial rooms, and what they follow: contracts, money, change orders, and hiring.
 
-SOUNDLIST_COMMERCIAL=no leaves them out, with their endpoints.
+SOUNDLIST_COMMERCIAL=false leaves them out, with their endpoints.
 """
 
 from typing import Any

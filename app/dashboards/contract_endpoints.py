@@ -29,7 +29,7 @@ def read_roster_work(
 
 @router.get("/postings/{posting_id}/studio-record", responses=problems(PostingNotFound, TeamNeeded))
 def read_studio_record(posting_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> StudioRecord:
-    """Return how the studio of a posting worked with designers so far, to its team and to candidates."""
+    """Return the record of a posting's studio with its designers so far, to its team and to candidates."""
     return studio_record(session, actor, posting_id)
 
 

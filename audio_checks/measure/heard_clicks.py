@@ -1,4 +1,4 @@
-"""How far a click is heard over the sound around it: its power in the critical bands against what masks it there.
+"""The level of a click over the sound around it: its power in each critical band against what masks it there.
 
 Source: the bands of Zwicker and Terhardt (1980), "Analytical expressions for critical-band rate and critical
 bandwidth", J. Acoust. Soc. Am. 68; the slopes of masking in Zwicker and Fastl, Psychoacoustics, chapter 4, straight.
@@ -21,7 +21,7 @@ THRESHOLD = 1e-10  # -100 dBFS in a band: what no one hears
 
 
 def heard_over_db(samples: Floats, frames: NDArray[np.int64], cell_frames: int, sample_rate_hz: int) -> Floats:
-    """Return how far some clicks stand over what is masked around them, each in the band where it does most.
+    """Return the level of clicks over the masked threshold around them, each in the band where it is highest.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def _bands_of(width: int, sample_rate_hz: int) -> Floats:
 
 
 def _spread() -> Floats:
-    """Return how much of a band's power masks in each, shape (from band, to band)."""
+    """Return the share of each band's power that masks in each other, shape (from band, to band)."""
     above = np.arange(BANDS) - np.arange(BANDS)[:, np.newaxis]
     spread: Floats = 10 ** (-np.where(above > 0, UPWARD_DB * above, -DOWNWARD_DB * above) / 10)
     return spread

@@ -59,8 +59,8 @@ def _record_on_cue(
     prefix = session.get_one(Project, question.project_id).cue_prefix
     for covered in plan_queries.contracts_for_question(session, question):
         cue = f"{label(prefix, covered.cue.number)} {covered.cue.name}"
-        said = {"cue": cue, "cue_id": str(covered.cue_id), "question_id": str(question.id), **facts}
-        record.append(session, covered.contract_id, kind, said, by=by, rows=rows)
+        on_cue = {"cue": cue, "cue_id": str(covered.cue_id), "question_id": str(question.id), **facts}
+        record.append(session, covered.contract_id, kind, on_cue, by=by, rows=rows)
 
 
 def record_spec_version(session: Session, event: Mapping[str, Any]) -> None:

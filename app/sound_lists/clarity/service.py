@@ -22,10 +22,10 @@ def unclear_cues(session: Session, access: ProjectAccess) -> Iterator[tuple[UUID
     requests = queries.requests(session, access.project.id)
     files_by_ucs = all(not category or is_ucs(category) for category in {request.category for request in requests})
     for cue_id, name, category, description, use, loop, length_s, dismissed in requests:
-        said = f"{use}\n{description}".strip()
-        left = questions(name, category, said, loop, length_s is not None)
+        request_text = f"{use}\n{description}".strip()
+        left = questions(name, category, request_text, loop, length_s is not None)
         if files_by_ucs and not category:
-            left = (*left, *_category_question(name, said))
+            left = (*left, *_category_question(name, request_text))
         if left := tuple(question for question in left if question.fact not in dismissed):
             yield cue_id, left
 

@@ -43,10 +43,10 @@ def test_credit_people_and_playlists_stand_by_project(accepted: tuple[World, UUI
     assert (project["project_name"], project["studio_name"]) == ("Shield Wing", "Test studio")
     assert (project["credit_name"], project["credit_roles"]) == ("Quay Sound", ["Sound design"])
     assert (project["agreed_line"], project["shown_from"]) == ("Sounds by Sound designer", "1 May 2027")
-    assert [(one["person"]["name"], one["role"]) for one in project["people"]] == [
+    assert [(member["person"]["name"], member["role"]) for member in project["people"]] == [
         ("Audio director", "Audio direction")
     ]
-    assert [one["name"] for one in project["playlists"]] == ["Trailer"]
+    assert [playlist["name"] for playlist in project["playlists"]] == ["Trailer"]
 
 
 def test_makers_of_a_hand_off_are_among_the_people(world: World) -> None:
@@ -54,7 +54,7 @@ def test_makers_of_a_hand_off_are_among_the_people(world: World) -> None:
     assert "A second sound designer" not in str(own(world.designer)), "no designer sees the others as such"
     body_of(handed.name(handed.hand_off().json()))
     assert "A second sound designer" in str(own(world.designer)[0]["people"])
-    assert "Sound designer" in [one["person"]["name"] for one in own(handed.second)[0]["people"]]
+    assert "Sound designer" in [member["person"]["name"] for member in own(handed.second)[0]["people"]]
 
 
 def test_what_is_over_or_behind_an_nda_is_not_shown(accepted: tuple[World, UUID]) -> None:

@@ -73,7 +73,7 @@ def test_the_next_maker_sees_what_is_missing_the_versions_and_the_source_bank(ha
     assert seen["created_at"] is not None
     (version,) = seen["takes"]
     assert (version["file_name"], version["number"]) == ("laser.wav", 1)
-    assert [one["file_name"] for one in version["source_files"]] == ["laser.rpp"]
+    assert [file["file_name"] for file in version["source_files"]] == ["laser.rpp"]
     at = f"/v1/handoffs/{handoff['id']}"
     assert second.get(f"{at}/takes/{handed.take_id}/master").content == FILE
     assert second.get(f"{at}/source-files/{file['id']}").content == SESSION

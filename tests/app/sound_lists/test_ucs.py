@@ -63,7 +63,7 @@ def test_the_check_counts_the_categories_and_an_answer_sets_one(world: World) ->
 
     def category_questions() -> list[dict[str, object]]:
         unclear = world.producer.get(f"{project}/clarity").json()["unclear"]
-        return [one for each in unclear for one in each["questions"] if one["fact"] == "category"]
+        return [question for cue in unclear for question in cue["questions"] if question["fact"] == "category"]
 
     (asked,) = category_questions()
     assert asked["question"] == "Which of 4 categories?"
