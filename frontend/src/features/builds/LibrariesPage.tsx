@@ -24,23 +24,19 @@ export function LibrariesPage() {
   const { data: libraries, error } = useQuery(librariesQuery(projectId))
   useTitle('Sound libraries')
   return (
-    <PageHead
-      title="Sound libraries"
-      actions={
-        <>
-          <Refusal error={error} />
-          {libraries?.length === 0 && (
-            <EmptyState head="No sound library yet">
-              Register one below: its fingerprints are made on your machine, and no sound leaves it.
-            </EmptyState>
-          )}
-          {libraries !== undefined && libraries.length > 0 && <Libraries libraries={libraries} />}
-          <AddLibrary projectId={projectId} />
-        </>
-      }
-    >
-      Versions are compared with these libraries. The page of a version names the files that it equals.
-    </PageHead>
+    <div className="page stack">
+      <PageHead title="Sound libraries">
+        Versions are compared with these libraries. The page of a version names the files that it equals.
+      </PageHead>
+      <Refusal error={error} />
+      {libraries?.length === 0 && (
+        <EmptyState head="No sound library yet">
+          Register one below: its fingerprints are made on your machine, and no sound leaves it.
+        </EmptyState>
+      )}
+      {libraries !== undefined && libraries.length > 0 && <Libraries libraries={libraries} />}
+      <AddLibrary projectId={projectId} />
+    </div>
   )
 }
 

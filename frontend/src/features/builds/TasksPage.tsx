@@ -11,12 +11,15 @@ export function TasksPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
   useTitle('Implementation tasks')
   return (
-    <PageHead title="Implementation tasks" actions={<TasksCard projectId={projectId} />}>
-      From notes of the{' '}
-      <Link className="link" to="/projects/$projectId/listening" params={{ projectId }}>
-        listening pass
-      </Link>{' '}
-      and from drift that was sent back.
-    </PageHead>
+    <div className="page stack">
+      <PageHead title="Implementation tasks">
+        From notes of the{' '}
+        <Link className="link" to="/projects/$projectId/listening" params={{ projectId }}>
+          listening pass
+        </Link>{' '}
+        and from drift that was sent back.
+      </PageHead>
+      <TasksCard projectId={projectId} />
+    </div>
   )
 }

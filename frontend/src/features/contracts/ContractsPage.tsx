@@ -36,30 +36,26 @@ export function ContractsPage() {
   const { data: contracts, error: noContracts } = useQuery(contractsQuery(projectId))
   const runs = project?.mine.is_producer ?? false
   return (
-    <PageHead
-      title="Contracts"
-      actions={
-        <>
-          <Refusal error={error ?? noContracts} />
-          {project && contracts && (
-            <div className={`columns ${classes.columns}`}>
-              <div className="stack">
-                <Listed contracts={contracts} project={project} />
-              </div>
-              {runs && (
-                <div className="stack">
-                  <BeginContract project={project} contracts={contracts} />
-                  <Nda project={project} />
-                  <Templates project={project} />
-                </div>
-              )}
+    <div className="page stack">
+      <PageHead title="Contracts">
+        {project?.mine.is_team === false ? 'Your contracts with the studio.' : WHAT}
+      </PageHead>
+      <Refusal error={error ?? noContracts} />
+      {project && contracts && (
+        <div className={`columns ${classes.columns}`}>
+          <div className="stack">
+            <Listed contracts={contracts} project={project} />
+          </div>
+          {runs && (
+            <div className="stack">
+              <BeginContract project={project} contracts={contracts} />
+              <Nda project={project} />
+              <Templates project={project} />
             </div>
           )}
-        </>
-      }
-    >
-      {project?.mine.is_team === false ? 'Your contracts with the studio.' : WHAT}
-    </PageHead>
+        </div>
+      )}
+    </div>
   )
 }
 

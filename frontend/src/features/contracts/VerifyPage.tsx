@@ -44,37 +44,33 @@ export function VerifyPage() {
     mutate(file)
   }
   return (
-    <PageHead
-      title="Verify a contract"
-      actions={
-        <>
-          <Card aria-label="The PDF">
-            <div className={classes.form}>
-              <label htmlFor={inputId} className="strong">
-                PDF of the contract, up to 8 MiB
-              </label>
-              <input
-                id={inputId}
-                type="file"
-                accept="application/pdf,.pdf"
-                onChange={({ currentTarget }) => {
-                  take(currentTarget.files)
-                  currentTarget.value = ''
-                }}
-              />
-            </div>
-          </Card>
-          <div role="status" aria-busy={isPending}>
-            {isPending && <p className="mid">{`Reading ${name}`}</p>}
-            {!isPending && data && <Result verified={data} name={name} />}
-          </div>
-          <Refusal error={error} />
-        </>
-      }
-    >
-      Choose the PDF of a signed contract to see whether it is unchanged and what it binds. The file is compared and not
-      kept.
-    </PageHead>
+    <div className="page stack">
+      <PageHead title="Verify a contract">
+        Choose the PDF of a signed contract to see whether it is unchanged and what it binds. The file is compared and
+        not kept.
+      </PageHead>
+      <Card aria-label="The PDF">
+        <div className={classes.form}>
+          <label htmlFor={inputId} className="strong">
+            PDF of the contract, up to 8 MiB
+          </label>
+          <input
+            id={inputId}
+            type="file"
+            accept="application/pdf,.pdf"
+            onChange={({ currentTarget }) => {
+              take(currentTarget.files)
+              currentTarget.value = ''
+            }}
+          />
+        </div>
+      </Card>
+      <div role="status" aria-busy={isPending}>
+        {isPending && <p className="mid">{`Reading ${name}`}</p>}
+        {!isPending && data && <Result verified={data} name={name} />}
+      </div>
+      <Refusal error={error} />
+    </div>
   )
 }
 

@@ -23,37 +23,33 @@ export function GameFilesPage() {
   const mine = project?.mine
   const maySpeak = mine !== undefined && (mine.is_producer || mine.is_liaison || mine.is_approver)
   return (
-    <PageHead
-      title="Game files"
-      actions={
-        <>
-          <Refusal inset error={error} />
-          <div className="columns">
-            <div className="stack">
-              {data && <TargetsCard targets={data.targets} />}
-              <BatchesCard projectId={projectId} maySpeak={maySpeak} />
-            </div>
-            <aside className="stack" aria-label="Engine presets">
-              {data && <PresetsCard presets={data.presets} />}
-            </aside>
-          </div>
-        </>
-      }
-    >
-      Rendered from each master for the targets in{' '}
-      <Link className="link" to="/projects/$projectId/spec" params={{ projectId }}>
-        the spec
-      </Link>
-      , released as{' '}
-      <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
-        packs
-      </Link>
-      . Sounds that are not accepted yet are in the{' '}
-      <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
-        list of placeholders
-      </Link>
-      .
-    </PageHead>
+    <div className="page stack">
+      <PageHead title="Game files">
+        Rendered from each master for the targets in{' '}
+        <Link className="link" to="/projects/$projectId/spec" params={{ projectId }}>
+          the spec
+        </Link>
+        , released as{' '}
+        <Link className="link" to="/projects/$projectId/packs" params={{ projectId }}>
+          packs
+        </Link>
+        . Sounds that are not accepted yet are in the{' '}
+        <Link className="link" to="/projects/$projectId/placeholders" params={{ projectId }} search={{}}>
+          list of placeholders
+        </Link>
+        .
+      </PageHead>
+      <Refusal inset error={error} />
+      <div className="columns">
+        <div className="stack">
+          {data && <TargetsCard targets={data.targets} />}
+          <BatchesCard projectId={projectId} maySpeak={maySpeak} />
+        </div>
+        <aside className="stack" aria-label="Engine presets">
+          {data && <PresetsCard presets={data.presets} />}
+        </aside>
+      </div>
+    </div>
   )
 }
 

@@ -41,49 +41,46 @@ export function PacksPage() {
   const packs = data?.pages.flatMap(({ items }) => items)
   const names = known?.targets.map(({ name }) => name) ?? []
   return (
-    <PageHead
-      title="Packs"
-      actions={
-        <div className="columns">
-          <Card aria-labelledby="packs">
-            <CardHead id="packs" title="Sealed packs" note="newest first" />
-            <Refusal inset error={error} />
-            {packs?.length === 0 && (
-              <div className="p-3-inset">
-                <EmptyState head="No packs yet" level={3}>
-                  Choose a target and seal the accepted sounds. The pack gets a number, checksums and a documentation
-                  key.
-                </EmptyState>
-              </div>
-            )}
-            <ul>
-              {packs?.map((pack) => (
-                <PackLine key={pack.id} pack={pack} isProducer={isProducer} />
-              ))}
-            </ul>
-            {pages.hasNextPage && (
-              <div className="p-3-inset">
-                <ShowMore list={pages}>Earlier packs</ShowMore>
-              </div>
-            )}
-          </Card>
-          <div className="stack">
-            {names.length > 0 && <SealCard projectId={projectId} targets={names} />}
-            {names.length > 0 && <PullCard projectId={projectId} targets={names} />}
-          </div>
+    <div className="page stack">
+      <PageHead title="Packs">
+        A sealed pack never changes: everyone who downloads it, including the game’s CI, gets the same bytes. Unchanged
+        sounds keep their file from the previous pack.{' '}
+        <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+          Project
+        </Link>
+        {' · '}
+        <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }}>
+          Sound libraries
+        </Link>
+      </PageHead>
+      <div className="columns">
+        <Card aria-labelledby="packs">
+          <CardHead id="packs" title="Sealed packs" note="newest first" />
+          <Refusal inset error={error} />
+          {packs?.length === 0 && (
+            <div className="p-3-inset">
+              <EmptyState head="No packs yet" level={3}>
+                Choose a target and seal the accepted sounds. The pack gets a number, checksums and a documentation key.
+              </EmptyState>
+            </div>
+          )}
+          <ul>
+            {packs?.map((pack) => (
+              <PackLine key={pack.id} pack={pack} isProducer={isProducer} />
+            ))}
+          </ul>
+          {pages.hasNextPage && (
+            <div className="p-3-inset">
+              <ShowMore list={pages}>Earlier packs</ShowMore>
+            </div>
+          )}
+        </Card>
+        <div className="stack">
+          {names.length > 0 && <SealCard projectId={projectId} targets={names} />}
+          {names.length > 0 && <PullCard projectId={projectId} targets={names} />}
         </div>
-      }
-    >
-      A sealed pack never changes: everyone who downloads it, including the game’s CI, gets the same bytes. Unchanged
-      sounds keep their file from the previous pack.{' '}
-      <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-        Project
-      </Link>
-      {' · '}
-      <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }}>
-        Sound libraries
-      </Link>
-    </PageHead>
+      </div>
+    </div>
   )
 }
 

@@ -34,77 +34,71 @@ export function PlaceholdersPage() {
     void navigate({ to: '/projects/$projectId/placeholders', params: { projectId }, search: { target: chosen } })
   const lacking = register?.toMake ?? 0
   return (
-    <PageHead
-      title="Placeholders"
-      actions={
-        <>
-          <Refusal inset error={error ?? make.error} />
-          {register && (
-            <Card aria-labelledby="register">
-              <CardHead
-                id="register"
-                title={register.left === 0 ? 'No placeholders left' : `${plural(register.left, 'file')} left`}
-                note={`${countOf(register.replaced, register.files)} replaced by accepted sounds`}
-                end={
-                  register.left > 0 && (
-                    <Button disabled={make.isPending || lacking === 0} onClick={() => make.mutate(register.target)}>
-                      {lacking === 0 ? 'Nothing to generate' : `Generate ${plural(lacking, 'placeholder')}`}
-                    </Button>
-                  )
-                }
+    <div className="page stack">
+      <PageHead title="Placeholders">
+        Files without an accepted sound. A placeholder has the right name, length and format, speaks its name or plays a
+        tone pattern, and is marked so that it never ships unnoticed.
+      </PageHead>
+      <Refusal inset error={error ?? make.error} />
+      {register && (
+        <Card aria-labelledby="register">
+          <CardHead
+            id="register"
+            title={register.left === 0 ? 'No placeholders left' : `${plural(register.left, 'file')} left`}
+            note={`${countOf(register.replaced, register.files)} replaced by accepted sounds`}
+            end={
+              register.left > 0 && (
+                <Button disabled={make.isPending || lacking === 0} onClick={() => make.mutate(register.target)}>
+                  {lacking === 0 ? 'Nothing to generate' : `Generate ${plural(lacking, 'placeholder')}`}
+                </Button>
+              )
+            }
+          />
+          <div className="stack p-3-inset">
+            {register.targets.length > 1 && (
+              <Segmented
+                label="Target"
+                options={register.targets.map((one) => ({ value: one, label: one }))}
+                value={register.target}
+                onChange={choose}
               />
-              <div className="stack p-3-inset">
-                {register.targets.length > 1 && (
-                  <Segmented
-                    label="Target"
-                    options={register.targets.map((one) => ({ value: one, label: one }))}
-                    value={register.target}
-                    onChange={choose}
-                  />
-                )}
-                <Meter
-                  label={`${figure(register.replaced)} of ${plural(register.files, 'file')} ${register.replaced === 1 ? 'has' : 'have'} an accepted sound`}
-                  whole={register.files}
-                  parts={[{ value: register.replaced, tone: 'ok' }, { value: register.made }]}
-                />
-              </div>
-              {register.left === 0 && (
-                <div className="p-3-inset">
-                  <EmptyState head={register.files === 0 ? 'The sound list is empty' : 'No placeholders'} level={3}>
-                    {register.files === 0
-                      ? 'Add cues to the sound list.'
-                      : 'Every file on the list has an accepted sound.'}
-                  </EmptyState>
-                </div>
-              )}
-              <ul aria-label="Placeholders">
-                {register.items.map((one) => (
-                  <li key={one.path} className={`grid wrap-anywhere ${classes.stand}`}>
-                    <span className="mono small dim">{one.cue}</span>
-                    <span>
-                      {one.name} <span className="mono small mid">{one.path}</span>
-                      {one.trigger !== '' && <span className="small mid"> {`on ${one.trigger}`}</span>}
-                      {one.refusal && <span className="small mid"> {sentence(one.refusal)}</span>}
-                    </span>
-                    <span className="small">
-                      {one.state === 'refused' ? (
-                        <StatusBadge kind="refused" />
-                      ) : (
-                        <StatusBadge kind={one.state === 'made' ? 'placeholder' : 'to_make'}>
-                          {one.spoken && one.state === 'made' ? 'spoken placeholder' : WORDS[one.state]}
-                        </StatusBadge>
-                      )}
-                    </span>
-                  </li>
-                ))}
-              </ul>
-            </Card>
+            )}
+            <Meter
+              label={`${figure(register.replaced)} of ${plural(register.files, 'file')} ${register.replaced === 1 ? 'has' : 'have'} an accepted sound`}
+              whole={register.files}
+              parts={[{ value: register.replaced, tone: 'ok' }, { value: register.made }]}
+            />
+          </div>
+          {register.left === 0 && (
+            <div className="p-3-inset">
+              <EmptyState head={register.files === 0 ? 'The sound list is empty' : 'No placeholders'} level={3}>
+                {register.files === 0 ? 'Add cues to the sound list.' : 'Every file on the list has an accepted sound.'}
+              </EmptyState>
+            </div>
           )}
-        </>
-      }
-    >
-      Files without an accepted sound. A placeholder has the right name, length and format, speaks its name or plays a
-      tone pattern, and is marked so that it never ships unnoticed.
-    </PageHead>
+          <ul aria-label="Placeholders">
+            {register.items.map((one) => (
+              <li key={one.path} className={`grid wrap-anywhere ${classes.stand}`}>
+                <span className="mono small dim">{one.cue}</span>
+                <span>
+                  {one.name} <span className="mono small mid">{one.path}</span>
+                  {one.trigger !== '' && <span className="small mid"> {`on ${one.trigger}`}</span>}
+                  {one.refusal && <span className="small mid"> {sentence(one.refusal)}</span>}
+                </span>
+                <span className="small">
+                  {one.state === 'refused' ? (
+                    <StatusBadge kind="refused" />
+                  ) : (
+                    <StatusBadge kind={one.state === 'made' ? 'placeholder' : 'to_make'}>
+                      {one.spoken && one.state === 'made' ? 'spoken placeholder' : WORDS[one.state]}
+                    </StatusBadge>
+                  )}
+                </span>
+              </li>
+            ))}
+          </ul>
+        </Card>
+      )}
+    </div>
   )
 }

@@ -70,11 +70,11 @@ interface HeadProps {
 function Head({ posting, projectId, move, open, children }: HeadProps) {
   const { state, bids } = posting
   return (
-    <PageHead
-      title={posting.title}
-      actions={
-        <>
-          <div className="row wrap">
+    <div className="stack">
+      <PageHead
+        title={posting.title}
+        actions={
+          <>
             {open && (state === 'draft' || state === 'closed') && (
               <Button
                 variant={state === 'draft' ? 'primary' : 'plain'}
@@ -107,19 +107,19 @@ function Head({ posting, projectId, move, open, children }: HeadProps) {
                 Open the draft contract
               </Link>
             )}
-          </div>
-          {children}
-          <Refusal error={move.error} />
-        </>
-      }
-    >
-      {`${STATE_WORDS[state]}. ${plural(bids ?? 0, 'bid')}. `}
-      {state === 'draft' && 'Next: say what you ask for, then open it. '}
-      {state === 'open' && !posting.takes_bids && 'Bidding is closed. Set a later last day to take more bids. '}
-      <Link className="link" to="/projects/$projectId/postings" params={{ projectId }}>
-        All postings
-      </Link>
-    </PageHead>
+          </>
+        }
+      >
+        {`${STATE_WORDS[state]}. ${plural(bids ?? 0, 'bid')}. `}
+        {state === 'draft' && 'Next: say what you ask for, then open it. '}
+        {state === 'open' && !posting.takes_bids && 'Bidding is closed. Set a later last day to take more bids. '}
+        <Link className="link" to="/projects/$projectId/postings" params={{ projectId }}>
+          All postings
+        </Link>
+      </PageHead>
+      {children}
+      <Refusal error={move.error} />
+    </div>
   )
 }
 

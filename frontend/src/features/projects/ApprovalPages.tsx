@@ -26,18 +26,12 @@ function Frame({ title, note, children }: FrameProps) {
   const { projectId = '' } = useParams({ strict: false })
   const { data: project, error } = useQuery(projectQuery(projectId))
   return (
-    <PageHead
-      title={title}
-      actions={
-        <>
-          <Refusal inset error={error} />
-          {project?.mine.is_team === false && <p>Only the game team sees this page.</p>}
-          {project?.mine.is_team && children(project)}
-        </>
-      }
-    >
-      {note}
-    </PageHead>
+    <div className="page page-narrow stack">
+      <PageHead title={title}>{note}</PageHead>
+      <Refusal inset error={error} />
+      {project?.mine.is_team === false && <p>Only the game team sees this page.</p>}
+      {project?.mine.is_team && children(project)}
+    </div>
   )
 }
 

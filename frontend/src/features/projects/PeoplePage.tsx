@@ -22,34 +22,30 @@ export function PeoplePage() {
     enabled: isTeam,
   })
   return (
-    <PageHead
-      title="People"
-      actions={
-        <>
-          <Refusal inset error={error ?? noMembers} />
-          {project && !isTeam && <p>{`${approversOf(project)} Only the game team can see its members.`}</p>}
-          {project && isTeam && (
-            <div className={`columns ${classes.columns}`}>
-              <DesignersCard project={project} />
-              <TeamCard project={project} members={members} />
-            </div>
-          )}
-        </>
-      }
-    >
-      {`The people on ${project?.name ?? 'the project'} and their roles. `}
-      <Link className="link" to="/projects/$projectId/credits" params={{ projectId }}>
-        Credits
-      </Link>
-      {project?.mine.is_producer && (
-        <>
-          {' · '}
-          <Link className="link" to="/projects/$projectId/hours" params={{ projectId }}>
-            Hours
-          </Link>
-        </>
+    <div className="page stack">
+      <PageHead title="People">
+        {`The people on ${project?.name ?? 'the project'} and their roles. `}
+        <Link className="link" to="/projects/$projectId/credits" params={{ projectId }}>
+          Credits
+        </Link>
+        {project?.mine.is_producer && (
+          <>
+            {' · '}
+            <Link className="link" to="/projects/$projectId/hours" params={{ projectId }}>
+              Hours
+            </Link>
+          </>
+        )}
+      </PageHead>
+      <Refusal inset error={error ?? noMembers} />
+      {project && !isTeam && <p>{`${approversOf(project)} Only the game team can see its members.`}</p>}
+      {project && isTeam && (
+        <div className={`columns ${classes.columns}`}>
+          <DesignersCard project={project} />
+          <TeamCard project={project} members={members} />
+        </div>
       )}
-    </PageHead>
+    </div>
   )
 }
 

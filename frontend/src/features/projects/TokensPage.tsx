@@ -13,16 +13,10 @@ export function TokensPage() {
   const { projectId } = useParams({ from: '/shell/projects/$projectId/tokens' })
   const { data: project } = useQuery(projectQuery(projectId))
   return (
-    <PageHead
-      title="Tokens"
-      actions={
-        <>
-          {project?.mine.is_producer === false && <p>Only producers make tokens.</p>}
-          {project?.mine.is_producer && <TokensCard projectId={projectId} />}
-        </>
-      }
-    >
-      For the CI of the game and for programs of your own.
-    </PageHead>
+    <div className="page page-narrow stack">
+      <PageHead title="Tokens">For the CI of the game and for programs of your own.</PageHead>
+      {project?.mine.is_producer === false && <p>Only producers make tokens.</p>}
+      {project?.mine.is_producer && <TokensCard projectId={projectId} />}
+    </div>
   )
 }

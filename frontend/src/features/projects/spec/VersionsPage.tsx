@@ -47,54 +47,50 @@ export function VersionsPage() {
   ])
   const takeUp = () => void navigate({ to: '/projects/$projectId/spec', params: { projectId } })
   return (
-    <PageHead
-      title="Versions of the delivery spec"
-      actions={
-        <>
-          <Refusal inset error={error} />
-          <div className={`grid items-start gap-4 ${classes.columns}`}>
-            <Card aria-label="Versions">
-              <Rows aria-label="Versions">
-                {versions.map((one) => (
-                  <Row key={one.version} selected={one.version === version} className={classes.version}>
-                    <button
-                      type="button"
-                      className={`grid wrap-anywhere ${classes.pick}`}
-                      onClick={() => show({ version: one.version })}
-                    >
-                      <span className="strong">{`Version ${one.version}`}</span>
-                      <span className="small mid">{one.note || 'No note.'}</span>
-                      <span className="small dim">{`${one.author.name}, ${day(one.created_at)}`}</span>
-                    </button>
-                  </Row>
-                ))}
-              </Rows>
-              {list.hasNextPage && (
-                <div className="p-3-inset">
-                  <ShowMore list={list}>Earlier versions</ShowMore>
-                </div>
-              )}
-            </Card>
-            {version !== undefined && (
-              <OneVersion
-                key={version}
-                projectId={projectId}
-                version={version}
-                against={against}
-                numbers={Array.from({ length: newest ?? version }, (_, index) => (newest ?? version) - index)}
-                onAgainst={(other) => show({ version, against: other })}
-                newest={newest ?? version}
-                onTakeUp={project && canActForStudio(project) ? takeUp : undefined}
-              />
-            )}
-          </div>
-        </>
-      }
-    >
-      <Link className="link" to="/projects/$projectId" params={{ projectId }}>
-        {project?.name ?? 'Project'}
-      </Link>
-    </PageHead>
+    <div className="page">
+      <PageHead title="Versions of the delivery spec">
+        <Link className="link" to="/projects/$projectId" params={{ projectId }}>
+          {project?.name ?? 'Project'}
+        </Link>
+      </PageHead>
+      <Refusal inset error={error} />
+      <div className={`grid items-start gap-4 ${classes.columns}`}>
+        <Card aria-label="Versions">
+          <Rows aria-label="Versions">
+            {versions.map((one) => (
+              <Row key={one.version} selected={one.version === version} className={classes.version}>
+                <button
+                  type="button"
+                  className={`grid wrap-anywhere ${classes.pick}`}
+                  onClick={() => show({ version: one.version })}
+                >
+                  <span className="strong">{`Version ${one.version}`}</span>
+                  <span className="small mid">{one.note || 'No note.'}</span>
+                  <span className="small dim">{`${one.author.name}, ${day(one.created_at)}`}</span>
+                </button>
+              </Row>
+            ))}
+          </Rows>
+          {list.hasNextPage && (
+            <div className="p-3-inset">
+              <ShowMore list={list}>Earlier versions</ShowMore>
+            </div>
+          )}
+        </Card>
+        {version !== undefined && (
+          <OneVersion
+            key={version}
+            projectId={projectId}
+            version={version}
+            against={against}
+            numbers={Array.from({ length: newest ?? version }, (_, index) => (newest ?? version) - index)}
+            onAgainst={(other) => show({ version, against: other })}
+            newest={newest ?? version}
+            onTakeUp={project && canActForStudio(project) ? takeUp : undefined}
+          />
+        )}
+      </div>
+    </div>
   )
 }
 
