@@ -5,8 +5,6 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 
-import xlsxwriter
-
 from app.sound_lists.rules import spreadsheet_safe
 from app.voice_lines.schemas import VoiceLineRead
 
@@ -40,6 +38,8 @@ def pick_up_csv(lines: Sequence[VoiceLineRead]) -> str:
 
 def pick_up_xlsx(lines: Sequence[VoiceLineRead]) -> bytes:
     """Return the pick-up list as a workbook that prints on landscape paper, the head on each page."""
+    import xlsxwriter  # 15 MiB that a process without a workbook need not hold
+
     out = io.BytesIO()
     plain = dict.fromkeys(("strings_to_formulas", "strings_to_urls", "strings_to_numbers"), False)
     workbook = xlsxwriter.Workbook(out, {"in_memory": True, **plain})

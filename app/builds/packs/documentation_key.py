@@ -6,8 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from datetime import datetime
 
-import xlsxwriter
-
 from app.sound_lists.rules import spreadsheet_safe
 
 Cell = str | int | float | None
@@ -80,6 +78,8 @@ def key_xlsx(rows: Sequence[KeyRow]) -> bytes:
 
 def workbook_of(title: str, columns: Sequence[str], rows: Sequence[Sequence[Cell]], widths: Mapping[str, int]) -> bytes:
     """Return rows as a workbook of one sheet, the same bytes for the same rows."""
+    import xlsxwriter  # 15 MiB that a process without a workbook need not hold
+
     out = io.BytesIO()
     workbook = xlsxwriter.Workbook(
         out, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False, "strings_to_numbers": False}

@@ -4,11 +4,7 @@ import io
 from collections.abc import Sequence
 from datetime import date
 from enum import StrEnum
-from typing import Any
-
-import xlsxwriter
-from xlsxwriter.format import Format
-from xlsxwriter.worksheet import Worksheet
+from typing import TYPE_CHECKING, Any
 
 from app.sound_lists.models import Cue
 from app.sound_lists.own_columns.rules import Column, ColumnKind, key_of
@@ -16,6 +12,10 @@ from app.sound_lists.people.rules import KnownPeople
 from app.sound_lists.rules import PEOPLE, CueChannels, CueState, Need, Phase, Reverb, label, typed_text
 from app.sound_lists.sheets.export import value_columns, values_by_key
 from audio_checks import HEADS, is_broken_formula
+
+if TYPE_CHECKING:
+    from xlsxwriter.format import Format
+    from xlsxwriter.worksheet import Worksheet
 
 MEDIA_TYPE = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
 FIRST_DAY = date(1901, 1, 1)  # workbooks count days from 1900, and take that year for a leap year
@@ -35,6 +35,8 @@ OFFERED: dict[str, Sequence[str]] = {
 
 def sound_list_workbook(cues: Sequence[Cue], columns: Sequence[Column], people: KnownPeople, cue_prefix: str) -> bytes:
     """Return the list as a workbook: every field that an import has, the project's own columns, then kept ones."""
+    import xlsxwriter  # 15 MiB that a process without a workbook need not hold
+
     out = io.BytesIO()
     book = xlsxwriter.Workbook(out, {"in_memory": True})
     sheet = book.add_worksheet("Sound list")
@@ -73,7 +75,7 @@ def _quoted(text: str) -> str:
     return f"'{text}" if typed_text(text) != text or is_broken_formula(text) else text
 
 
-def _write(sheet: Worksheet, row: int, column: int, cell: Any, day: Format) -> None:
+def _write(sheet: "Worksheet", row: int, column: int, cell: Any, day: "Format") -> None:
     """Write one cell; what a workbook cannot keep exactly as a number or a day is text."""
     if cell is None or cell == "":
         return
@@ -89,7 +91,7 @@ def _write(sheet: Worksheet, row: int, column: int, cell: Any, day: Format) -> N
         sheet.write_string(row, column, repr(cell) if isinstance(cell, float) else str(cell))
 
 
-def _offer_choices(sheet: Worksheet, rows: int, heads: Sequence[str], columns: Sequence[Column]) -> None:
+def _offer_choices(sheet: "Worksheet", rows: int, heads: Sequence[str], columns: Sequence[Column]) -> None:
     offered = dict(OFFERED)
     for column in columns:
         choices = YES_NO if column.kind is ColumnKind.YES_NO else column.choices
