@@ -188,6 +188,8 @@ async function open(page: Page, demo: Demo, { path, shows }: Place): Promise<voi
   await page.goto(demo.url + path)
   await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1)
   await expect(page.getByText(shows).first()).toBeAttached()
+  // What a page shows stands below its head, not beside the title.
+  await expect.soft(page.locator('header:has(h1) :is(section, table, aside)')).toHaveCount(0)
 }
 
 async function expectNoSidewaysScroll(page: Page, name: string): Promise<void> {
