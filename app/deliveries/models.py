@@ -50,7 +50,12 @@ class Take(Base):
             *("project_id", "cue_id", "variation", "state", "number", "designer_id"),
             "studio_id",  # which the row policies of PostgreSQL ask for
         ),
-        Index("ix_deliveries_takes_project_id_id", "project_id", "id"),
+        # A project's takes, the newest first; a search reads all their names here and no take.
+        Index(
+            "ix_deliveries_takes_file_names",
+            *("project_id", "id", "file_name", "designer_id", "discarded_at"),
+            "studio_id",  # which the row policies of PostgreSQL ask for
+        ),
         Index("ix_deliveries_takes_kept", "studio_id", "master_sha256", "master_bytes", "master_deleted_at"),
         # Labels that hold typed words are found, the newest take first, without a look at takes that have none.
         Index(

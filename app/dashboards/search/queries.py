@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from uuid import UUID
 
-from sqlalchemy import Row, or_, select
+from sqlalchemy import Row, Select, or_, select
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership, Person
@@ -32,15 +32,21 @@ def find_files(
     session: Session, project_id: UUID, designer_id: UUID | None, words: Sequence[str], *, limit: int
 ) -> Sequence[Row[Take, Cue | None]]:
     """Return the newest takes whose file name holds every word, with their cue; of one designer where one is given."""
-    query = (
+    found = _named(words, limit).where(Take.project_id == project_id)
+    if designer_id is not None:
+        found = found.where(Take.designer_id == designer_id)
+    return session.execute(
         select(Take, Cue)
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
-        .where(Take.project_id == project_id, Take.discarded_at.is_(None))
-        .where(*(icontains(Take.file_name, word) for word in words))
-    )
-    if designer_id is not None:
-        query = query.where(Take.designer_id == designer_id)
-    return session.execute(query.order_by(Take.id.desc()).limit(limit)).all()
+        .where(Take.id.in_(found))
+        .order_by(Take.id.desc())
+    ).all()
+
+
+def _named(words: Sequence[str], limit: int) -> Select[UUID]:
+    """Return the query of the newest takes by their names: an index has all that it looks at."""
+    is_named = (icontains(Take.file_name, word) for word in words)
+    return select(Take.id).where(Take.discarded_at.is_(None), *is_named).order_by(Take.id.desc()).limit(limit)
 
 
 def projects_elsewhere(session: Session, actor: Actor, *, except_in: UUID | None) -> Sequence[UUID]:
@@ -69,14 +75,13 @@ def find_files_elsewhere(
 ) -> Sequence[Row[Take, Cue | None, Project]]:
     """Return the newest takes of some projects that have every word in their file name, as far as the caller sees."""
     is_visible = visible_work(actor, studio_id=Take.studio_id, project_id=Take.project_id, designer_id=Take.designer_id)
-    query = (
+    return session.execute(
         select(Take, Cue, Project)
         .join(Project, Project.id == Take.project_id)
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
-        .where(in_array(Take.project_id, project_ids), is_visible, Take.discarded_at.is_(None))
-        .where(*(icontains(Take.file_name, word) for word in words))
-    )
-    return session.execute(query.order_by(Take.id.desc()).limit(limit)).all()
+        .where(Take.id.in_(_named(words, limit).where(in_array(Take.project_id, project_ids), is_visible)))
+        .order_by(Take.id.desc())
+    ).all()
 
 
 def find_people(session: Session, studio_id: UUID, project_id: UUID, phrase: str, *, limit: int) -> Sequence[Person]:
