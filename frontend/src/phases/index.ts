@@ -1,3 +1,3 @@
 export { phasesQuery, useApprovePalette } from './api'
 export { ClosedGateNote } from './ClosedGateNote'
-export { gateWords, PHASE_WORDS } from './words'
+export { gateWords, type Phase, PHASE_WORDS, PHASES } from './words'

@@ -1,6 +1,6 @@
 import { infiniteQueryOptions, queryOptions } from '@tanstack/react-query'
 
-import { get, post, useMutation } from '@/api'
+import { everyPage, get, post, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
 
@@ -31,8 +31,12 @@ export const cueReferencesQuery = (projectId: string, cueId: string) =>
 export const wordListQuery = (projectId: string) =>
   queryOptions({
     queryKey: queryKeys.references(projectId, 'words'),
-    queryFn: async () =>
-      (await get('/v1/projects/{project_id}/references', { project_id: projectId, words: true })).items,
+    queryFn: async () => {
+      const pages = await everyPage((cursor) =>
+        get('/v1/projects/{project_id}/references', { project_id: projectId, words: true, cursor }),
+      )
+      return pages.flatMap(({ items }) => items)
+    },
     staleTime: 60_000,
   })
 

@@ -63,6 +63,9 @@ const NOTIFY_EVERY_MS = 100
 const ADDED_AT_ONCE = 50
 const GOING: readonly UploadState[] = ['waiting', 'sending', 'line_lost', 'paused']
 
+/** Whether a file is on its way, or waits to be. */
+export const isGoing = ({ state }: Upload): boolean => GOING.includes(state)
+
 interface Running {
   stop: (forget: boolean) => void
   retry?: ReturnType<typeof setTimeout>
@@ -102,7 +105,7 @@ export class UploadQueue {
   isPaused = (): boolean => this.#paused
 
   figures(): Figures {
-    const counted = this.#uploads.filter(({ state }) => GOING.includes(state) || state === 'finished')
+    const counted = this.#uploads.filter((upload) => isGoing(upload) || upload.state === 'finished')
     const sentBytes = counted.reduce((sum, upload) => sum + upload.sentBytes, 0)
     const totalBytes = counted.reduce((sum, upload) => sum + upload.file.size, 0)
     const bytesPerS = this.#speed()
@@ -173,7 +176,7 @@ export class UploadQueue {
   /** Stop one for good; what was sent of it is taken away. */
   stop(id: string): void {
     const upload = this.#find(id)
-    if (upload === undefined || !GOING.includes(upload.state)) return
+    if (upload === undefined || !isGoing(upload)) return
     this.#halt(id, true)
     this.#set(id, { state: 'stopped' })
     this.#pump()
@@ -182,7 +185,7 @@ export class UploadQueue {
 
   /** Take a row off the list that is not on its way. */
   dismiss(id: string): void {
-    this.#uploads = this.#uploads.filter((upload) => upload.id !== id || GOING.includes(upload.state))
+    this.#uploads = this.#uploads.filter((upload) => upload.id !== id || isGoing(upload))
     this.#notify()
   }
 
@@ -202,7 +205,7 @@ export class UploadQueue {
         upload.file.name === file.name &&
         upload.file.size === file.size &&
         upload.cueId === cueId &&
-        (GOING.includes(upload.state) || upload.state === 'finished'),
+        (isGoing(upload) || upload.state === 'finished'),
     )
   }
 
@@ -273,7 +276,7 @@ export class UploadQueue {
     this.#set(id, { state: 'finished', sentBytes: upload.file.size })
     this.#pump()
     // Small files finish faster than the page can draw.
-    if (this.#uploads.some(({ state }) => GOING.includes(state))) this.#tellSoon()
+    if (this.#uploads.some(isGoing)) this.#tellSoon()
     else this.#notify()
   }
 

@@ -12,14 +12,14 @@ import { Card, CardHead } from '@/ui/Card'
 import { FieldError } from '@/ui/FieldError'
 import { Refusal } from '@/ui/Refusal'
 import { bytesOf, plural, remaining } from '@/ui/format'
-import { useLeaveWarning, useUploads } from '@/uploads'
+import { isGoing, useLeaveWarning, useUploads } from '@/uploads'
 
 import { type Delivery, openDeliveryQuery, useCloseDelivery, useDelivery, useRecheck, useSaveNote } from './api'
 import classes from './Delivery.module.css'
 import { DeliveryLines } from './DeliveryLines'
 import { DeliverySources } from './DeliverySources'
 import type { DeliveryUploads } from './deliveryUploads'
-import { type DeliveryRows, isGoing, type LabelOf, receivedRows, refusedNameOf, refusedRows, rowsOf } from './rows'
+import { type DeliveryRows, type LabelOf, receivedRows, refusedNameOf, refusedRows, rowsOf } from './rows'
 
 interface DeliveryCardProps {
   projectId: string

@@ -41,10 +41,6 @@ export function labelsOf(cues: readonly { id: string; label: string; stems: stri
   }
 }
 
-const GOING: readonly Upload['state'][] = ['waiting', 'sending', 'line_lost', 'paused']
-
-export const isGoing = ({ state }: Upload): boolean => GOING.includes(state)
-
 function wordsOf(upload: Upload): string {
   const { sentBytes, resumedAtBytes, file, state } = upload
   if (state === 'line_lost') {

@@ -1,5 +1,4 @@
-import type { UploadQueue } from '@/uploads'
-import { useLeaveWarning, useUploads } from '@/uploads'
+import { isGoing, type UploadQueue, useLeaveWarning, useUploads } from '@/uploads'
 import { Button } from '@/ui/Button'
 import { bytesOf } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
@@ -13,12 +12,13 @@ export function UploadLines({ queue }: { queue: UploadQueue }) {
   if (uploads.length === 0) return null
   return (
     <ul className={`grid gap-1 ${classes.uploads}`} aria-label="Uploads">
-      {uploads.map(({ id, file, state, sentBytes, reason }) => {
-        const isGoing = state === 'sending' || state === 'waiting' || state === 'line_lost' || state === 'paused'
+      {uploads.map((upload) => {
+        const { id, file, state, sentBytes, reason } = upload
+        const going = isGoing(upload)
         return (
           <li key={id}>
             <span className={`mono ${classes.uploadName}`}>{file.name}</span>
-            {isGoing ? (
+            {going ? (
               <>
                 <Meter thin label={file.name} whole={Math.max(1, file.size)} parts={[{ value: sentBytes }]} />
                 <span className="small dim">
@@ -36,8 +36,8 @@ export function UploadLines({ queue }: { queue: UploadQueue }) {
               square
               variant="quiet"
               icon="cross"
-              aria-label={isGoing ? `Stop ${file.name}` : `Remove ${file.name} from the list`}
-              onClick={() => (isGoing ? queue.stop(id) : queue.dismiss(id))}
+              aria-label={going ? `Stop ${file.name}` : `Remove ${file.name} from the list`}
+              onClick={() => (going ? queue.stop(id) : queue.dismiss(id))}
             />
           </li>
         )

@@ -4,7 +4,7 @@ import { shellRoute } from '@/app/roots'
 
 import { readPersonFilter } from './people'
 import type { ListSearch } from './rows'
-import { PHASES } from '@/phases/words'
+import { PHASES } from '@/phases'
 import { NEEDS, STATUS_ORDER } from './words'
 
 interface CompareSearch {

@@ -1,5 +1,5 @@
 import type { Peaks } from '@/audio'
-import type { Phase } from '@/phases/words'
+import type { Phase } from '@/phases'
 import { figure, plural } from '@/ui/format'
 import type { Need } from '@/ui/NeedMark'
 import type { NeedSum } from '@/ui/NeedSums'

@@ -1,28 +1,20 @@
 import { useQueryClient } from '@tanstack/react-query'
-import { useCallback, useEffect, useRef, useState } from 'react'
+import { useCallback, useRef } from 'react'
 
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { ended } from '@/judging/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
-import { ago, bytes, bytesOf, figure } from '@/ui/format'
-import { Meter } from '@/ui/Meter'
+import { ago, bytes, figure } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import {
-  filesOfField,
-  partsTransport,
-  type Picked,
-  tusTransport,
-  type Upload,
-  UploadQueue,
-  useLeaveWarning,
-  usePageDrop,
-  useUploads,
-} from '@/uploads'
+import { type Accepts, filesOfField, isGoing, type Picked, usePageDrop } from '@/uploads'
 
 import { type Check, giveDryStem, isComparing, hasNoVerdict, type Take, useWithdrawDryStem } from './api'
 import type { ReverbStem } from './reverb'
 import classes from './Take.module.css'
+import { UploadProgress, useTakeUploads } from './takeUploads'
+
+const STEMS: Accepts = { kinds: ['wav', 'rf64', 'flac'], sampleRatesHz: null, bitDepths: null }
 
 interface DryStemProps {
   take: Take
@@ -95,24 +87,10 @@ function Withdraw({ takeId }: { takeId: string }) {
 function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
   const client = useQueryClient()
   const field = useRef<HTMLInputElement>(null)
-  const [queue] = useState(() => {
-    const where = {
-      endpoint: '/v1/uploads',
-      metadata: ({ file }: Upload) => ({ delivery_id: take.delivery_id, take_id: take.id, file_name: file.name }),
-    }
-    return new UploadQueue({
-      accepts: { kinds: ['wav', 'rf64', 'flac'], sampleRatesHz: null, bitDepths: null },
-      atATime: 1,
-      transport: partsTransport({ ...where, otherwise: tusTransport(where) }),
-      onFinished: async (_, uploadId) => {
-        await giveDryStem(take.id, uploadId)
-        await invalidate(client, queryKeys.take(take.id))
-      },
-    })
+  const { queue, uploads } = useTakeUploads(take, STEMS, async (uploadId) => {
+    await giveDryStem(take.id, uploadId)
+    await invalidate(client, queryKeys.take(take.id))
   })
-  useEffect(() => () => queue.dispose(), [queue])
-  const { uploads } = useUploads(queue)
-  useLeaveWarning(uploads)
   const newest = uploads.at(-1)
   const going = newest !== undefined && isGoing(newest)
   const add = useCallback(
@@ -139,7 +117,7 @@ function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
         }}
       />
       {going ? (
-        <Going upload={newest} onStop={() => queue.stop(newest.id)} />
+        <UploadProgress upload={newest} onStop={() => queue.stop(newest.id)} />
       ) : (
         <>
           <Button icon="upload" onClick={() => field.current?.click()}>
@@ -153,23 +131,5 @@ function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
       )}
       {newest?.state === 'not_sent' && newest.reason !== null && <ErrorBanner detail={ended(newest.reason)} />}
     </div>
-  )
-}
-
-const isGoing = ({ state }: Upload): boolean => ['waiting', 'sending', 'line_lost', 'paused'].includes(state)
-
-function Going({ upload: { file, sentBytes, state }, onStop }: { upload: Upload; onStop: () => void }) {
-  const share = file.size > 0 ? sentBytes / file.size : 0
-  const here = bytesOf(sentBytes, file.size)
-  return (
-    <>
-      <span className={classes.stemBar}>
-        <Meter thin label={`${file.name}: ${Math.floor(share * 100)} % here`} whole={1} parts={[{ value: share }]} />
-      </span>
-      <span className="small mid">
-        {state === 'line_lost' ? `Connection lost at ${here}. The upload resumes by itself.` : here}
-      </span>
-      <Button square variant="quiet" icon="cross" aria-label={`Stop ${file.name}`} onClick={onStop} />
-    </>
   )
 }

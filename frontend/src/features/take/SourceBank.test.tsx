@@ -1,4 +1,4 @@
-import { screen, waitFor, within } from '@testing-library/react'
+import { cleanup, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest'
@@ -71,6 +71,17 @@ describe('the source bank of a version', () => {
     expect(server.of('PUT /v1/takes/t1/source-bank').map((asked) => asked.body)).toEqual([
       { plug_ins: ['Pro-Q 3', 'Valhalla'], recipe: 'Two bowls.' },
     ])
+  })
+
+  test('keeps a recipe that was not saved for when its designer comes back', async () => {
+    const shown = await bankOf()
+    await userEvent.click(within(shown).getByRole('button', { name: 'Write recipe' }))
+    await userEvent.type(within(shown).getByRole('textbox', { name: 'Recipe' }), 'Two bowls.')
+    cleanup()
+    const reopened = await bankOf()
+    expect(within(reopened).getByRole('textbox', { name: 'Recipe' })).toHaveValue('Two bowls.')
+    await userEvent.click(within(reopened).getByRole('button', { name: 'Cancel' }))
+    expect(within(reopened).getByRole('button', { name: 'Write recipe' })).toBeVisible()
   })
 
   test('loses no file once it is the studio’s', async () => {

@@ -1,26 +1,17 @@
 import { Textarea } from '@mantine/core'
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { useCallback, useEffect, useRef, useState } from 'react'
+import { useRef, useState } from 'react'
 
 import { invalidate, queryKeys } from '@/api/queryKeys'
+import { formDraft, keepDraft, keptDraft } from '@/app/drafts'
 import { ended } from '@/judging/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Form, Submit, useField } from '@/ui/Form'
-import { bytes, bytesOf } from '@/ui/format'
-import { Meter } from '@/ui/Meter'
+import { bytes } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
-import {
-  ANY_FILE,
-  filesOfField,
-  partsTransport,
-  tusTransport,
-  type Upload,
-  UploadQueue,
-  useLeaveWarning,
-  useUploads,
-} from '@/uploads'
+import { ANY_FILE, filesOfField, isGoing, type Upload, type UploadQueue } from '@/uploads'
 
 import {
   giveSourceFile,
@@ -32,11 +23,12 @@ import {
   useSetRecipe,
 } from './api'
 import classes from './Take.module.css'
+import { UploadProgress, useTakeUploads } from './takeUploads'
 
 /** Session, layers, plug-ins and recipe of a version: its designer's, and the studio's where the contract says so. */
 export function SourceBankCard({ take, isMaker }: { take: Take; isMaker: boolean }) {
-  const { data: bank } = useQuery(sourceBankQuery(take.id))
-  if (!bank?.is_shown) return null
+  const { data: bank, error } = useQuery(sourceBankQuery(take.id))
+  if (!bank?.is_shown) return <Refusal inset error={error} />
   const isEmpty = bank.files.length === 0 && bank.plug_ins.length === 0 && !bank.recipe
   if (isEmpty && !isMaker) return null
   const isStudios = bank.is_handed_over && take.state === 'approved'
@@ -44,7 +36,9 @@ export function SourceBankCard({ take, isMaker }: { take: Take; isMaker: boolean
     <Card aria-labelledby="source-bank">
       <CardHead id="source-bank" title="Source bank" />
       <div className="stack p-3-inset-14px">
-        <p className="small mid">{isMaker ? ownerOf(bank) : 'Handed over by contract. It is in no pack.'}</p>
+        <p className="small mid">
+          {isMaker ? readersOf(bank) : 'It was handed over to the studio. No pack for the game contains it.'}
+        </p>
         {bank.files.length > 0 && (
           <ul className={classes.files}>
             {bank.files.map((file) => (
@@ -59,10 +53,10 @@ export function SourceBankCard({ take, isMaker }: { take: Take; isMaker: boolean
   )
 }
 
-const ownerOf = ({ is_handed_over }: SourceBank): string =>
+const readersOf = ({ is_handed_over }: SourceBank): string =>
   is_handed_over
-    ? 'Only you see it until this version is approved; then it is the studio’s too. It is in no pack.'
-    : 'Only you see it. It is in no pack.'
+    ? 'Only you, and a designer to whom you hand off the cue, can see it until this version is approved. Then the studio can see it too, and pass it on. No pack for the game contains it.'
+    : 'Only you, and a designer to whom you hand off the cue, can see it. No pack for the game contains it.'
 
 function File({ take, file, mayRemove }: { take: Take; file: SourceFile; mayRemove: boolean }) {
   const { mutate, isPending, error } = useRemoveSourceFile(take.id)
@@ -103,25 +97,10 @@ function File({ take, file, mayRemove }: { take: Take; file: SourceFile; mayRemo
 function AddFiles({ take }: { take: Take }) {
   const client = useQueryClient()
   const field = useRef<HTMLInputElement>(null)
-  const [queue] = useState(() => {
-    const where = {
-      endpoint: '/v1/uploads',
-      metadata: ({ file }: Upload) => ({ delivery_id: take.delivery_id, take_id: take.id, file_name: file.name }),
-    }
-    return new UploadQueue({
-      accepts: ANY_FILE,
-      atATime: 1,
-      transport: partsTransport({ ...where, otherwise: tusTransport(where) }),
-      onFinished: async (_, uploadId) => {
-        await giveSourceFile(take.id, uploadId)
-        await invalidate(client, queryKeys.take(take.id, 'source-bank'))
-      },
-    })
+  const { queue, uploads } = useTakeUploads(take, ANY_FILE, async (uploadId) => {
+    await giveSourceFile(take.id, uploadId)
+    await invalidate(client, queryKeys.take(take.id, 'source-bank'))
   })
-  useEffect(() => () => queue.dispose(), [queue])
-  const { uploads } = useUploads(queue)
-  useLeaveWarning(uploads)
-  const add = useCallback((files: FileList | null) => void queue.add(filesOfField(files ?? [])), [queue])
   return (
     <>
       <input
@@ -131,19 +110,13 @@ function AddFiles({ take }: { take: Take }) {
         hidden
         aria-label="Source files"
         onChange={({ currentTarget }) => {
-          add(currentTarget.files)
+          void queue.add(filesOfField(currentTarget.files ?? []))
           currentTarget.value = ''
         }}
       />
-      {uploads
-        .filter(({ state }) => state !== 'finished')
-        .map((upload) => (
-          <Going
-            key={upload.id}
-            upload={upload}
-            onEnd={() => (isGoing(upload) ? queue.stop(upload.id) : queue.dismiss(upload.id))}
-          />
-        ))}
+      {uploads.map((upload) => (
+        <UploadLine key={upload.id} upload={upload} queue={queue} />
+      ))}
       <span>
         <Button icon="upload" onClick={() => field.current?.click()}>
           Add session or layers
@@ -153,49 +126,42 @@ function AddFiles({ take }: { take: Take }) {
   )
 }
 
-const isGoing = ({ state }: Upload): boolean => ['waiting', 'sending', 'line_lost', 'paused'].includes(state)
-
-function Going({ upload, onEnd }: { upload: Upload; onEnd: () => void }) {
-  const { file, sentBytes, state, reason } = upload
+function UploadLine({ upload, queue }: { upload: Upload; queue: UploadQueue }) {
+  const { id, file, state, reason } = upload
+  if (state === 'finished' || state === 'stopped') return null
   if (!isGoing(upload)) {
-    if (state === 'stopped') return null
     return <ErrorBanner detail={ended(`${file.name}: ${reason ?? 'it is on its way already'}`)} />
   }
-  const here = bytesOf(sentBytes, file.size)
   return (
     <div className={classes.stemDrop}>
-      <span className={classes.stemBar}>
-        <Meter thin label={file.name} whole={Math.max(1, file.size)} parts={[{ value: sentBytes }]} />
-      </span>
-      <span className="small mid">
-        {state === 'line_lost' ? `Connection lost at ${here}. The upload resumes by itself.` : here}
-      </span>
-      <Button square variant="quiet" icon="cross" aria-label={`Stop ${file.name}`} onClick={onEnd} />
+      <UploadProgress upload={upload} onStop={() => queue.stop(id)} />
     </div>
   )
 }
 
 function Recipe({ take, bank, mayChange }: { take: Take; bank: SourceBank; mayChange: boolean }) {
   const save = useSetRecipe(take.id)
-  const [changing, setChanging] = useState(false)
+  const draftKey = `recipe:${take.id}`
+  const [changing, setChanging] = useState(() => keptDraft(draftKey) !== null)
+  const close = () => {
+    keepDraft(draftKey, null)
+    setChanging(false)
+  }
   if (changing) {
     return (
       <Form
         aria-label="Recipe"
-        initialValues={{ plug_ins: bank.plug_ins.join('\n'), recipe: bank.recipe }}
+        {...formDraft(draftKey, { plug_ins: bank.plug_ins.join('\n'), recipe: bank.recipe })}
         mutation={save}
         onSubmit={({ plug_ins, recipe }) =>
-          save.mutate(
-            { plug_ins: plug_ins.split('\n').filter((line) => line.trim()), recipe },
-            { onSuccess: () => setChanging(false) },
-          )
+          save.mutate({ plug_ins: plug_ins.split('\n').filter((line) => line.trim()), recipe }, { onSuccess: close })
         }
       >
         <Lines name="plug_ins" label="Plug-ins, one a line" />
         <Lines name="recipe" label="Recipe" />
         <Submit
           beside={
-            <Button variant="quiet" onClick={() => setChanging(false)}>
+            <Button variant="quiet" onClick={close}>
               Cancel
             </Button>
           }

@@ -1,4 +1,4 @@
-import { PHASES } from '@/phases/words'
+import { PHASES } from '@/phases'
 import { Autocomplete, Checkbox, NativeSelect, Textarea, TextInput } from '@mantine/core'
 
 import { WordList } from '@/references'

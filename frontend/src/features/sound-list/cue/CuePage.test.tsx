@@ -36,6 +36,7 @@ function opened(part: 'team' | 'designer' = 'team') {
     part,
   )
   const { id } = server.cue('coolant_splash')
+  server.answers[`GET /v1/cues/${id}/handoffs`] = []
   let question = aQuestion('q1', id)
   server.answers[`GET ${server.at}/desk`] = { came_back: [], unmatched: 0, checking: 0 }
   server.answers[`GET /v1/cues/${id}`] = () => ({

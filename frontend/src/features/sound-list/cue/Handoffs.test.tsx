@@ -54,7 +54,7 @@ test('the next maker sees what is missing, the versions and the source bank', as
   const shown = await card()
   expect(within(shown).getByText('75 % done')).toBeVisible()
   expect(within(shown).getByText('Missing: The tail.')).toBeVisible()
-  expect(within(shown).getByRole('link', { name: 'Download splash.wav' })).toHaveAttribute(
+  expect(within(shown).getByRole('link', { name: 'Download splash.wav, version 1' })).toHaveAttribute(
     'href',
     '/v1/handoffs/h1/takes/t1/master',
   )

@@ -5,6 +5,7 @@ import { type ChangeEvent, useState } from 'react'
 import { meQuery, useMyProject } from '@/api/me'
 import { post, put, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
+import { formDraft, keepDraft, keptDraft } from '@/app/drafts'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ErrorBanner } from '@/ui/ErrorBanner'
@@ -16,6 +17,8 @@ import { type CueDetail, type Handoff, handoffsQuery, type Version } from '../ap
 import { cuePeopleQuery } from '../people'
 import classes from './Cue.module.css'
 
+const draftKeyOf = (cueId: string): string => `handoff:${cueId}`
+
 interface HandoffsProps {
   cue: CueDetail
   projectId: string
@@ -26,13 +29,13 @@ interface HandoffsProps {
 export function Handoffs({ cue, projectId, versions }: HandoffsProps) {
   const { data: me } = useQuery(meQuery)
   const project = useMyProject(projectId)
-  const { data: handoffs } = useQuery(handoffsQuery(cue.id))
-  const [writing, setWriting] = useState(false)
+  const { data: handoffs, error } = useQuery(handoffsQuery(cue.id))
+  const [writing, setWriting] = useState(() => keptDraft(draftKeyOf(cue.id)) !== null)
   const isProducer = project?.is_producer ?? false
   const maker = isProducer
     ? versions[0]?.take.designer
     : versions.map(({ take }) => take.designer).find(({ id }) => id === me?.person.id)
-  if (!handoffs || (handoffs.length === 0 && !maker)) return null
+  if (!handoffs || (handoffs.length === 0 && !maker)) return <Refusal inset error={error} />
   return (
     <Card aria-labelledby="handoffs">
       <CardHead id="handoffs" title="Hand-off" count={handoffs.length || undefined} />
@@ -86,20 +89,27 @@ function HandoffLine({ handoff, projectId, mayName }: HandoffLineProps) {
       <ul className="stack">
         {takes.map((take) => (
           <li key={take.id}>
-            <span className="mono small">{take.file_name}</span>{' '}
-            {closed === null && (
-              <ButtonLink
-                square
-                variant="quiet"
-                icon="download"
-                href={`/v1/handoffs/${id}/takes/${take.id}/master`}
-                download
-                aria-label={`Download ${take.file_name}`}
-              />
-            )}
+            <p className="row small">
+              <span className="wrap-anywhere">
+                <span className="mono">{take.file_name}</span>
+                {versionOf(take)}
+              </span>
+              {closed === null && (
+                <ButtonLink
+                  square
+                  variant="quiet"
+                  icon="download"
+                  href={`/v1/handoffs/${id}/takes/${take.id}/master`}
+                  download
+                  aria-label={`Download ${take.file_name}${versionOf(take)}`}
+                />
+              )}
+            </p>
             {take.source_files.map((file) => (
-              <p key={file.id} className="small">
-                <span className="mono">{file.file_name}</span>, {file.kind}, {bytes(file.file_bytes)}{' '}
+              <p key={file.id} className="row small">
+                <span className="wrap-anywhere">
+                  <span className="mono">{file.file_name}</span>, {file.kind}, {bytes(file.file_bytes)}
+                </span>
                 {closed === null && (
                   <ButtonLink
                     square
@@ -113,7 +123,7 @@ function HandoffLine({ handoff, projectId, mayName }: HandoffLineProps) {
               </p>
             ))}
             {take.plug_ins.length > 0 && <p className="small mid">Plug-ins: {take.plug_ins.join(', ')}</p>}
-            {take.recipe && <p className="small mid">{take.recipe}</p>}
+            {take.recipe && <p className={`small mid ${classes.recipe}`}>{take.recipe}</p>}
           </li>
         ))}
       </ul>
@@ -122,9 +132,12 @@ function HandoffLine({ handoff, projectId, mayName }: HandoffLineProps) {
   )
 }
 
+/** Sets files of one name apart. */
+const versionOf = ({ number }: Handoff['takes'][number]): string => (number === null ? '' : `, version ${number}`)
+
 function NextMaker({ handoff, projectId }: { handoff: Handoff; projectId: string }) {
   const { data: people } = useQuery(cuePeopleQuery(projectId))
-  const name = useMutation({
+  const setNextMaker = useMutation({
     mutationFn: (designerId: string) =>
       put('/v1/handoffs/{handoff_id}/next-maker', { handoff_id: handoff.id }, { designer_id: designerId }),
     affects: [queryKeys.handoffs(handoff.cue_id)],
@@ -138,14 +151,14 @@ function NextMaker({ handoff, projectId }: { handoff: Handoff; projectId: string
       <NativeSelect
         label="Continued by"
         value={handoff.next_maker?.id ?? ''}
-        disabled={name.isPending}
+        disabled={setNextMaker.isPending}
         data={[
           { value: '', label: 'Choose a designer', disabled: true },
           ...designers.map((person) => ({ value: person.id, label: person.name })),
         ]}
-        onChange={({ currentTarget }: ChangeEvent<HTMLSelectElement>) => name.mutate(currentTarget.value)}
+        onChange={({ currentTarget }: ChangeEvent<HTMLSelectElement>) => setNextMaker.mutate(currentTarget.value)}
       />
-      <Refusal error={name.error} />
+      <Refusal error={setNextMaker.error} />
     </>
   )
 }
@@ -164,12 +177,17 @@ function HandoffForm({ cueId, makerId, makerName, onClose }: HandoffFormProps) {
       post('/v1/cues/{cue_id}/handoffs', { cue_id: cueId }, body),
     affects: [queryKeys.handoffs(cueId)],
   })
+  const draftKey = draftKeyOf(cueId)
+  const close = () => {
+    keepDraft(draftKey, null)
+    onClose()
+  }
   return (
     <Form
       aria-label="Hand off this cue"
-      initialValues={{ done_percent: 50, missing: '' }}
+      {...formDraft(draftKey, { done_percent: 50, missing: '' })}
       mutation={save}
-      onSubmit={(values) => save.mutate({ ...values, from_id: makerId }, { onSuccess: onClose })}
+      onSubmit={(values) => save.mutate({ ...values, from_id: makerId }, { onSuccess: close })}
     >
       <p className="small mid">
         {makerId === null
@@ -180,7 +198,7 @@ function HandoffForm({ cueId, makerId, makerName, onClose }: HandoffFormProps) {
       <Missing />
       <Submit
         beside={
-          <Button variant="quiet" onClick={onClose}>
+          <Button variant="quiet" onClick={close}>
             Cancel
           </Button>
         }

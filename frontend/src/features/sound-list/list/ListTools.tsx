@@ -13,7 +13,7 @@ import type { CueStatus } from '../api'
 import { type CuePerson, readPersonFilter, TASKS } from '../people'
 import { type CueRow, type Grouping, kindOf, type ListSearch } from '../rows'
 import classes from './SoundList.module.css'
-import { PHASES } from '@/phases/words'
+import { PHASES } from '@/phases'
 import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
 
 export type ToolsPanel = 'filter' | 'display' | 'more'

@@ -121,7 +121,7 @@ describe('reading', () => {
     const field = await screen.findByRole('textbox', { name: 'Your question about void_whale' })
     await waitFor(() => expect(field).toHaveFocus())
     await userEvent.keyboard('How far away is it?{Control>}{Enter}{/Control}')
-    await waitFor(() => expect(server.sent('POST', asks)[0]?.body).toEqual({ text: 'How far away is it?' }))
+    await waitFor(() => expect(server.sent('POST', asks)[0]?.body).toMatchObject({ text: 'How far away is it?' }))
     expect(await screen.findByRole('status')).toHaveTextContent('Question about void_whale sent.')
   })
 })
