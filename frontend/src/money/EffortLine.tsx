@@ -3,6 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { plural, shortDay } from '@/ui/format'
+import { Refusal } from '@/ui/Refusal'
 import { Skeleton } from '@/ui/Skeleton'
 import { StatusBadge } from '@/ui/StatusBadge'
 import { useDebounced } from '@/ui/useDebounced'
@@ -22,19 +23,20 @@ interface EffortLineProps {
 
 /** How long the work takes by its rows, and whether the day that is asked for can be kept. */
 export function EffortLine({ projectId, postingId, contractId, beginOn = '', dueOn = '' }: EffortLineProps) {
-  const [typed, setTyped] = useState<number | null>(null)
-  const asked = useDebounced(JSON.stringify({ beginOn, dueOn, typed }))
-  const now = JSON.parse(asked) as { beginOn: string; dueOn: string; typed: number | null }
+  const [typed, setTyped] = useState<number | string | null>(null)
+  const hours = typeof typed === 'number' && typed >= 1 && typed <= 168 ? typed : null
+  const asked = useDebounced(JSON.stringify({ beginOn, dueOn, hours }))
+  const now = JSON.parse(asked) as { beginOn: string; dueOn: string; hours: number | null }
   const { data: effort, error } = useQuery(
     effortQuery(projectId, {
       posting_id: postingId,
       contract_id: contractId,
       begin_on: now.beginOn || undefined,
       due_on: now.dueOn || undefined,
-      weekly_hours: now.typed ?? undefined,
+      weekly_hours: now.hours ?? undefined,
     }),
   )
-  if (!effort) return error ? <p className="small mid">Hours could not be counted.</p> : <Skeleton rows={1} />
+  if (!effort) return error ? <Refusal error={error} /> : <Skeleton rows={1} />
   if (effort.cues === 0) return null
   return (
     <div className={`small ${classes.effort}`} role="group" aria-label="Effort">
@@ -56,7 +58,7 @@ export function EffortLine({ projectId, postingId, contractId, beginOn = '', due
           value={typed ?? effort.weekly_hours}
           min={1}
           max={168}
-          onChange={(value) => setTyped(typeof value === 'number' && value >= 1 && value <= 168 ? value : null)}
+          onChange={setTyped}
         />
         <ul aria-label="Hours by category">
           {effort.lines.map((line) => (
@@ -66,9 +68,9 @@ export function EffortLine({ projectId, postingId, contractId, beginOn = '', due
           ))}
         </ul>
         <p className="mid">
-          Usual figures are ours: hours for the first file of a category, a tenth to a fifth of them for each further
-          variation, and as much again for each minute beyond the first half. Days go from Monday to Friday, without
-          those that the roster has as booked.
+          The usual figures are ours: hours for the first file of a category, plus 10–20 % for each further variation,
+          plus the same again for each minute beyond the first 30 seconds, up to six times in all. Working days are
+          Monday to Friday; days booked in the roster do not count, and half days count half.
         </p>
       </details>
     </div>
@@ -90,7 +92,7 @@ function Fits({ effort: { fit, due_on: dueOn, concepts } }: { effort: Effort }) 
       )}
       {fit === 'fits' && dueOn && <StatusBadge kind="passed">{`${shortDay(dueOn)} leaves enough time.`}</StatusBadge>}
       {concepts > 0 && (
-        <p className="mid">{`${plural(concepts, 'cue is', 'cues are')} a concept still: hours may change.`}</p>
+        <p className="mid">{`${plural(concepts, 'cue is', 'cues are')} still a concept, so hours may change.`}</p>
       )}
     </>
   )

@@ -2,7 +2,7 @@ import { type ReactNode, useEffect, useRef, useState } from 'react'
 
 import { Button, type ButtonProps } from './Button'
 
-interface ConfirmInlineProps extends Pick<ButtonProps, 'variant' | 'icon' | 'disabled' | 'aria-label'> {
+interface ConfirmInlineProps extends Pick<ButtonProps, 'variant' | 'icon' | 'disabled' | 'aria-label' | 'aria-busy'> {
   /** The button that asks. */
   children: string
   /** The button that does it, named after what it does: "Terminate contract". */
@@ -57,7 +57,7 @@ export function ConfirmInline({
     >
       {consequence !== undefined && <span className="small mid">{consequence} </span>}
       <span className="row wrap">
-        <Button variant="danger" onClick={onConfirm}>
+        <Button variant="danger" aria-busy={button['aria-busy']} onClick={onConfirm}>
           {action}
         </Button>
         <Button variant="quiet" ref={back} onClick={() => setAsked(false)}>

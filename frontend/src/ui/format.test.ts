@@ -1,4 +1,4 @@
-import { describe, expect, test } from 'vitest'
+import { describe, expect, test, vi } from 'vitest'
 
 import * as format from './format'
 
@@ -160,6 +160,12 @@ test.each([
 
 test('days may be half', () => {
   expect([0, 0.5, 1, 2, 2.5].map(format.days)).toEqual(['0 days', '0.5 days', '1 day', '2 days', '2.5 days'])
+})
+
+test('today is the day of this place, not that of Greenwich', () => {
+  const now = new Date('2026-11-19T23:30:00Z')
+  vi.spyOn(now, 'getTimezoneOffset').mockReturnValue(-60)
+  expect(format.today(now)).toBe('2026-11-20')
 })
 
 test('a short day names its year where it is not the current one', () => {

@@ -249,6 +249,11 @@ export function dueDay(on: Date | string, now: Date = new Date()): string {
   return [day(on, now), nearness(on, now)].filter(Boolean).join(', ')
 }
 
+/** The current day here, as date fields take it: "2026-11-20". */
+export function today(now: Date = new Date()): string {
+  return new Date(now.getTime() - now.getTimezoneOffset() * MINUTE).toISOString().slice(0, 10)
+}
+
 /** "14:05", on the 24-hour clock. */
 export function clock(at: Date | string): string {
   const date = new Date(at)

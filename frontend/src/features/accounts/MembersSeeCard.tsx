@@ -22,7 +22,7 @@ export function MembersSeeCard({ studioId }: { studioId: string }) {
           <legend className="visually-hidden">Projects that members see</legend>
           <Checkbox
             label="Only the projects they are in"
-            description="for everyone else, producers too, a project does not exist"
+            description="Other members, including producers, cannot see a project that they are not in."
             checked={seen === 'own'}
             onChange={({ currentTarget }) =>
               save.mutate(currentTarget.checked ? 'own' : 'all', { onSuccess: () => showToast('Saved.') })
@@ -31,7 +31,8 @@ export function MembersSeeCard({ studioId }: { studioId: string }) {
         </fieldset>
       )}
       <p className="small mid p-3-inset">
-        Who opened a project, its audio leads, approvers and deputies are in it. Others are added under People.
+        The person who opens a project, its audio leads, approvers and deputies are added automatically. Add others
+        under People. Any producer can change this setting, so it keeps no secret from producers.
       </p>
     </Card>
   )

@@ -4,11 +4,11 @@ import { Link } from '@tanstack/react-router'
 import { type ReactNode, useState } from 'react'
 
 import { projectQuery } from '@/api/project'
-import { useDraft } from '@/app/drafts'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { CardHead } from '@/ui/Card'
 import { ConfirmInline } from '@/ui/ConfirmInline'
-import { day } from '@/ui/format'
+import { day, today } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 
 import { type Brief, type Decision, decisionsQuery, useRemoveDecision, useSaveDecision } from './api'
@@ -86,7 +86,7 @@ interface DecisionFormProps {
 function DecisionForm({ projectId, decision, onDone }: DecisionFormProps) {
   const save = useSaveDecision(projectId)
   const began = {
-    decided_on: decision?.decided_on ?? new Date().toLocaleDateString('sv'),
+    decided_on: decision?.decided_on ?? today(),
     attended: decision?.attended ?? '',
     text: decision?.text ?? '',
   }
@@ -105,6 +105,7 @@ function DecisionForm({ projectId, decision, onDone }: DecisionFormProps) {
         if (!save.isPending) save.mutate({ id: decision?.id, body: values }, { onSuccess: done })
       }}
     >
+      <DraftNote draft={draft} />
       <TextInput
         type="date"
         label="Date"
@@ -154,7 +155,7 @@ function Linked({ text, projectId, brief }: { text: string; projectId: string; b
     if (place % 2 === 0) return part
     const isQuestion = /^question /i.test(part)
     const number = Number(part.split(' ')[1])
-    const question = isQuestion ? questionsOf(brief).find((each) => each.number === number) : undefined
+    const question = isQuestion ? questionsOf(brief).find((candidate) => candidate.number === number) : undefined
     if (question) {
       const topic = brief.topics.find(({ questions }) => questions.includes(question))?.key
       return (

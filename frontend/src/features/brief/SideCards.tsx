@@ -190,14 +190,20 @@ function CoverageCard({ projectId }: { projectId: string }) {
 function SizeCard({ projectId, revision }: { projectId: string; revision: number }) {
   const [kit, setKit] = useState('')
   const { data: kits } = useQuery(kitsQuery)
-  const { data: size } = useQuery(sizeQuery(projectId, kit, revision))
-  if (!size || size.lines.length === 0) return null
+  const { data: size, error } = useQuery(sizeQuery(projectId, kit, revision))
+  if (!size) return <Refusal inset error={error} />
+  const isEmpty = size.lines.length === 0
+  if (isEmpty && kit === '') return null
   const { low_cues: low, high_cues: high, listed_cues: listed, unknown } = size
   return (
     <section aria-label="Size">
       <CardHead title="Size" note="a guess" />
       <div className={classes.sideBody}>
-        <p>{`About ${low === high ? plural(high, 'cue') : `${low}–${high} cues`}, ${hoursRange(size)} of work. The list has ${listed}.`}</p>
+        <p>
+          {isEmpty
+            ? 'This kit has none of the categories in the answers.'
+            : `About ${low === high ? plural(high, 'cue') : `${low}–${high} cues`}, ${hoursRange(size)} of work. The list has ${listed}.`}
+        </p>
         <details className="small">
           <summary>By scene and category</summary>
           <ul>

@@ -63,6 +63,7 @@ class BriefServer {
     this.part = part
     const { asked } = serve(
       inProject(part, {
+        'GET /v1/projects/p1/size-estimate': { lines: [], unknown: [], low_cues: 0, high_cues: 0, listed_cues: 0 },
         ...more,
         'GET /v1/projects/p1/desk': refusal(403, 'x', 'no desk'),
         'GET /v1/projects/p1/brief': () => this.brief(),
@@ -335,6 +336,21 @@ describe('both sides', () => {
     await userEvent.click(within(size).getByText('By scene and category'))
     expect(within(size).getAllByRole('listitem')[0]).toHaveTextContent('Harbour, ambience: 1–2 cues, 2–4 h')
     expect(within(size).getByText('Not counted: cinematic.')).toBeVisible()
+  })
+
+  test('a kit that has none of the categories can be left again', async () => {
+    const none = { lines: [], unknown: ['ui'], low_cues: 0, high_cues: 0, low_h: 0, high_h: 0, listed_cues: 4 }
+    const some = { ...none, lines: [{ scene: '', category: 'ui', low_cues: 1, high_cues: 2, low_h: 1, high_h: 2 }] }
+    new BriefServer('producer', {
+      'GET /v1/kits': [{ key: 'racing', name: 'Racing game' }],
+      'GET /v1/projects/p1/size-estimate': ({ query }: Asked) => (query.get('kit') ? none : some),
+    })
+    openApp('/projects/p1/brief')
+    const kit = await screen.findByLabelText('Compared with')
+    await userEvent.selectOptions(kit, 'Racing game')
+    expect(await screen.findByText('This kit has none of the categories in the answers.')).toBeVisible()
+    await userEvent.selectOptions(kit, 'Small games of all kinds')
+    expect(await screen.findByText(/^About 0 cues/)).toBeVisible()
   })
 
   test('a designer reads, which is recorded, and asks', async () => {

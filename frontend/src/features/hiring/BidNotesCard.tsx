@@ -6,9 +6,10 @@ import { meQuery } from '@/api/me'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { shortDay } from '@/ui/format'
+import { shortDay, today } from '@/ui/format'
 import { Person } from '@/ui/Person'
 import { Refusal } from '@/ui/Refusal'
+import { Row, Rows } from '@/ui/Rows'
 import { Select } from '@/ui/Select'
 
 import { type BidNote, type ComparedBid, type Comparison, useAddNote, useRemoveNote } from './api'
@@ -16,7 +17,7 @@ import classes from './Hiring.module.css'
 
 const KINDS = { call: 'Call', interview: 'Interview', other: 'Other' } as const
 type Kind = keyof typeof KINDS
-const emptyNote = () => ({ kind: 'call' as Kind, held_on: new Date().toISOString().slice(0, 10), text: '' })
+const emptyNote = () => ({ kind: 'call' as Kind, held_on: today(), text: '' })
 
 /** Notes of calls and interviews with one bidder, for the team only. */
 export function BidNotesCard({ comparison, bid }: { comparison: Comparison; bid: ComparedBid }) {
@@ -30,10 +31,16 @@ export function BidNotesCard({ comparison, bid }: { comparison: Comparison; bid:
   return (
     <Card aria-labelledby="bid-notes">
       <CardHead id="bid-notes" title={`Notes on ${bid.designer.name}`} end="for the team only" />
-      <form className={classes.form} onSubmit={send} noValidate aria-label="Add a note">
-        {bid.notes.map((each) => (
-          <NoteLine key={each.id} note={each} bidId={bid.id} postingId={comparison.posting_id} />
-        ))}
+      {bid.notes.length > 0 && (
+        <Rows aria-label="Notes">
+          {bid.notes.map((bidNote) => (
+            <Row key={bidNote.id}>
+              <NoteLine note={bidNote} bidId={bid.id} postingId={comparison.posting_id} />
+            </Row>
+          ))}
+        </Rows>
+      )}
+      <form className={`grid gap-4 ${classes.form}`} onSubmit={send} noValidate aria-label="Add a note">
         <div className={classes.wide}>
           <DraftNote draft={draft} />
         </div>
@@ -56,7 +63,7 @@ export function BidNotesCard({ comparison, bid }: { comparison: Comparison; bid:
         />
         <Textarea
           className={classes.wide}
-          label="What was said"
+          label="Note"
           maxLength={5000}
           value={note.text}
           onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, text: value }))}
@@ -76,7 +83,7 @@ function NoteLine({ note, bidId, postingId }: { note: BidNote; bidId: string; po
   const { data: me } = useQuery(meQuery)
   const remove = useRemoveNote(postingId)
   return (
-    <article className={classes.wide} aria-label={`${KINDS[note.kind ?? 'other']} of ${shortDay(note.held_on)}`}>
+    <article className="grow" aria-label={`${KINDS[note.kind ?? 'other']} of ${shortDay(note.held_on)}`}>
       <p className="row wrap small mid">
         {`${KINDS[note.kind ?? 'other']}, ${shortDay(note.held_on)}`}
         <Person name={note.author.name} picture={note.author.picture} />

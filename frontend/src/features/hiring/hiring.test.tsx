@@ -236,6 +236,7 @@ test('a producer writes a posting, saves it and opens it', async () => {
 const draftOpened = (more: Partial<Posting> = {}) => {
   const server = new ListServer([], {}, 'team')
   server.answers['GET /v1/postings/p1/cues'] = []
+  server.answers['GET /v1/projects/shield-wing/effort'] = { cues: 0 }
   server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft', opened_at: null, ...more })
   openApp(`${server.path.replace('/sound-list', '')}/postings/p1`)
   return server
@@ -265,7 +266,10 @@ test('a day that the work cannot keep is said before the posting opens, with the
   expect(within(line).getByRole('status')).toHaveTextContent('20 January 2027 is too early for this work.')
   await userEvent.click(within(line).getByText('How it is counted'))
   expect(line).toHaveTextContent('foley: 3 cues, 10 files, 120–160 h, by the hours that were logged with you (12 cues)')
-  fireEvent.change(within(line).getByLabelText('Hours a week'), { target: { value: '60' } })
+  const weeklyHours = within(line).getByLabelText('Hours a week')
+  fireEvent.change(weeklyHours, { target: { value: '' } })
+  expect(weeklyHours).toHaveValue('')
+  fireEvent.change(weeklyHours, { target: { value: '60' } })
   fireEvent.change(screen.getByLabelText('Work to'), { target: { value: '2027-03-01' } })
   const last = () => server.asked.filter(({ path }) => path.endsWith('/effort')).at(-1)?.query
   await waitFor(() => expect([last()?.get('weekly_hours'), last()?.get('due_on')]).toEqual(['60', '2027-03-01']))
@@ -606,10 +610,10 @@ test('a call is noted on a bid, for the team', async () => {
     return compared(bids)
   }
   const card = await screen.findByRole('region', { name: 'Notes on Sound designer A' })
-  await userEvent.type(within(card).getByLabelText('What was said'), 'Starts in January.')
+  await userEvent.type(within(card).getByLabelText('Note'), 'Starts in January.')
   await userEvent.click(within(card).getByRole('button', { name: 'Add note' }))
   expect(await within(card).findByText('Starts in January.', { selector: 'p' })).toBeVisible()
   expect(server.sent('POST', '/v1/bids/b1/notes')[0]?.body).toMatchObject({ kind: 'call', text: 'Starts in January.' })
   expect(within(card).getByRole('button', { name: /^Remove the note/ })).toBeVisible()
-  expect(within(card).getByLabelText('What was said')).toHaveValue('')
+  expect(within(card).getByLabelText('Note')).toHaveValue('')
 })

@@ -7,11 +7,11 @@ import { type Bonus, type ContractMoney, ledgerQuery, useSayShipped } from '@/mo
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { today } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import classes from './Page.module.css'
-import { today } from './today'
 
 const WHEN: Record<Bonus['when'], string> = {
   on_time: 'Due when every cue is accepted by the date of its milestone.',

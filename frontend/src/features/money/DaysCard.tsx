@@ -8,11 +8,11 @@ import { amount, money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { today } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 import { Rows } from '@/ui/Rows'
 
 import classes from './Page.module.css'
-import { today } from './today'
 import { WorkRow } from './WorkRow'
 
 const QUARTERS = ['Quarter day', 'Half day', 'Three quarters of a day', 'Full day']

@@ -8,10 +8,9 @@ import { type ContractMoney, useLogHours, type WorkedDay } from '@/money/api'
 import { hours, minutesOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
-import { day } from '@/ui/format'
+import { day, today } from '@/ui/format'
 
 import classes from './Page.module.css'
-import { today } from './today'
 
 interface HoursFormProps {
   contract: ContractMoney

@@ -13,7 +13,7 @@ import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
-import { average, day, deviation, dueDay, figure, plural, shortDay } from '@/ui/format'
+import { average, day, deviation, dueDay, figure, plural, shortDay, today } from '@/ui/format'
 import { PageWait } from '@/ui/PageWait'
 import { Row, Rows } from '@/ui/Rows'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
@@ -21,7 +21,6 @@ import { Table } from '@/ui/Table'
 
 import { LedgerTable } from './LedgerTable'
 import classes from './Page.module.css'
-import { today } from './today'
 
 type Side = 'team' | 'designer'
 

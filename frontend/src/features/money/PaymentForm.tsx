@@ -6,11 +6,11 @@ import { useDraft } from '@/app/drafts'
 import type { Invoice, PaymentAdd } from '@/money/api'
 import { amount, minorOf, money } from '@/money/words'
 import { Button } from '@/ui/Button'
+import { today } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
 import classes from './Page.module.css'
-import { today } from './today'
 
 interface PaymentFormProps {
   name: string

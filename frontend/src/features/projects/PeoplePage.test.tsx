@@ -205,7 +205,7 @@ describe('people', () => {
     expect(alert).toHaveTextContent('This audio lead is the project’s approver. Name another approver first.')
   })
 
-  test('where members see their own projects only, a producer adds one to the project', async () => {
+  test('where members see their own projects only, a producer adds one to the project, and removes them after a question', async () => {
     const isIn = (...who: { id: string; name: string }[]) => ({
       members_see: 'own',
       members: who.map((person) => ({ person, roles: ['reviewer'], since: '2026-11-20T10:00:00Z' })),
@@ -214,14 +214,21 @@ describe('people', () => {
       ...inProject(),
       'GET /v1/projects/p1/members': isIn(people.producer, people.approver),
       'PUT /v1/projects/p1/members/x4': answer(null, 204),
+      'DELETE /v1/projects/p1/members/x4': answer(null, 204),
     })
     openApp('/projects/p1/people')
     const add = await screen.findByRole('button', { name: 'Add to the project: Composer' })
     expect(screen.getByText(/^reviewer, not in the project/)).toBeVisible()
     answers['GET /v1/projects/p1/members'] = isIn(people.producer, people.approver, people.composer)
     await userEvent.click(add)
-    expect(await screen.findByRole('button', { name: 'Remove from the project: Composer' })).toBeVisible()
+    const remove = await screen.findByRole('button', { name: 'Remove from the project: Composer' })
     expect(wrote(asked, 'PUT /v1/projects/p1/members/x4')).toHaveLength(1)
+    await userEvent.click(remove)
+    expect(wrote(asked, 'DELETE /v1/projects/p1/members/x4')).toHaveLength(0)
+    const confirm = screen.getByRole('group', { name: 'Remove from project: Composer' })
+    expect(confirm).toHaveTextContent('Build tokens that they made for it are revoked.')
+    await userEvent.click(within(confirm).getByRole('button', { name: 'Remove from project' }))
+    await waitFor(() => expect(wrote(asked, 'DELETE /v1/projects/p1/members/x4')).toHaveLength(1))
   })
 })
 

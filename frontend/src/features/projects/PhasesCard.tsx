@@ -32,7 +32,7 @@ export function PhasesCard({ projectId }: { projectId: string }) {
               </Link>
               <span className="mid">{`${phase.accepted} of ${phase.cues}`}</span>
               <span className="small mid grow">
-                {phase.is_done ? 'done' : phase.is_open ? gateWords(phase) : 'opens when the phase before is done'}
+                {phase.is_done ? 'done' : phase.is_open ? gateWords(phase) : 'opens when the previous phase is done'}
               </span>
             </li>
           ))}

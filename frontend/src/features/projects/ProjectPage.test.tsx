@@ -111,7 +111,7 @@ describe('phases', () => {
     expect(
       within(list).getByText('3 cues without an accepted version: Ida to deliver 2, Tom to review 1.'),
     ).toBeVisible()
-    expect(within(list).getByText('opens when the phase before is done')).toBeVisible()
+    expect(within(list).getByText('opens when the previous phase is done')).toBeVisible()
     expect(within(list).getByRole('link', { name: 'Beta' })).toHaveAttribute(
       'href',
       '/projects/p1/sound-list?phase=beta',

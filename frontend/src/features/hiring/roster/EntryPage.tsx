@@ -9,7 +9,7 @@ import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
-import { plural, shortDay } from '@/ui/format'
+import { plural, shortDay, today } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
 
@@ -72,7 +72,7 @@ function Head({ entry }: { entry: Entry }) {
   const [removing, setRemoving] = useState(false)
   const remove = useRemoveEntry(entry.id)
   const navigate = useNavigate()
-  const isFree = entry.free_from_on <= new Date().toISOString().slice(0, 10)
+  const isFree = entry.free_from_on <= today()
   return (
     <PageHead
       title={entry.name}

@@ -1,32 +1,33 @@
 import { TextInput } from '@mantine/core'
 import { type FormEvent } from 'react'
 
-import { useDraft } from '@/app/drafts'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { ConfirmInline } from '@/ui/ConfirmInline'
 import { Refusal } from '@/ui/Refusal'
-import { shortDay } from '@/ui/format'
+import { shortDay, today } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import forms from '../Hiring.module.css'
 import { type Entry, type Loan, useSetLoans } from './api'
 import classes from './Roster.module.css'
 
-const today = () => new Date().toISOString().slice(0, 10)
 const emptyLoan = () => ({ item: '', lent_on: today(), due_on: '' })
 
 /** The equipment that the studio lends to a designer, and when it goes back. */
 export function LoansCard({ entry }: { entry: Entry }) {
   const save = useSetLoans(entry.id)
-  const put = (loan: Loan, changed: Loan | null) =>
-    save.mutate(entry.loans.flatMap((each) => (each === loan ? (changed ? [changed] : []) : [each])))
+  const markReturned = (returned: Loan) =>
+    save.mutate(entry.loans.map((loan) => (loan === returned ? { ...loan, returned_on: today() } : loan)))
+  const remove = (removed: Loan) => save.mutate(entry.loans.filter((loan) => loan !== removed))
   return (
     <Card aria-labelledby="loans">
       <CardHead id="loans" title="Equipment on loan" count={entry.loans.filter(isLent).length || undefined} />
       <Rows>
-        {entry.loans.map((loan, at) => (
-          <Row key={at} className={classes.posting}>
+        {entry.loans.map((loan, index) => (
+          <Row key={index} className={classes.posting}>
             <div className="grow">
               <p>{loan.item}</p>
               <p className="small mid">
@@ -44,18 +45,22 @@ export function LoansCard({ entry }: { entry: Entry }) {
               <Button
                 aria-label={`Record that ${loan.item} is returned`}
                 aria-busy={save.isPending}
-                onClick={() => put(loan, { ...loan, returned_on: today() })}
+                onClick={() => markReturned(loan)}
               >
                 Returned
               </Button>
             ) : (
-              <Button
-                square
+              <ConfirmInline
+                key={entry.loans.length} // the rows below a removed one move up
                 variant="quiet"
-                icon="cross"
+                action="Remove loan"
+                about={loan.item}
                 aria-label={`Remove ${loan.item}`}
-                onClick={() => put(loan, null)}
-              />
+                aria-busy={save.isPending}
+                onConfirm={() => remove(loan)}
+              >
+                Remove
+              </ConfirmInline>
             )}
           </Row>
         ))}
@@ -84,28 +89,31 @@ function AddLoan({ entry, save }: { entry: Entry; save: ReturnType<typeof useSet
     })
   }
   return (
-    <form onSubmit={send} noValidate className={classes.range} aria-label="Lend equipment">
-      <TextInput
-        label="Item"
-        maxLength={120}
-        value={loan.item}
-        onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, item: value }))}
-      />
-      <TextInput
-        label="Lent on"
-        type="date"
-        value={loan.lent_on}
-        onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, lent_on: value }))}
-      />
-      <TextInput
-        label="Due back"
-        type="date"
-        value={loan.due_on}
-        onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, due_on: value }))}
-      />
-      <Button type="submit" icon="plus" aria-busy={save.isPending} disabled={!loan.item.trim()}>
-        Lend
-      </Button>
+    <form onSubmit={send} noValidate className="stack" aria-label="Lend equipment">
+      <DraftNote draft={draft} />
+      <div className={`grid items-end gap-3 ${classes.loan}`}>
+        <TextInput
+          label="Item"
+          maxLength={120}
+          value={loan.item}
+          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, item: value }))}
+        />
+        <TextInput
+          label="Lent on"
+          type="date"
+          value={loan.lent_on}
+          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, lent_on: value }))}
+        />
+        <TextInput
+          label="Due back"
+          type="date"
+          value={loan.due_on}
+          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, due_on: value }))}
+        />
+        <Button type="submit" icon="plus" aria-busy={save.isPending} disabled={!loan.item.trim()}>
+          Lend
+        </Button>
+      </div>
     </form>
   )
 }

@@ -48,7 +48,7 @@ function ProjectCard({ project }: { project: OwnProject }) {
             </>
           )}
           <dt className="mid">People</dt>
-          <dd>
+          <dd className="row wrap">
             {people.map(({ person, role }) => (
               <Person key={person.id} name={person.name} picture={person.picture} role={role} />
             ))}
@@ -60,7 +60,7 @@ function ProjectCard({ project }: { project: OwnProject }) {
             </>
           )}
           <dt className="mid">Playlists with your sounds</dt>
-          <dd>
+          <dd className="row wrap">
             {playlists.length === 0 && 'None yet. The team makes them.'}
             {playlists.map(({ id, name }) => (
               <Link

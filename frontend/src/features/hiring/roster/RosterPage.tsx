@@ -11,7 +11,7 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
-import { countOf, plural, shortDay } from '@/ui/format'
+import { countOf, plural, shortDay, today } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
@@ -338,7 +338,7 @@ function Free({ person, asksDays }: { person: RosterRow; asksDays: boolean }) {
     )
   }
   if (asksDays) return <span className="small mid">free in these days</span>
-  const isFree = person.free_from_on <= new Date().toISOString().slice(0, 10)
+  const isFree = person.free_from_on <= today()
   return <span className="small mid">{isFree ? 'free now' : `free from ${shortDay(person.free_from_on)}`}</span>
 }
 

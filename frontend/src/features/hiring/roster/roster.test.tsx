@@ -405,3 +405,19 @@ test('a loan that is returned says when', async () => {
     loans: [{ item: 'Field recorder', returned_on: expect.stringMatching(/^20\d\d-/) as string }],
   })
 })
+
+test('a loan that was returned is removed after a question', async () => {
+  const loanOf = (item: string) => ({ item, lent_on: '2026-11-01', due_on: null, returned_on: '2026-11-18' })
+  const { asked } = served({
+    'GET /v1/roster/e1': anEntry({ loans: [loanOf('Field recorder'), loanOf('Microphone')] }),
+    'GET /v1/roster/e1/postings': [],
+    'PUT /v1/roster/e1/loans': anEntry({ loans: [loanOf('Microphone')] }),
+  })
+  openApp('/roster/e1')
+  await userEvent.click(await screen.findByRole('button', { name: 'Remove Field recorder' }))
+  expect(wrote(asked, 'PUT /v1/roster/e1/loans')).toEqual([])
+  await userEvent.click(screen.getByRole('button', { name: 'Remove loan' }))
+  await waitFor(() => expect(screen.queryByText('Field recorder')).toBeNull())
+  expect(wrote(asked, 'PUT /v1/roster/e1/loans')[0]?.body).toEqual({ loans: [loanOf('Microphone')] })
+  expect(screen.getByRole('button', { name: 'Remove Microphone' })).toBeVisible()
+})

@@ -4,6 +4,7 @@ import { Link } from '@tanstack/react-router'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { ConfirmInline } from '@/ui/ConfirmInline'
 import { Avatar } from '@/ui/Avatar'
 import { Icon } from '@/ui/Icon'
 import { Refusal } from '@/ui/Refusal'
@@ -52,7 +53,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
       </p>
       {isLimited && (
         <p className="small mid p-2-inset">
-          Only who is in the project sees it; <Link to="/studio">the studio</Link> has set this.
+          Only members of the project can see it. This is set in <Link to="/studio">Studio</Link>.
         </p>
       )}
       {project.audio_leads_warning && (
@@ -82,25 +83,41 @@ export function TeamCard({ project, members }: { project: Project; members: read
                 <p className="strong">{person.name}</p>
                 <p className="small mid wrap-anywhere">{[parts.join(', '), email].filter(Boolean).join(' · ')}</p>
               </div>
-              {project.mine.is_producer && isLimited && !isLiaison && (
-                <Button
-                  variant="quiet"
-                  aria-busy={setMember.isPending}
-                  aria-label={`${isOutside ? 'Add to the project' : 'Remove from the project'}: ${person.name}`}
-                  onClick={() => setMember.mutate({ personId: person.id, isIn: isOutside })}
-                >
-                  {isOutside ? 'Add' : 'Remove'}
-                </Button>
-              )}
               {project.mine.is_producer && (
-                <Button
-                  variant={isLiaison ? 'quiet' : 'plain'}
-                  aria-busy={set.isPending}
-                  aria-label={`${isLiaison ? 'Remove as audio lead' : 'Make audio lead'}: ${person.name}`}
-                  onClick={() => change(member, !isLiaison)}
-                >
-                  {isLiaison ? 'Remove as audio lead' : 'Make audio lead'}
-                </Button>
+                <span className="row wrap">
+                  {isLimited &&
+                    !isLiaison &&
+                    (isOutside ? (
+                      <Button
+                        variant="quiet"
+                        aria-busy={isSent(setMember, person.id)}
+                        aria-label={`Add to the project: ${person.name}`}
+                        onClick={() => setMember.mutate({ personId: person.id, isIn: true })}
+                      >
+                        Add
+                      </Button>
+                    ) : (
+                      <ConfirmInline
+                        variant="quiet"
+                        action="Remove from project"
+                        about={person.name}
+                        consequence="Build tokens that they made for it are revoked."
+                        aria-busy={isSent(setMember, person.id)}
+                        aria-label={`Remove from the project: ${person.name}`}
+                        onConfirm={() => setMember.mutate({ personId: person.id, isIn: false })}
+                      >
+                        Remove
+                      </ConfirmInline>
+                    ))}
+                  <Button
+                    variant={isLiaison ? 'quiet' : 'plain'}
+                    aria-busy={isSent(set, person.id)}
+                    aria-label={`${isLiaison ? 'Remove as audio lead' : 'Make audio lead'}: ${person.name}`}
+                    onClick={() => change(member, !isLiaison)}
+                  >
+                    {isLiaison ? 'Remove as audio lead' : 'Make audio lead'}
+                  </Button>
+                </span>
               )}
             </Row>
           )
@@ -109,3 +126,7 @@ export function TeamCard({ project, members }: { project: Project; members: read
     </Card>
   )
 }
+
+/** Whether a change of this person is on its way. */
+const isSent = (change: { isPending: boolean; variables?: { personId: string } }, personId: string): boolean =>
+  change.isPending && change.variables?.personId === personId
