@@ -42,7 +42,11 @@ class Take(Base):
         CheckConstraint("master_bytes >= 0", name="master_size_known"),
         CheckConstraint("(cue_id is null) = (number is null)", name="numbered_when_matched"),
         # What waits is read in order of waiting, in one project or in all of a studio's.
-        Index("ix_deliveries_takes_project_waiting", "project_id", "state", "state_since", "cue_id"),
+        Index(
+            "ix_deliveries_takes_project_waiting",
+            *("project_id", "state", "state_since", "cue_id", "designer_id"),
+            "studio_id",  # which the row policies of PostgreSQL ask for
+        ),
         Index("ix_deliveries_takes_studio_waiting", "studio_id", "state", "state_since", "cue_id"),
         # Everything that is summed up of a list's takes, so that no take itself is read.
         Index(

@@ -279,6 +279,11 @@ class GivenReason(StudioOwned, Base):
             *("project_id", "designer_id", "kind", "reason", "cue_id"),
             "studio_id",  # which the row policies of PostgreSQL ask for
         ),
+        # The same by cue, for those of a category.
+        Index(
+            "ix_reviews_given_reasons_of_cues",
+            *("project_id", "cue_id", "designer_id", "kind", "reason", "studio_id"),
+        ),
     )
 
     verdict_id: Mapped[UUID] = mapped_column(ForeignKey("reviews_verdicts.id"), primary_key=True)

@@ -39,6 +39,8 @@ class Cue(StudioOwned, Dated, Base):
             sqlite_where=text("palette = 1"),
             postgresql_where=text("palette"),
         ),
+        # The cues of a category, of which no row is read.
+        Index("ix_sound_lists_cues_category", "project_id", "category", "id", "studio_id"),
         CheckConstraint("variations between 1 and 99", name="variations_in_range"),
         CheckConstraint("duration_s is null or duration_s > 0", name="duration_positive"),
         CheckConstraint("duration_min_s > 0 and duration_max_s >= duration_min_s", name="duration_bounds_in_order"),

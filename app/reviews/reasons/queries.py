@@ -56,8 +56,9 @@ def designers_with_reasons(session: Session, project_id: UUID) -> Sequence[Perso
 
 def categories_with_reasons(session: Session, reason_filter: ReasonFilter) -> Sequence[str]:
     """Return the categories of the cues of which reasons were given, by name; empty for cues without one."""
-    cues = _filtered(select(GivenReason.cue_id).distinct(), reason_filter)
-    return session.scalars(select(Cue.category).distinct().where(Cue.id.in_(cues)).order_by(Cue.category)).all()
+    is_given = _filtered(select(GivenReason.cue_id), reason_filter).where(GivenReason.cue_id == Cue.id).exists()
+    of_project = select(Cue.category).distinct().where(Cue.project_id == reason_filter.project_id)
+    return session.scalars(of_project.where(is_given).order_by(Cue.category)).all()
 
 
 def places(
