@@ -68,9 +68,10 @@ export function EffortLine({ projectId, postingId, contractId, beginOn = '', due
           ))}
         </ul>
         <p className="mid">
-          The usual figures are ours: hours for the first file of a category, plus 10–20 % for each further variation,
-          plus the same again for each minute beyond the first 30 seconds, up to six times in all. Working days are
-          Monday to Friday; days booked in the roster do not count, and half days count half.
+          The usual figures are our estimates, not measurements; an estimate in the plan replaces them. They are hours
+          for the first file of a category, plus 10–20 % for each further variation, plus the same again for each minute
+          beyond the first 30 seconds, up to six times in all. Working days are Monday to Friday; days booked in the
+          roster do not count, and half days count half.
         </p>
       </details>
     </div>
