@@ -40,9 +40,11 @@ def my_projects(session: Session, person_id: UUID, studio_ids: Collection[UUID])
 
 
 def my_engagements(session: Session, person_id: UUID) -> Sequence[Engagement]:
-    """Return a person's running engagements."""
+    """Return a person's running engagements, in order of their making."""
     return session.scalars(
-        select(Engagement).where(Engagement.designer_id == person_id, Engagement.ended_at.is_(None))
+        select(Engagement)
+        .where(Engagement.designer_id == person_id, Engagement.ended_at.is_(None))
+        .order_by(Engagement.id)
     ).all()
 
 

@@ -4,8 +4,9 @@ from datetime import date, datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, UniqueConstraint, text
+from sqlalchemy import BigInteger, CheckConstraint, ColumnElement, ForeignKey, Index, UniqueConstraint, func, text
 from sqlalchemy.engine.default import DefaultExecutionContext
+from sqlalchemy.ext.hybrid import hybrid_property
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from app.accounts.models import Person
@@ -81,6 +82,16 @@ class Cue(StudioOwned, Dated, Base):
     cut_reason: Mapped[str | None]
     cut_at: Mapped[datetime | None]
     stems: Mapped[list["Stem"]] = relationship(lazy="raise", back_populates="cue", cascade="all, delete-orphan")
+
+    @hybrid_property
+    def planned_length_s(self) -> float | None:
+        """Return the length to plan with: the one asked for, else the longest allowed, else the shortest."""
+        return self.duration_s or self.duration_max_s or self.duration_min_s
+
+    @planned_length_s.inplace.expression
+    @classmethod
+    def _planned_length_s(cls) -> ColumnElement[float | None]:
+        return func.coalesce(cls.duration_s, cls.duration_max_s, cls.duration_min_s)
 
 
 class OwnColumn(StudioOwned, Base):

@@ -103,8 +103,9 @@ def requests(
     session: Session, project_id: UUID
 ) -> Sequence[Row[UUID, str, str, str, str, bool, float | None, list[str]]]:
     """Return the clarity check's input from each cue that is not cut, in list order."""
+    facts = Cue.id, Cue.name, Cue.category, Cue.description, Cue.use
     return session.execute(
-        select(Cue.id, Cue.name, Cue.category, Cue.description, Cue.use, Cue.loop, Cue.duration_s, Cue.dismissed_facts)
+        select(*facts, Cue.loop, Cue.planned_length_s, Cue.dismissed_facts)
         .where(Cue.project_id == project_id, Cue.state != CueState.CUT)
         .order_by(Cue.position, Cue.number)
     ).all()

@@ -73,7 +73,7 @@ def _against_bounds(length: Fraction, cue: CueFacts) -> Iterator[Finding]:
         return
     yield Finding(
         code="duration:bounds",
-        message=f"{_seconds(length)} long; the brief says {_bounds(low, high)}",
+        message=f"{_seconds(length)} long; the sound list asks for {_bounds(low, high)}",
         fix=f"{'lengthen' if is_short else 'shorten'} the sound by {_seconds(abs(length - _exact(limit)))} or more",
         severity="error" if cue.length_locked else "warning",
         measured=float(length),
@@ -106,7 +106,7 @@ def _against_request(length: Fraction, asked: Fraction, cue: CueFacts) -> Iterat
     elif abs(off) > asked * SPREAD:
         yield Finding(
             code="duration:cue",
-            message=f"{_seconds(length)} long; the brief says about {float(asked):g} s",
+            message=f"{_seconds(length)} long; the sound list asks for about {float(asked):g} s",
             fix=f"{turn} the sound, or say on the cue why it needs this length",
             severity="warning",
             measured=float(length),

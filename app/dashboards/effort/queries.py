@@ -22,7 +22,7 @@ def logged_cues(session: Session, studio_id: UUID) -> Sequence[Row[UUID, str, in
         .subquery()
     )
     rows = (
-        select(Contract.designer_id, Cue.category, Cue.variations, Cue.duration_s, minutes.c.minutes)
+        select(Contract.designer_id, Cue.category, Cue.variations, Cue.planned_length_s, minutes.c.minutes)
         .join(ContractCue, ContractCue.contract_id == Contract.id)
         .join(Cue, Cue.id == ContractCue.cue_id)
         .join(minutes, (minutes.c.contract_id == Contract.id) & (minutes.c.cue_id == Cue.id))

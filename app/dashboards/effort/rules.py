@@ -24,22 +24,25 @@ MAX_LENGTH_FACTOR = 6.0  # of a loop of several minutes
 FURTHER_FILE = (0.1, 0.2)  # of the first file's hours, for each further variation
 
 # Hours of the first file, from and to: our guess for work by one experienced designer, recording included, held
-# against the hours of the starter kits by a test. The first word that a category begins with counts.
+# against the hours of the starter kits by a test. The first beginning of a category counts; they fit the ids of the
+# Universal Category System too, such as FEETHmn.
 USUAL_HOURS: Mapping[str, tuple[float, float]] = {
     "ui": (0.6, 1.1),
+    "user": (0.6, 1.1),
     "interface": (0.6, 1.1),
     "menu": (0.6, 1.1),
-    "foley": (0.7, 1.2),
+    "fol": (0.7, 1.2),
     "foot": (0.7, 1.2),
+    "feet": (0.7, 1.2),
     "impact": (0.8, 1.4),
-    "weapon": (1.4, 2.6),
+    "weap": (1.4, 2.6),
     "gun": (1.4, 2.6),
-    "explosion": (1.4, 2.6),
-    "magic": (1.2, 2.4),
-    "creature": (1.3, 2.4),
-    "vehicle": (1.6, 2.8),
+    "expl": (1.4, 2.6),
+    "mag": (1.2, 2.4),
+    "crea": (1.3, 2.4),
+    "veh": (1.6, 2.8),
     "amb": (1.4, 2.6),
-    "music": (4.0, 8.0),
+    "mus": (4.0, 8.0),
     "cinematic": (4.0, 8.0),
     "vo": (0.2, 0.5),
     "dialog": (0.2, 0.5),
@@ -101,6 +104,18 @@ NO_HOURS = Hours(0.0, 0.0)
 
 
 @dataclass(frozen=True)
+class _Source:
+    """The source of a cue's hours, and what its usual hours are multiplied by; None: nothing."""
+
+    basis: Basis
+    based_on: int = 0  # cues whose hours were logged
+    factors: tuple[float, float] | None = None
+
+
+PLAN_SOURCE, USUAL_SOURCE = _Source(Basis.PLAN), _Source(Basis.USUAL)
+
+
+@dataclass(frozen=True)
 class CategoryEffort:
     """The hours of the cues of one category that are estimated in one way."""
 
@@ -137,9 +152,9 @@ def _first_file_hours(category: str) -> tuple[float, float]:
 
 
 def kind_of(category: str) -> str:
-    """Return the word of the usual hours that a category begins with; itself where there is none."""
+    """Return the key of the usual hours that a category begins with; itself where there is none."""
     folded = category.casefold()
-    return next((word for word in USUAL_HOURS if folded.startswith(word)), folded)
+    return next((key for key in USUAL_HOURS if folded.startswith(key)), folded)
 
 
 def effort(works: Iterable[Work], histories: Sequence[tuple[Basis, Collection[Logged]]]) -> list[CategoryEffort]:
@@ -147,18 +162,20 @@ def effort(works: Iterable[Work], histories: Sequence[tuple[Basis, Collection[Lo
 
     `histories` are in the order in which they are preferred.
     """
+    by_kind, otherwise = _sources(histories)
     by_line: dict[tuple[str, Basis, int], list[tuple[Work, Hours]]] = defaultdict(list)
     for work in works:
-        basis, based_on, factors = _basis(work, histories)
-        by_line[work.category, basis, based_on].append((work, _hours(work, factors)))
+        is_planned = work.estimate_min is not None
+        source = PLAN_SOURCE if is_planned else by_kind.get(kind_of(work.category), otherwise)
+        by_line[work.category, source.basis, source.based_on].append((work, _hours(work, source.factors)))
     lines = [
         CategoryEffort(
             *key,
-            cues=len(known),
-            files=sum(work.variations for work, _ in known),
-            hours=sum((hours for _, hours in known), NO_HOURS),
+            cues=len(estimated),
+            files=sum(work.variations for work, _ in estimated),
+            hours=sum((hours for _, hours in estimated), NO_HOURS),
         )
-        for key, known in by_line.items()
+        for key, estimated in by_line.items()
     ]
     return sorted(lines, key=lambda line: (-line.hours.high_h, line.category, line.basis))
 
@@ -173,24 +190,29 @@ def _hours(work: Work, factors: tuple[float, float] | None) -> Hours:
     return Hours(middle_h * factors[0], middle_h * factors[1])
 
 
-def _basis(
-    work: Work, histories: Sequence[tuple[Basis, Collection[Logged]]]
-) -> tuple[Basis, int, tuple[float, float] | None]:
-    """Return the source of a cue's hours: its plan, logged hours of its kind, else of all kinds, else our figures."""
-    if work.estimate_min is not None:
-        return Basis.PLAN, 0, None
-    for basis, every in histories:
-        of_kind = [logged for logged in every if kind_of(logged.work.category) == kind_of(work.category)]
-        for known in (of_kind, every):
-            if len(known) >= ENOUGH:
-                return basis, len(known), _factors(known)
-    return Basis.USUAL, 0, None
+def _sources(histories: Sequence[tuple[Basis, Collection[Logged]]]) -> tuple[dict[str, _Source], _Source]:
+    """Return the sources of hours by kind of cue, and the one for all other kinds.
+
+    The first history with enough cues counts: those of the kind where they are enough, else all of them.
+    """
+    for basis, history in histories:
+        if len(history) >= ENOUGH:
+            by_kind: dict[str, list[Logged]] = defaultdict(list)
+            for logged in history:
+                by_kind[kind_of(logged.work.category)].append(logged)
+            sources = {
+                kind: _Source(basis, len(samples), _factors(samples))
+                for kind, samples in by_kind.items()
+                if len(samples) >= ENOUGH
+            }
+            return sources, _Source(basis, len(history), _factors(history))
+    return {}, USUAL_SOURCE
 
 
-def _factors(known: Iterable[Logged]) -> tuple[float, float]:
+def _factors(samples: Iterable[Logged]) -> tuple[float, float]:
     """Return the quarter and the three quarters of what cues took, in usual hours."""
     taken = []
-    for logged in known:
+    for logged in samples:
         usual = usual_hours(logged.work)
         taken.append(logged.minutes / MINUTES / ((usual.low_h + usual.high_h) / 2))
     low, _, high = quantiles(taken, n=4, method="inclusive")

@@ -1,6 +1,7 @@
 """Answers about effort and size."""
 
 from datetime import date
+from typing import Literal
 
 from pydantic import Field
 
@@ -30,7 +31,7 @@ class Effort(Schema):
     concepts: int = Field(description="Cues that are an idea still: their hours are the least certain.")
     lines: list[EffortLine]
     weekly_hours: float
-    weekly_hours_from: str = Field(description="given, roster or assumed")
+    weekly_hours_from: Literal["given", "roster", "assumed"]
     begin_on: date
     earliest_on: date | None = Field(description="With the least hours; null where it is over five years away.")
     latest_on: date | None = Field(description="With the most hours; null where it is over five years away.")

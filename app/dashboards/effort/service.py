@@ -73,7 +73,7 @@ def project_effort(
         cues = asked_cues(session, actor, posting_id)
     else:
         cues = wanted_cues(session, project_id)
-    works = [Work(cue.category, cue.variations, cue.duration_s, estimates.get(cue.id)) for cue in cues]
+    works = [Work(cue.category, cue.variations, cue.planned_length_s, estimates.get(cue.id)) for cue in cues]
     lines = effort(works, _histories(session, access, designer))
     hours = sum((line.hours for line in lines), NO_HOURS)
     on_file_hours, busy = _availability(session, actor, access, designer)
@@ -107,12 +107,12 @@ def _histories(
     if not access.is_producer:
         return []
     rows = effort_queries.logged_cues(session, access.project.studio_id)
-    every = [
-        (designer_id, Logged(Work(category, variations, duration_s), int(minutes)))
-        for designer_id, category, variations, duration_s, minutes in rows
+    of_studio = [
+        (designer_id, Logged(Work(category, variations, length_s), int(minutes)))
+        for designer_id, category, variations, length_s, minutes in rows
     ]
-    own = [logged for designer_id, logged in every if designer is not None and designer_id == designer.id]
-    return [(Basis.DESIGNER, own), (Basis.STUDIO, [logged for _, logged in every])]
+    of_designer = [logged for designer_id, logged in of_studio if designer is not None and designer_id == designer.id]
+    return [(Basis.DESIGNER, of_designer), (Basis.STUDIO, [logged for _, logged in of_studio])]
 
 
 def _availability(

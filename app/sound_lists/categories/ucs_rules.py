@@ -92,8 +92,8 @@ def ucs_candidates(name: str, description: str) -> tuple[UcsCategory, ...]:
 
 
 def is_ucs(category: str) -> bool:
-    """Whether a category is one of the system: an id, or the name of a whole category."""
-    folded = category.casefold()
+    """Whether a category is one of the system: an id, or the name of a whole category, also as the list keeps it."""
+    folded = category.casefold().replace("-", " ")
     return any(folded in (entry.cat_id.casefold(), entry.category.casefold()) for entry in ucs_categories().values())
 
 

@@ -211,7 +211,7 @@ function* againstBounds(length: Fraction, { duration_min_s: low, duration_max_s:
       : `${general(low)} to ${general(high)} s`
   yield {
     code: 'duration:bounds',
-    message: `${seconds(length)} long; the brief says ${asked}`,
+    message: `${seconds(length)} long; the sound list asks for ${asked}`,
     fix: `${isShort ? 'lengthen' : 'shorten'} the sound by ${seconds(size(minus(length, exactly(limit))))} or more`,
     severity: length_locked ? ('error' as const) : ('warning' as const),
     measured: toNumber(length),
@@ -240,7 +240,7 @@ function* againstRequest(length: Fraction, askedS: number, { length_locked, fram
     yield {
       ...of,
       code: 'duration:cue',
-      message: `${seconds(length)} long; the brief says about ${general(askedS)} s`,
+      message: `${seconds(length)} long; the sound list asks for about ${general(askedS)} s`,
       fix: `${turn} the sound, or say on the cue why it needs this length`,
       severity: 'warning' as const,
     }

@@ -42,6 +42,24 @@ def test_variations_and_length_add_to_the_usual_hours() -> None:
     assert usual_hours(Work("", 1, None)) == usual_hours(Work("unheard of", 1, 0.2)) == Hours(0.8, 2.0)
 
 
+@pytest.mark.parametrize(
+    ("ucs", "ours"),
+    [
+        ("user-interface", "ui"),
+        ("FEETHmn", "footsteps"),
+        ("FOLYClth", "foley"),
+        ("weapswrd", "weapon"),
+        ("explreal", "explosion"),
+        ("magspel", "magic"),
+        ("creabeast", "creature"),
+        ("vehcar", "vehicle"),
+        ("muscloop", "music"),
+    ],
+)
+def test_categories_of_the_universal_category_system_take_the_hours_of_our_words(ucs: str, ours: str) -> None:
+    assert usual_hours(Work(ucs, 1, None)) == usual_hours(Work(ours, 1, None)) != usual_hours(Work("", 1, None))
+
+
 @pytest.mark.parametrize("kit", all_kits(), ids=lambda kit: kit.key)
 def test_usual_hours_agree_with_those_of_the_starter_kits(kit: Kit) -> None:
     lines = effort([Work(cue.category, cue.variations, cue.duration_s) for cue in kit.cues], [])
@@ -61,6 +79,13 @@ def test_logged_hours_replace_the_usual_ones_from_three_cues_on() -> None:
     assert (line.basis, line.based_on) == (Basis.DESIGNER, 3)
     (line,) = effort([Work("music", 1, 60.0)], [(Basis.STUDIO, logged)])  # of all kinds, where none is of its kind
     assert (line.basis, line.based_on) == (Basis.STUDIO, 5)
+    ambiences = [Logged(Work("ambience", 1, None), 60 * 2)] * 3  # 2 h is their usual middle
+    lines = effort([impact, Work("ambience", 1, None), Work("vo", 1, None)], [(Basis.STUDIO, logged + ambiences)])
+    assert {line.category: (line.based_on, line.hours.low_h) for line in lines} == {
+        "impact": (5, pytest.approx(1.1 * 2)),  # each by the cues of its kind
+        "ambience": (3, pytest.approx(2.0)),
+        "vo": (8, pytest.approx(0.35)),  # by all eight: 1, 1, 1, 1, 2, 3, 4 and 5 times the usual
+    }
     (line,) = effort([impact], [(Basis.STUDIO, logged[:2])])
     assert (line.basis, line.hours) == (Basis.USUAL, Hours(0.8, 1.4))
 
@@ -133,10 +158,18 @@ def test_a_posting_says_which_dates_are_impossible(world: World) -> None:
     assert read(world, posting_id=str(world.project_id)).status_code == 404
 
 
+def test_a_cue_with_bounds_alone_is_as_long_as_they_allow(world: World) -> None:
+    wind = {"name": "Wind", "category": "ambience", "duration_min_s": 60, "duration_max_s": 90}
+    made = world.producer.post(f"/v1/projects/{world.project_id}/cues", json={"cues": [wind]})
+    assert made.status_code == 201, made.text
+    answer = read(world).json()
+    assert (answer["low_h"], answer["high_h"]) == (2.8, 5.2)  # of 90 s: twice the usual
+
+
 @pytest.mark.slow
 @pytest.mark.both_databases
 def test_a_contract_counts_by_its_designers_logged_hours_and_week(world: World, agreed: Agreed) -> None:
-    done = [agreed.cue(f"done {number}", category="ui") for number in range(3)]
+    done = [agreed.cue(f"done {number}", category="ui", duration_max_s=90.0) for number in range(3)]
     agreed.agree(milestone("Alpha", *done, amount_minor=10_000))
     agreed.cue("next", category="ui")
 
@@ -155,7 +188,7 @@ def test_a_contract_counts_by_its_designers_logged_hours_and_week(world: World, 
     entry = {"name": "Sound designer", "email": email, "weekly_hours": 4}
     assert world.producer.post(f"/v1/studios/{world.studio_id}/roster", json=entry).status_code == 201
     whole = read(world).json()
-    assert (whole["cues"], whole["lines"][0]["basis"], whole["low_h"]) == (1, "studio", 2.0)
+    assert (whole["cues"], whole["lines"][0]["basis"], whole["low_h"]) == (1, "studio", 1.0)  # of 90 s they took 2 h
     assert read(world, "approver").json()["lines"][0]["basis"] == "usual"  # logged hours are for producers
     answer = read(world, contract_id=str(agreed.contract_id)).json()
     assert (answer["weekly_hours"], answer["weekly_hours_from"]) == (4.0, "roster")

@@ -136,7 +136,7 @@ def test_no_request_is_asked_more_than_a_reader_takes_in() -> None:
 @pytest.mark.slow
 def test_the_list_names_what_is_open_and_an_answer_joins_the_description(world: World) -> None:
     project = f"/v1/projects/{world.project_id}"
-    splash = {"name": "Splash", "description": "A splash."}
+    splash = {"name": "Splash", "description": "A splash.", "category": "pond"}
     cue = world.producer.post(f"{project}/cues", json={"cues": [splash]}).json()[0]
 
     def open_facts(person: Any) -> list[str]:
@@ -153,6 +153,15 @@ def test_the_list_names_what_is_open_and_an_answer_joins_the_description(world: 
 
     world.producer.put(f"{path}/size/dismissed", json={"dismissed": False})
     assert open_facts(world.producer) == ["size", "place"]
+
+
+def test_bounds_of_a_length_count_as_a_length(world: World) -> None:
+    project = f"/v1/projects/{world.project_id}"
+    bounds: list[dict[str, float]] = [{}, {"duration_min_s": 1}, {"duration_max_s": 2}]
+    cues = [{"name": f"Stone splash {number}", "category": "pond", **each} for number, each in enumerate(bounds)]
+    added = world.producer.post(f"{project}/cues", json={"cues": cues}).json()
+    unclear = [cue["cue_id"] for cue in world.producer.get(f"{project}/clarity").json()["unclear"]]
+    assert [cue["id"] in unclear for cue in added] == [True, False, False]
 
 
 def test_only_the_team_answers_and_strangers_see_nothing(world: World) -> None:

@@ -73,7 +73,7 @@ def test_locked_bounds_are_an_error_and_say_how_far(found_by):
     cue = CueFacts("SW-1", duration_s=0.5, duration_max_s=0.5, length_locked=True)
     (finding,) = found_by("duration", frames(30_000), cue=cue)
     assert (finding.severity, finding.limit) == ("error", 0.5)
-    assert finding.message == "0.625 s long; the brief says at most 0.5 s"
+    assert finding.message == "0.625 s long; the sound list asks for at most 0.5 s"
     assert finding.fix == "shorten the sound by 0.125 s or more"
 
 
