@@ -61,6 +61,7 @@ from app.deliveries.tray.endpoints import router as tray_router
 from app.deliveries.uploads.endpoints import router as uploads_router
 from app.deliveries.uploads.file_endpoints import router as files_router
 from app.deliveries.uploads.file_endpoints import take_of
+from app.deliveries.web.stored_files import stored_file_response
 from app.projects.errors import DesignerNeeded, ProjectNotFound
 from app.projects.service import project_access
 from app.sound_lists.errors import CueNotFound
@@ -277,19 +278,10 @@ def download_master(
     actor: Actor = allows(Audience.PROJECT),
 ) -> Response:
     """Give a take's master exactly as it was delivered; ranges may be asked for."""
-    take, access = service.take_for(session, actor, take_id)
+    take, _ = service.take_for(session, actor, take_id)
     ensure_open(session, actor, take.cue_id, take.designer_id)
     ensure_master_kept(take.master_deleted_at)
-    return blob_response(
-        request,
-        runtime.store,
-        access.project.studio_id,
-        take.master_sha256,
-        media_type="application/octet-stream",
-        file_name=shown_name(base_name(take.file_name)),
-        headers={"Content-Security-Policy": "sandbox"},
-        by_link=True,
-    )
+    return stored_file_response(request, runtime, take.studio_id, take.master_sha256, take.file_name)
 
 
 @router.put(

@@ -24,7 +24,7 @@ class SourceFileNotFound(NotFound):
 
 
 class SourceBankHandedOver(Conflict):
-    """The source bank of an approved take is the studio's by contract, so nothing is taken out of it."""
+    """The source bank of an approved take is the studio's, so nothing is taken out of it."""
 
 
 class HandoffNotFound(NotFound):

@@ -424,7 +424,9 @@ class SourceBankRead(Schema):
     """The source bank of a take: session, layers, plug-ins and recipe; in no pack."""
 
     take_id: UUID
-    is_shown: bool = Field(description="Whether the caller sees it: its designer, or the studio by contract.")
+    is_shown: bool = Field(
+        description="Whether the caller sees it: its designer, or the studio once it is handed over."
+    )
     is_handed_over: bool = Field(description="Whether it goes to the studio once the take is approved.")
     plug_ins: list[str]
     recipe: str

@@ -17,6 +17,7 @@ from app.core.errors import FieldProblem
 from app.core.plural import counted
 from app.projects import queries
 from app.projects.approval import queries as approval_queries
+from app.projects.members import queries as member_queries
 from app.projects.members import service as members
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, ProjectInvitation
 
@@ -92,7 +93,7 @@ def end_namings(session: Session, payload: Mapping[str, Any]) -> None:
 def _hand_approval_over(session: Session, change: MemberChange, projects: Sequence[Project]) -> None:
     name = people_by_id(session, {change.person_id})[change.person_id].name
     if change.hand_over_to is None:
-        seen = [project for project in projects if members.is_open_to(session, project, change.changed_by)]
+        seen = [project for project in projects if member_queries.is_open_to(session, project, change.changed_by)]
         names = [project.name for project in seen]
         if len(seen) < len(projects):
             names.append(

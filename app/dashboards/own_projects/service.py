@@ -1,6 +1,6 @@
 """The projects of a designer: credit, people and playlists, as long as they are engaged."""
 
-from collections.abc import Iterator
+from contextlib import suppress
 
 from sqlalchemy.orm import Session
 
@@ -23,31 +23,27 @@ from app.shares.playlists import playlists_of
 
 def own_projects(session: Session, actor: Actor) -> list[OwnProject]:
     """Return the projects that the caller is engaged on, the newest first; those behind an NDA are left out."""
-    return list(_read_all(session, actor))
-
-
-def _read_all(session: Session, actor: Actor) -> Iterator[OwnProject]:
+    projects = list[Project]()
     for engagement in reversed(queries.my_engagements(session, actor.person)):
-        try:
-            project = project_access(session, actor, engagement.project_id).project
-        except (NdaNeeded, ProjectNotFound):
-            continue
-        yield _read(session, actor, project)
+        with suppress(NdaNeeded, ProjectNotFound):
+            projects.append(project_access(session, actor, engagement.project_id).project)
+    studio_names = queries.studio_names(session, {project.studio_id for project in projects})
+    return [_read(session, actor, project, studio_names[project.studio_id]) for project in projects]
 
 
-def _read(session: Session, actor: Actor, project: Project) -> OwnProject:
+def _read(session: Session, actor: Actor, project: Project, studio_name: str) -> OwnProject:
     listed = project_credits(session, actor, project.id)
-    own = [credit for credit in listed.credits if credit.person_id == actor.person]
+    own_credits = [credit for credit in listed.credits if credit.person_id == actor.person]
     contracts = [contract for contract in agreed_in(session, actor, project.id) if contract.designer_id == actor.person]
     shown_from = [terms["reel_from"] for terms in named_terms(session, contracts).values() if terms.get("reel_from")]
     return OwnProject(
         project_id=project.id,
         project_name=project.name,
-        studio_name=queries.studio_names(session, {project.studio_id})[project.studio_id],
+        studio_name=studio_name,
         credit_name=listed.my_name or listed.my_account_name,
         is_left_out=listed.am_left_out,
-        credit_roles=[credit.role for credit in own],
-        agreed_line=next((credit.agreed_line for credit in own if credit.agreed_line), ""),
+        credit_roles=[credit.role for credit in own_credits],
+        agreed_line=next((credit.agreed_line for credit in own_credits if credit.agreed_line), ""),
         shown_from=str(shown_from[-1]) if shown_from else "",
         people=_people(session, actor, project),
         playlists=playlists_of(session, actor, project.id),

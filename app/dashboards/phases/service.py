@@ -1,6 +1,7 @@
 """Where each phase stands: its cues, the gate before it, what is missing and who must act."""
 
 from collections import Counter
+from collections.abc import Mapping
 from uuid import UUID
 
 from sqlalchemy import or_
@@ -33,23 +34,24 @@ def phases(session: Session, actor: Actor, project_id: UUID) -> PhasesRead:
     ]
     if not any(row.phase for row in rows):  # a palette alone makes no phases
         rows = []
+    statuses = {row.id: status_of(row) for row in rows}
     of_phase = {phase: [row for row in rows if _phase_of(row) is phase] for phase in Phase}
     palette = [row for row in rows if row.palette]
     approval = newest_approval(session, project_id)
-    is_complete = bool(palette) and all(status_of(row) is CueStatus.ACCEPTED for row in palette)
+    is_complete = bool(palette) and all(statuses[row.id] is CueStatus.ACCEPTED for row in palette)
     is_approved = approval is not None and is_complete and {str(row.id) for row in palette} <= set(approval.cue_ids)
     counts = [
         PhaseCount(
             phase,
-            len(own),
-            sum(status_of(row) is CueStatus.ACCEPTED for row in own),
+            len(phase_rows),
+            sum(statuses[row.id] is CueStatus.ACCEPTED for row in phase_rows),
             waits_for_approval=phase is Phase.PALETTE and bool(palette) and not is_approved,
         )
-        for phase, own in of_phase.items()
-        if own
+        for phase, phase_rows in of_phase.items()
+        if phase_rows
     ]
     opened = open_phases(counts)
-    awaited = _Awaited(session, access)
+    awaited = _Awaited(session, access, statuses)
     return PhasesRead(
         phases=[
             PhaseRead(
@@ -77,7 +79,8 @@ def _phase_of(row: ListRow) -> Phase | None:
 class _Awaited:
     """The people who must act on cues, in words."""
 
-    def __init__(self, session: Session, access: ProjectAccess) -> None:
+    def __init__(self, session: Session, access: ProjectAccess, statuses: Mapping[UUID, CueStatus]) -> None:
+        self._statuses = statuses
         self._rights = approval_rights(session, access.project)
         self._is_team = access.is_team
         approvers = {self._rights.approver_id, *self._rights.by_category.values()}
@@ -93,7 +96,7 @@ class _Awaited:
         """Return the people whose acts the cues of a phase wait for, the most first."""
         acts: Counter[tuple[str | None, PhaseAct]] = Counter()
         for row in rows:
-            act = act_for(status_of(row))
+            act = act_for(self._statuses[row.id])
             if act is not None:
                 acts[self._who(row, act), act] += 1
         if approves_palette:

@@ -6,9 +6,7 @@ from fastapi import APIRouter, Request, Response
 
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
-from app.core.runtime import Runtime
 from app.core.storage import BlobMissing
-from app.core.web.blob_response import blob_response
 from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.deliveries.errors import (
@@ -21,8 +19,8 @@ from app.deliveries.errors import (
     TakeNotFound,
 )
 from app.deliveries.handoffs import service
-from app.deliveries.rules import base_name, shown_name
 from app.deliveries.schemas import HandoffAdd, HandoffRead, NextMaker
+from app.deliveries.web.stored_files import stored_file_response
 from app.projects.errors import ProducerNeeded
 from app.sound_lists.errors import CueNotFound
 
@@ -74,7 +72,7 @@ def download_handed_master(
 ) -> Response:
     """Give the master of a take in a hand-off exactly as it was delivered; ranges may be asked for."""
     take = service.handed_take(session, actor, handoff_id, take_id)
-    return _file(request, runtime, take.studio_id, take.master_sha256, take.file_name)
+    return stored_file_response(request, runtime, take.studio_id, take.master_sha256, take.file_name)
 
 
 @router.get(
@@ -91,17 +89,4 @@ def download_handed_source_file(
 ) -> Response:
     """Give a source file of a hand-off exactly as it was delivered; ranges may be asked for."""
     file = service.handed_source_file(session, actor, handoff_id, source_file_id)
-    return _file(request, runtime, file.studio_id, file.sha256, file.file_name)
-
-
-def _file(request: Request, runtime: Runtime, studio_id: UUID, sha256: str, file_name: str) -> Response:
-    return blob_response(
-        request,
-        runtime.store,
-        studio_id,
-        sha256,
-        media_type="application/octet-stream",
-        file_name=shown_name(base_name(file_name)),
-        headers={"Content-Security-Policy": "sandbox"},
-        by_link=True,
-    )
+    return stored_file_response(request, runtime, file.studio_id, file.sha256, file.file_name)

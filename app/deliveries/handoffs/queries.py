@@ -1,11 +1,12 @@
 """Queries of hand-offs."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from uuid import UUID
 
 from sqlalchemy import or_, select
 from sqlalchemy.orm import Session, joinedload
 
+from app.core.in_array import in_array
 from app.deliveries.models import Handoff, Take
 
 
@@ -23,11 +24,11 @@ def handoff_by_id(session: Session, handoff_id: UUID) -> Handoff | None:
     return session.get(Handoff, handoff_id)
 
 
-def takes_by(session: Session, cue_id: UUID, designer_id: UUID) -> Sequence[Take]:
-    """Return the takes of one maker for a cue, the newest first."""
+def takes_by(session: Session, cue_id: UUID, designer_ids: Collection[UUID]) -> Sequence[Take]:
+    """Return the takes of makers for a cue, the newest first."""
     return session.scalars(
         select(Take)
-        .where(Take.cue_id == cue_id, Take.designer_id == designer_id, Take.discarded_at.is_(None))
+        .where(Take.cue_id == cue_id, in_array(Take.designer_id, designer_ids), Take.discarded_at.is_(None))
         .order_by(Take.id.desc())
     ).all()
 

@@ -17,16 +17,18 @@ from app.deliveries.errors import (
     TakeNotFound,
 )
 from app.deliveries.handoffs import queries
-from app.deliveries.models import Handoff, SourceBank, SourceFile, Take
+from app.deliveries.models import Handoff, SourceFile, Take
 from app.deliveries.rules import ensure_master_kept, shown_name
 from app.deliveries.schemas import HandoffAdd, HandoffRead, HandoffTake
 from app.deliveries.signals import DownloadsClosed, WorkDone
-from app.deliveries.source_banks.queries import source_file_by_id, source_files
+from app.deliveries.source_banks.queries import source_banks, source_file_by_id, source_files
 from app.deliveries.source_banks.service import handed_over, read_source_files
 from app.projects.errors import ProjectNotFound
 from app.projects.queries import any_engagement_of
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.service import visible_cue
+
+PEOPLE = ("maker", "next_maker", "author")  # relations that are shown
 
 
 def hand_off(session: Session, actor: Actor, cue_id: UUID, body: HandoffAdd) -> HandoffRead:
@@ -35,7 +37,7 @@ def hand_off(session: Session, actor: Actor, cue_id: UUID, body: HandoffAdd) -> 
     maker_id = access.only_designer_id or body.from_id or actor.person
     if maker_id != actor.person:
         access.ensure_producer()
-    if not queries.takes_by(session, cue_id, maker_id):
+    if not queries.takes_by(session, cue_id, [maker_id]):
         raise NothingToHandOff(
             "this maker has delivered no file for this cue",
             fix="deliver what there is first; an unfinished file is enough",
@@ -51,9 +53,10 @@ def hand_off(session: Session, actor: Actor, cue_id: UUID, body: HandoffAdd) -> 
     )
     session.add(handoff)
     session.flush()
+    session.refresh(handoff, PEOPLE)
     facts = {"done_percent": handoff.done_percent, "missing": handoff.missing}
     send(session, WorkDone(cue_id, maker_id, "handed_off", facts, actor.person))
-    return _read(session, access, handoff)
+    return _read(session, access, [handoff])[0]
 
 
 def name_next_maker(session: Session, actor: Actor, handoff_id: UUID, designer_id: UUID) -> HandoffRead:
@@ -68,7 +71,7 @@ def name_next_maker(session: Session, actor: Actor, handoff_id: UUID, designer_i
         )
     handoff.to_id = designer_id
     session.flush()
-    session.refresh(handoff, ["next_maker", "maker"])
+    session.refresh(handoff, PEOPLE)
     made = [f"{shown_name(take.file_name)}, version {take.number}" for take in _takes(session, handoff)]
     send(
         session,
@@ -76,15 +79,13 @@ def name_next_maker(session: Session, actor: Actor, handoff_id: UUID, designer_i
     )
     facts = {"from_maker": handoff.maker.name, "done_percent": handoff.done_percent, "made_before": made}
     send(session, WorkDone(handoff.cue_id, designer_id, "taken_over", facts, actor.person))
-    return _read(session, access, handoff)
+    return _read(session, access, [handoff])[0]
 
 
 def list_handoffs(session: Session, actor: Actor, cue_id: UUID) -> list[HandoffRead]:
     """Return the hand-offs of a cue, the newest first; a designer's from or to them."""
     access, _ = visible_cue(session, actor, cue_id)
-    return [
-        _read(session, access, handoff) for handoff in queries.handoffs_of(session, cue_id, access.only_designer_id)
-    ]
+    return _read(session, access, queries.handoffs_of(session, cue_id, access.only_designer_id))
 
 
 def handed_take(session: Session, actor: Actor, handoff_id: UUID, take_id: UUID) -> Take:
@@ -109,7 +110,8 @@ def handed_source_file(session: Session, actor: Actor, handoff_id: UUID, source_
     except HandoffNotFound:
         raise not_found from None
     file = source_file_by_id(session, source_file_id)
-    if file is None or file.take_id not in {take.id for take in _with_banks(session, access, handoff)}:
+    takes = [take for take in _takes(session, handoff) if file is not None and take.id == file.take_id]
+    if file is None or not takes or not (_sees_all_banks(access, handoff) or handed_over(session, takes)):
         raise not_found
     _ensure_open(session, actor, handoff)
     return file
@@ -131,63 +133,67 @@ def _visible(session: Session, actor: Actor, handoff_id: UUID) -> tuple[Handoff,
 
 def _takes(session: Session, handoff: Handoff) -> Sequence[Take]:
     """Return the takes that the maker delivered for the cue until it was handed off, and since."""
-    return queries.takes_by(session, handoff.cue_id, handoff.from_id)
+    return queries.takes_by(session, handoff.cue_id, [handoff.from_id])
 
 
-def _with_banks(session: Session, access: ProjectAccess, handoff: Handoff) -> list[Take]:
-    """Return the takes whose source banks the caller sees in a hand-off.
+def _sees_all_banks(access: ProjectAccess, handoff: Handoff) -> bool:
+    """Return whether the caller sees every source bank of a hand-off, also those that stay its maker's.
 
-    The maker sees all of them. The next maker sees all where the maker wrote the hand-off, else those that the
-    contract hands over, as the team does.
+    The maker does, and the next maker where the maker wrote the hand-off.
     """
-    takes = list(_takes(session, handoff))
     person = access.actor.person_id
-    if person == handoff.from_id or (person == handoff.to_id and handoff.written_by == handoff.from_id):
-        return takes
-    return handed_over(session, takes)
+    return person == handoff.from_id or (person == handoff.to_id and handoff.written_by == handoff.from_id)
 
 
 def _ensure_open(session: Session, actor: Actor, handoff: Handoff) -> None:
-    if reason := _closed(session, actor, handoff):
+    if reason := _closed(session, actor, [handoff]).get(handoff.from_id):
         raise DownloadUnpaid(f"this file cannot be downloaded: {reason}", fix="ask the producer of the project")
 
 
-def _closed(session: Session, actor: Actor, handoff: Handoff) -> str | None:
-    if actor.person_id == handoff.from_id:
-        return None
-    work = (handoff.cue_id, handoff.from_id)
-    # No actor: another designer reads no invoice.
-    closed = [reasons[work] for reasons in send(session, DownloadsClosed(None, [work])) if work in reasons]
-    return closed[0] if closed else None
+def _closed(session: Session, actor: Actor, handoffs: Sequence[Handoff]) -> dict[UUID, str]:
+    """Return the reasons that files of one cue are closed to the caller, by maker."""
+    work = {(handoff.cue_id, handoff.from_id) for handoff in handoffs if handoff.from_id != actor.person_id}
+    answers = send(session, DownloadsClosed(None, work))  # no actor: another designer reads no invoice
+    return {maker_id: reason for answer in answers for (_, maker_id), reason in answer.items()}
 
 
-def _read(session: Session, access: ProjectAccess, handoff: Handoff) -> HandoffRead:
-    session.refresh(handoff, ["maker", "next_maker", "author"])
-    takes, with_banks = _takes(session, handoff), {take.id for take in _with_banks(session, access, handoff)}
-    files = source_files(session, with_banks)
-    banks = {take_id: session.get(SourceBank, take_id) for take_id in with_banks}
-    return HandoffRead(
-        id=handoff.id,
-        cue_id=handoff.cue_id,
-        done_percent=handoff.done_percent,
-        missing=handoff.missing,
-        created_at=handoff.created_at,
-        written_by=PersonBrief.model_validate(handoff.author),
-        maker=PersonBrief.model_validate(handoff.maker),
-        next_maker=PersonBrief.model_validate(handoff.next_maker) if handoff.next_maker else None,
-        closed=_closed(session, access.actor, handoff),
-        takes=[
-            HandoffTake(
-                id=take.id,
-                file_name=take.file_name,
-                variation=take.variation,
-                number=take.number,
-                state=take.state,
-                received_at=take.received_at,
-                plug_ins=bank.plug_ins if (bank := banks.get(take.id)) else [],
-                recipe=bank.recipe if bank else "",
-                source_files=read_source_files(files.get(take.id, [])),
-            )
-            for take in takes
-        ],
-    )
+def _read(session: Session, access: ProjectAccess, handoffs: Sequence[Handoff]) -> list[HandoffRead]:
+    """Return hand-offs of one cue as the caller sees them."""
+    if not handoffs:
+        return []
+    takes = queries.takes_by(session, handoffs[0].cue_id, {handoff.from_id for handoff in handoffs})
+    take_ids = [take.id for take in takes]
+    files, banks = source_files(session, take_ids), source_banks(session, take_ids)
+    of_studio = {take.id for take in handed_over(session, takes)}
+    closed = _closed(session, access.actor, handoffs)
+
+    def read_take(take: Take, handoff: Handoff) -> HandoffTake:
+        is_shown = take.id in of_studio or _sees_all_banks(access, handoff)
+        bank = banks.get(take.id) if is_shown else None
+        return HandoffTake(
+            id=take.id,
+            file_name=take.file_name,
+            variation=take.variation,
+            number=take.number,
+            state=take.state,
+            received_at=take.received_at,
+            plug_ins=bank.plug_ins if bank else [],
+            recipe=bank.recipe if bank else "",
+            source_files=read_source_files(files[take.id]) if is_shown else [],
+        )
+
+    return [
+        HandoffRead(
+            id=handoff.id,
+            cue_id=handoff.cue_id,
+            done_percent=handoff.done_percent,
+            missing=handoff.missing,
+            created_at=handoff.created_at,
+            written_by=PersonBrief.model_validate(handoff.author),
+            maker=PersonBrief.model_validate(handoff.maker),
+            next_maker=PersonBrief.model_validate(handoff.next_maker) if handoff.next_maker else None,
+            closed=closed.get(handoff.from_id),
+            takes=[read_take(take, handoff) for take in takes if take.designer_id == handoff.from_id],
+        )
+        for handoff in handoffs
+    ]

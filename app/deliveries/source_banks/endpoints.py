@@ -8,7 +8,6 @@ from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.core.storage import BlobMissing
 from app.core.uploads import UploadNotFound, UploadUnfinished
-from app.core.web.blob_response import blob_response
 from app.core.web.downloads import downloads
 from app.core.web.http import CurrentRuntime, DbSession, problems
 from app.deliveries.errors import (
@@ -19,16 +18,16 @@ from app.deliveries.errors import (
     TakeNotFound,
 )
 from app.deliveries.models import SourceFile
-from app.deliveries.rules import base_name, shown_name
 from app.deliveries.schemas import RecipeSet, SourceBankRead, SourceFileAdd, SourceFileRead
 from app.deliveries.source_banks import service
+from app.deliveries.web.stored_files import stored_file_response
 
 router = APIRouter()
 
 
 @router.get("/takes/{take_id}/source-bank", response_model=SourceBankRead, responses=problems(TakeNotFound))
 def see_source_bank(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> SourceBankRead:
-    """Show the source bank of a take to its designer, and to the team once it is handed over by contract."""
+    """Show the source bank of a take to its designer, and to the team once it is handed over."""
     return service.source_bank(session, actor, take_id)
 
 
@@ -80,13 +79,4 @@ def download_source_file(
 ) -> Response:
     """Give a source file exactly as it was delivered; ranges may be asked for."""
     file = service.visible_source_file(session, actor, source_file_id)
-    return blob_response(
-        request,
-        runtime.store,
-        file.studio_id,
-        file.sha256,
-        media_type="application/octet-stream",
-        file_name=shown_name(base_name(file.file_name)),
-        headers={"Content-Security-Policy": "sandbox"},
-        by_link=True,
-    )
+    return stored_file_response(request, runtime, file.studio_id, file.sha256, file.file_name)

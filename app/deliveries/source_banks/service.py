@@ -1,4 +1,4 @@
-"""Source banks: kept with a take by its designer, open to the studio where the contract says so, in no pack."""
+"""Source banks: kept with a take by its designer, open to the studio once handed over, in no pack."""
 
 from collections.abc import Sequence
 from uuid import UUID
@@ -18,7 +18,7 @@ from app.deliveries.service import ensure_own_designer, take_for, uploader
 from app.deliveries.signals import SourceFilesAgreed
 from app.deliveries.source_banks import queries
 from app.deliveries.take_states import note_take
-from app.projects.queries import any_engagement_of
+from app.projects.queries import engagements_of
 from app.projects.rules import EngagementKind
 from app.projects.service import ProjectAccess
 
@@ -70,9 +70,9 @@ def remove_source_file(session: Session, actor: Actor, source_file_id: UUID) -> 
     """Remove a source file, as its designer; raise SourceBankHandedOver once it is the studio's."""
     file, take, access = _file_and_take(session, actor, source_file_id)
     ensure_own_designer(access, take)
-    if take.state is TakeState.APPROVED and _is_handed_over(session, take):
+    if handed_over(session, [take]):
         raise SourceBankHandedOver(
-            "this version is approved, and its source files are the studio's by contract",
+            "this version is approved, and its source files are the studio's",
             fix="add another file beside it",
         )
     note_take(session, take, "source_file_removed", {"file": file.file_name}, by=take.designer_id)
@@ -86,7 +86,7 @@ def visible_source_file(session: Session, actor: Actor, source_file_id: UUID) ->
     Raises DownloadUnpaid where the contract of its take opens files by payment.
     """
     file, take, access = _file_and_take(session, actor, source_file_id)
-    if not _is_shown(access, take, is_handed_over=_is_handed_over(session, take)):
+    if not _is_shown(access, take, is_handed_over=bool(_of_studio(session, [take]))):
         raise SourceFileNotFound(f"no source file {source_file_id}")
     ensure_open(session, actor, take.cue_id, take.designer_id)
     return file
@@ -101,14 +101,14 @@ def copy_bank_to_fix(session: Session, take: Take, fixed: Take) -> None:
             session.add(SourceFile(**{name: getattr(file, name) for name in copied}, take_id=fixed.id))
     bank = session.get(SourceBank, take.id)
     if bank is not None and session.get(SourceBank, fixed.id) is None:
-        own = {name: getattr(bank, name) for name in ("studio_id", "project_id", "plug_ins", "recipe")}
-        session.add(SourceBank(**own, take_id=fixed.id))
+        copied_facts = {name: getattr(bank, name) for name in ("studio_id", "project_id", "plug_ins", "recipe")}
+        session.add(SourceBank(**copied_facts, take_id=fixed.id))
     session.flush()
 
 
 def handed_over(session: Session, takes: Sequence[Take]) -> list[Take]:
-    """Return those of the approved takes whose source banks go to the studio."""
-    return [take for take in takes if take.state is TakeState.APPROVED and _is_handed_over(session, take)]
+    """Return the approved takes whose source banks go to the studio."""
+    return _of_studio(session, [take for take in takes if take.state is TakeState.APPROVED])
 
 
 def read_source_files(files: Sequence[SourceFile]) -> list[SourceFileRead]:
@@ -128,15 +128,24 @@ def _file_and_take(session: Session, actor: Actor, source_file_id: UUID) -> tupl
     return file, take, access
 
 
-def _is_handed_over(session: Session, take: Take) -> bool:
-    """Return whether a take's source bank goes to the studio: by contract, or as an employee's work."""
-    if take.cue_id is not None:
-        work = (take.cue_id, take.designer_id)
-        for agreed in send(session, SourceFilesAgreed([work])):
-            if work in agreed:
-                return agreed[work]
-    engagement = any_engagement_of(session, take.project_id, take.designer_id)
-    return engagement is not None and engagement.kind is EngagementKind.IN_HOUSE
+def _of_studio(session: Session, takes: Sequence[Take]) -> list[Take]:
+    """Return the takes whose source banks go to the studio: by contract, or as an employee's work."""
+    if not takes:
+        return []
+    work = {(take.cue_id, take.designer_id) for take in takes if take.cue_id is not None}
+    agreed: dict[tuple[UUID | None, UUID], bool] = {
+        key: is_agreed for answer in send(session, SourceFilesAgreed(work)) for key, is_agreed in answer.items()
+    }
+    employees = {
+        (engagement.project_id, engagement.designer_id)
+        for engagement in engagements_of(session, {take.project_id for take in takes})
+        if engagement.kind is EngagementKind.IN_HOUSE
+    }
+    return [
+        take
+        for take in takes
+        if agreed.get((take.cue_id, take.designer_id), (take.project_id, take.designer_id) in employees)
+    ]
 
 
 def _is_shown(access: ProjectAccess, take: Take, *, is_handed_over: bool) -> bool:
@@ -146,7 +155,7 @@ def _is_shown(access: ProjectAccess, take: Take, *, is_handed_over: bool) -> boo
 
 
 def _read(session: Session, access: ProjectAccess, take: Take) -> SourceBankRead:
-    is_handed_over = _is_handed_over(session, take)
+    is_handed_over = bool(_of_studio(session, [take]))
     read = SourceBankRead(
         take_id=take.id,
         is_shown=_is_shown(access, take, is_handed_over=is_handed_over),

@@ -5,7 +5,7 @@ from uuid import UUID
 from fastapi import APIRouter
 
 from app.accounts.errors import RecentSignInNeeded, StudioNotFound
-from app.accounts.rules import Actor, Audience, Role
+from app.accounts.rules import Actor, Audience
 from app.accounts.schemas import PersonBrief
 from app.accounts.web.policies import allows
 from app.core.web.http import DbSession, problems
@@ -41,12 +41,7 @@ def list_project_members(
     sight, members = people.people_of_project(session, actor, project_id)
     return ProjectMembersRead(
         members_see=sight,
-        members=[
-            ProjectMemberRead(
-                person=PersonBrief.model_validate(member.person), roles=[*map(Role, roles)], since=member.created_at
-            )
-            for member, roles in members
-        ],
+        members=[ProjectMemberRead(person=PersonBrief.model_validate(member.person)) for member in members],
     )
 
 

@@ -23,18 +23,21 @@ def _leave_out_closed_projects(state: ORMExecuteState) -> None:
     if reach is None or not reach.limited_studio_ids or not is_query or state.is_column_load:
         return
     state.statement = state.statement.options(_open_projects_only())
-    given = state.parameters or {}
-    own = {PERSON: reach.person_id, STUDIOS: list(reach.limited_studio_ids)}
-    state.parameters = {**given, **own} if isinstance(given, Mapping) else [{**row, **own} for row in given]
+    parameters = state.parameters or {}
+    limits = {PERSON: reach.person_id, STUDIOS: list(reach.limited_studio_ids)}
+    if isinstance(parameters, Mapping):
+        state.parameters = {**parameters, **limits}
+    else:
+        state.parameters = [{**row, **limits} for row in parameters]
 
 
 @cache
 def _open_projects_only() -> LoaderCriteriaOption:
     members, engagements = ProjectMember.__table__.c, Engagement.__table__.c  # not the models, which are limited too
     person_id = bindparam(PERSON, type_=Uuid())
-    own = select(members.project_id).where(members.person_id == person_id)
+    joined = select(members.project_id).where(members.person_id == person_id)
     engaged = select(engagements.project_id).where(engagements.designer_id == person_id, engagements.ended_at.is_(None))
-    seen, limited = own.union_all(engaged), bindparam(STUDIOS, expanding=True, type_=Uuid())
+    seen, limited = joined.union_all(engaged), bindparam(STUDIOS, expanding=True, type_=Uuid())
 
     def is_open(model: Any) -> ColumnElement[bool]:
         table = getattr(model, "__table__", None)  # None: of the base itself, which is asked first

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from uuid import UUID
 
-from sqlalchemy import Row
 from sqlalchemy.orm import Session
 
 from app.accounts.errors import StudioNotFound
@@ -60,13 +59,12 @@ def _add_named_people(session: Session, studio_id: UUID) -> None:
             ensure_member(session, project, person_id)
 
 
-def people_of_project(
-    session: Session, actor: Actor, project_id: UUID
-) -> tuple[MembersSee, Sequence[Row[ProjectMember, list[str]]]]:
-    """Return which projects the studio's members see, and the members of this one with their roles."""
+def people_of_project(session: Session, actor: Actor, project_id: UUID) -> tuple[MembersSee, Sequence[ProjectMember]]:
+    """Return the studio's visibility setting, and the project's members in order of joining."""
     access = project_access(session, actor, project_id)
     access.ensure_team()
-    return members_see(session, actor, access.project.studio_id), queries.members_of(session, project_id)
+    members = [member for member, _ in queries.members_of(session, project_id)]
+    return members_see(session, actor, access.project.studio_id), members
 
 
 def add_member(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:

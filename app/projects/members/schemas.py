@@ -1,10 +1,8 @@
 """What the endpoints of project members take and return."""
 
-from datetime import datetime
-
 from pydantic import Field
 
-from app.accounts.rules import MembersSee, Role
+from app.accounts.rules import MembersSee
 from app.accounts.schemas import PersonBrief
 from app.core.web.http import Schema
 
@@ -19,8 +17,6 @@ class ProjectMemberRead(Schema):
     """A member of the studio who is in a project."""
 
     person: PersonBrief
-    roles: list[Role] = Field(description="Their roles in the studio.")
-    since: datetime
 
 
 class ProjectMembersRead(ProjectSight):

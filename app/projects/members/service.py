@@ -18,11 +18,6 @@ def ensure_member(session: Session, project: Project, person_id: UUID) -> None:
         session.flush()
 
 
-def is_open_to(session: Session, project: Project, person_id: UUID) -> bool:
-    """Whether a member of the studio sees a project."""
-    return queries.is_open_to(session, project, person_id)
-
-
 def end_membership(session: Session, change: MemberChange) -> None:
     """Take who left the studio out of its projects; a producer joins those that none is in then."""
     if change.has_left:

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from app.agreements.queries import events_of
 from app.projects.models import Engagement
 from app.projects.rules import EngagementKind
-from tests.app.deliveries.test_source_banks import SESSION, give
+from tests.app.deliveries.test_source_banks import RECIPE, SESSION, give
 from tests.app.money.agreed import Agreed, milestone
 from tests.app.reviews.making import Stage, body_of, refused
 from tests.support.deliver import deliver, open_delivery
@@ -113,6 +113,34 @@ def test_a_producer_hands_off_for_a_maker_without_the_source_bank(handed: Handed
     assert [version["source_files"] for version in seen["takes"]] == [[]], "the maker did not give it"
     asked = handed.second.get(f"/v1/handoffs/{handoff['id']}/source-files/{file['id']}")
     assert refused(asked) == (404, "source-file-not-found")
+
+
+@pytest.mark.slow
+def test_a_longer_list_costs_no_more_statements(handed: Handed) -> None:
+    world, cue_id = handed.world, handed.cue("door", variations=4)
+    path = f"/v1/cues/{cue_id}/handoffs"
+
+    def hand_off_with_a_take(variation: int) -> None:
+        take_id = handed.take(cue_id, variation)
+        handed.approve(take_id)
+        give(world, take_id)
+        body_of(world.designer.put(f"/v1/takes/{take_id}/source-bank", json=RECIPE))
+        made = world.designer.post(path, json=UNFINISHED)
+        assert made.status_code == 201, made.text
+        body_of(handed.name(made.json()))
+
+    def statements() -> int:
+        with world.server.counted_selects() as selects:
+            body_of_list(world.producer.get(path))
+        assert any("deliveries_source_files" in text for text in selects)
+        return len(selects)
+
+    hand_off_with_a_take(1)
+    for_one = statements()
+    for variation in (2, 3, 4):
+        hand_off_with_a_take(variation)
+    assert [len(handoff["takes"]) for handoff in body_of_list(world.producer.get(path))] == [4, 4, 4, 4]
+    assert statements() == for_one
 
 
 def test_who_made_nothing_hands_off_nothing(handed: Handed) -> None:

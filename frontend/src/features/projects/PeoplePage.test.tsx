@@ -208,7 +208,7 @@ describe('people', () => {
   test('where members see their own projects only, a producer adds one to the project, and removes them after a question', async () => {
     const isIn = (...who: { id: string; name: string }[]) => ({
       members_see: 'own',
-      members: who.map((person) => ({ person, roles: ['reviewer'], since: '2026-11-20T10:00:00Z' })),
+      members: who.map((person) => ({ person })),
     })
     const { asked, answers } = serve({
       ...inProject(),
