@@ -86,16 +86,18 @@ def _comments(session: Session, contract: Contract, entries: Sequence[Entry]) ->
 
 
 def _change_requests(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
-    since, known = _since(entries), _recorded_ids(session, contract, "change request")
+    since, recorded_ids = _since(entries), _recorded_ids(session, contract, "change request")
     for cue_id, request, sent_at in work_queries.change_requests_under(session, contract):
-        if str(request.id) not in known and _is_under(contract, since.get(str(cue_id)), sent_at):
+        if str(request.id) not in recorded_ids and _is_under(contract, since.get(str(cue_id)), sent_at):
             yield f"the change request {request.id} is in no entry"
 
 
 def _questions(session: Session, contract: Contract, entries: Sequence[Entry]) -> Iterator[str]:
-    since, known = _since(entries), _recorded_ids(session, contract, "question")
+    since, recorded_ids = _since(entries), _recorded_ids(session, contract, "question")
     for question in work_queries.questions_under(session, contract):
-        if str(question.id) not in known and _is_under(contract, since.get(str(question.cue_id)), question.asked_at):
+        if str(question.id) not in recorded_ids and _is_under(
+            contract, since.get(str(question.cue_id)), question.asked_at
+        ):
             yield f"the question {question.id} is in no entry"
 
 

@@ -32,7 +32,7 @@ class FileKind(StrEnum):
     GAME = "game"
     PLACEHOLDER = "placeholder"
     MASTER = "master"
-    KEY = "key"  # documentation key, hand-off and sums: made for the pack and kept with it
+    KEY = "key"  # documentation key, engine export and sums: made for the pack and kept with it
 
 
 @dataclass(frozen=True)

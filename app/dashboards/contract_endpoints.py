@@ -1,4 +1,4 @@
-"""What joins contracts, money and hiring with the rest of a project."""
+"""Endpoints that join contracts, money and hiring with a project."""
 
 from uuid import UUID
 

@@ -15,7 +15,7 @@ from app.reviews.queue.queries import waits
 
 
 def cues_under_contract(session: Session, cue_ids: Collection[UUID]) -> Sequence[UUID]:
-    """Return those of the cues that an agreed contract covers and that are not settled there."""
+    """Return the cues that an agreed contract covers and has not settled."""
     return session.scalars(
         select(ContractCue.cue_id)
         .join(Contract, Contract.id == ContractCue.contract_id)

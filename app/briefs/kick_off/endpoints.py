@@ -22,7 +22,7 @@ VISION = "feel"  # the question of the brief
 
 @router.get("/projects/{project_id}/vision", responses=problems(ProjectNotFound))
 def read_vision(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> Vision:
-    """Return the vision of the game's sound, from the brief's answer of now."""
+    """Return the vision: the current answer about the game's sound."""
     project_access(session, actor, project_id)
     answers = answers_in_words(session, project_id, [VISION])
     return Vision(text=answers[0][1] if answers else None)

@@ -1,4 +1,4 @@
-"""The content of a hand-off: cues with their files, and names that every engine accepts."""
+"""The content of an engine export: cues with their files, and names that every engine accepts."""
 
 import pkgutil
 import re

@@ -1,4 +1,4 @@
-"""The sounds of a hand-off as JSON, for the scripts of FMOD Studio, Unity and Unreal.
+"""The sounds of an engine export as JSON, for the scripts of FMOD Studio, Unity and Unreal.
 
 The scripts are the same in every pack and read this document. No name becomes part of a script, so none can change one.
 """

@@ -1,4 +1,4 @@
-"""The hand-off of a pack: its cues as engines import them."""
+"""The engine export of a pack: its cues as engines import them."""
 
 from uuid import UUID
 

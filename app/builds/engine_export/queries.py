@@ -13,7 +13,7 @@ from app.reviews.models import GameLevel
 
 
 def handed_paths(session: Session, project_id: UUID, target: str, handoff: Handoff) -> set[str]:
-    """Return the game files that a target's sealed packs with a hand-off contain."""
+    """Return the game files that a target's sealed packs with an engine export contain."""
     paths = session.scalars(
         select(PackedFile.path)
         .join(SealedPack, SealedPack.id == PackedFile.pack_id)
@@ -30,7 +30,7 @@ def handed_paths(session: Session, project_id: UUID, target: str, handoff: Hando
 
 
 def cues_of_the_game(session: Session, project_id: UUID, handoff: Handoff) -> set[UUID]:
-    """Return the cues that the adopted game plays already, where its project is one of the hand-off's engine."""
+    """Return the cues that the adopted game plays already, where its project is one of the export's engine."""
     adoptions = select(Adoption.game["engine"].as_string()).where(
         Adoption.project_id == project_id,
         Adoption.game.is_not(None),

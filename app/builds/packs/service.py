@@ -328,7 +328,7 @@ def pack_files(
     placeholders: bool = False,
     handoff: Sequence[Entry] = (),
 ) -> list[Packed]:
-    """Return the files of the ZIP in their order: the game files in list order, masters, hand-off, key, sums.
+    """Return the files of the ZIP in their order: the game files in list order, masters, engine export, key, sums.
 
     The key's workbook is a ZIP itself: before the sounds, a pack that broke off could be taken for it.
 

@@ -78,8 +78,10 @@ def sights_of(database: Database, viewers: Collection[Viewer]) -> Mapping[Viewer
                 sights[person_id].limited_in.add(studio_id)
             if is_demo:
                 in_demo.add(person_id)
-        own = select(ProjectMember.person_id, ProjectMember.project_id).where(ProjectMember.person_id.in_(people))
-        for person_id, project_id in session.execute(own):
+        memberships = select(ProjectMember.person_id, ProjectMember.project_id).where(
+            ProjectMember.person_id.in_(people)
+        )
+        for person_id, project_id in session.execute(memberships):
             sights[person_id].own_projects.add(project_id)
         speaking = select(Liaison.person_id, Liaison.project_id).where(Liaison.person_id.in_(people))
         for person_id, project_id in session.execute(speaking):
