@@ -206,7 +206,7 @@ class MemberChange:
     roles: frozenset[Role]
     changed_by: UUID
     hand_over_to: UUID | None = None  # who approves in their place
-    kept: frozenset[AccessKind] = frozenset()  # which kinds go on, in the name of `changed_by`
+    kept: frozenset[AccessKind] = frozenset()  # kinds that go on, of who sees their projects
 
     @property
     def has_left(self) -> bool:

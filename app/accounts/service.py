@@ -162,10 +162,11 @@ def remove_member(
 ) -> None:
     """End a membership with all that it gave; the person's account and what they did remain.
 
+    Nothing is kept in the name of who leaves by themselves.
     Raises LastProducer if no producer would be left, HandOverNeeded where another person must take over first.
     """
     session.delete(_membership_to_change(session, actor, studio_id, person_id, frozenset()))
-    _publish_change(session, actor, studio_id, person_id, [], hand_over_to, kept)
+    _publish_change(session, actor, studio_id, person_id, [], hand_over_to, () if person_id == actor.person else kept)
 
 
 def _publish_change(
@@ -184,11 +185,11 @@ def _publish_change(
         is_by_former_producer = invitation.invited_by == person_id and Role.PRODUCER not in roles
         if invitation.email == address or is_by_former_producer:
             invitation.revoked_at = clock.now()
-    if not roles and AccessKind.TOKENS in kept:
-        queries.hand_tokens_over(session, studio_id, person_id, to=actor.person)
-    elif not roles:
-        queries.revoke_tokens(session, studio_id, person_id)
     with bypass_row_policies(session):  # what ends is in projects too that the producer is not in
+        if not roles and AccessKind.TOKENS in kept:
+            queries.hand_tokens_over(session, studio_id, person_id, to=actor.person)
+        elif not roles:
+            queries.revoke_tokens(session, studio_id, person_id)
         publish(
             session,
             "member.changed",

@@ -134,7 +134,8 @@ def remove_member(
         list[AccessKind],
         Query(
             default_factory=list,
-            description="Access made by the member that the caller takes over; the rest is revoked or disabled.",
+            description="Access made by the member that the caller takes over, or a producer in its project where the "
+            "caller is not; the rest is revoked or disabled.",
         ),
     ],
     hand_over_to: Annotated[

@@ -41,10 +41,10 @@ def set_members_see(session: Session, actor: Actor, studio_id: UUID, sight: Memb
     if studio is None:
         raise StudioNotFound(f"no studio {studio_id}")
     if studio.members_see is not sight:
-        studio.members_see = sight
-        if sight is MembersSee.OWN:
+        if sight is MembersSee.OWN:  # before it holds: the caller may not see all projects then
             _add_named_people(session, studio_id)
             lead_projects(session, studio_id, actor.person)
+        studio.members_see = sight
         session.flush()
         record(session, SecurityEventKind.ROLES, SETTING_WORDS[sight], studio_ids=[studio_id], person_id=actor.person)
     return sight

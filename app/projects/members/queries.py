@@ -51,6 +51,14 @@ def delete_memberships(session: Session, studio_id: UUID, person_id: UUID) -> No
     session.execute(delete(ProjectMember).where(*of_person))
 
 
+def tokens_out_of_sight(session: Session, studio_id: UUID, person_id: UUID) -> Sequence[Row[Token, Project]]:
+    """Return the live tokens in a person's name for projects that they do not see, with the projects."""
+    closed = is_closed_to(person_id, studio_id=Project.studio_id, project_id=Project.id)
+    tokens = select(Token, Project).join(Project, Project.id == Token.project_id).where(closed)
+    of_person = Token.studio_id == studio_id, Token.created_by == person_id, Token.revoked_at.is_(None)
+    return session.execute(tokens.where(*of_person)).all()
+
+
 def revoke_tokens(session: Session, project_id: UUID, person_id: UUID) -> None:
     """Revoke the tokens that a person made for a project's builds."""
     live = Token.project_id == project_id, Token.created_by == person_id, Token.revoked_at.is_(None)

@@ -6,7 +6,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
 from app.accounts.queries import members
-from app.accounts.rules import MemberChange, MembersSee, Role
+from app.accounts.rules import AccessKind, MemberChange, MembersSee, Role
 from app.projects.members import queries
 from app.projects.models import Project, ProjectMember
 
@@ -18,6 +18,12 @@ def ensure_member(session: Session, project: Project, person_id: UUID) -> None:
         session.flush()
 
 
+def producer_of(session: Session, project: Project) -> UUID:
+    """Return the producer who has been in a project longest."""
+    roles_of = queries.members_of(session, project.id)
+    return next(member.person_id for member, roles in roles_of if Role.PRODUCER in roles)
+
+
 def end_membership(session: Session, change: MemberChange) -> None:
     """Take who left the studio out of its projects; a producer joins those that none is in then."""
     if change.has_left:
@@ -26,6 +32,10 @@ def end_membership(session: Session, change: MemberChange) -> None:
         producers = [member.person_id for member in members(session, change.studio_id) if Role.PRODUCER in member.roles]
         leaves_themselves = change.changed_by not in producers
         lead_projects(session, change.studio_id, producers[0] if leaves_themselves else change.changed_by)
+    if AccessKind.TOKENS in change.kept:
+        for token, project in queries.tokens_out_of_sight(session, change.studio_id, change.changed_by):
+            token.created_by = producer_of(session, project)
+        session.flush()
 
 
 def lead_projects(session: Session, studio_id: UUID, producer_id: UUID) -> None:

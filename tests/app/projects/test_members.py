@@ -14,6 +14,8 @@ from app.notifications.models import Notice
 from tests.house.routes import operations
 from tests.support.server import World
 
+pytestmark = pytest.mark.both_databases
+
 
 def limit(world: World, browser: TestClient | None = None) -> None:
     answer = (browser or world.producer).put(f"/v1/studios/{world.studio_id}/members-see", json={"members_see": "own"})
