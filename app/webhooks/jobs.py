@@ -16,7 +16,7 @@ def write_calls(runtime: Runtime, payload: Payload) -> None:
         project_id, message = message_of(session, runtime.settings.base_url, payload)
         for webhook in queries.webhooks_called(session, UUID(payload["studio_id"]), project_id):
             if message.event in webhook.events:
-                service.write_call(session, webhook, payload["event_id"], message)
+                service.write_call(session, webhook, payload["event_id"], message, project_id=project_id)
 
 
 @job(service.SEND_CALL)

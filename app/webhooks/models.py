@@ -45,6 +45,7 @@ class WebhookCall(StudioOwned, Base):
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     webhook_id: Mapped[UUID] = mapped_column(ForeignKey("webhooks_webhooks.id"))
+    project_id: Mapped[UUID | None] = mapped_column(ForeignKey("projects_projects.id"), index=True)  # None: a test
     event_id: Mapped[str]
     event: Mapped[str]
     body: Mapped[str]

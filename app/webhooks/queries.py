@@ -81,7 +81,15 @@ def is_attempt_at(condition: ColumnElement[bool]) -> ColumnElement[bool]:
 def call_to_send(session: Session, call_id: UUID, attempt: UUID, *, locked: bool) -> WebhookCall | None:
     """Return a call with its webhook while this attempt at it is the one that is due, and the webhook is enabled."""
     due = select(WebhookCall).join(WebhookCall.webhook).options(contains_eager(WebhookCall.webhook))
-    due = due.where(WebhookCall.id == call_id, WebhookCall.next_attempt == attempt, Webhook.disabled_at.is_(None))
+    closed = is_closed_to(
+        Webhook.created_by, studio_id=WebhookCall.studio_id, project_id=WebhookCall.project_id
+    )  # to whoever has the webhook of a former member
+    due = due.where(
+        WebhookCall.id == call_id,
+        WebhookCall.next_attempt == attempt,
+        Webhook.disabled_at.is_(None),
+        or_(WebhookCall.project_id.is_(None), not_(closed)),
+    )
     return session.scalar(due.with_for_update(of=[WebhookCall, Webhook]) if locked else due)
 
 

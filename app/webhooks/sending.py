@@ -114,7 +114,7 @@ def _notify_disabled(runtime: Runtime, session: Session, webhook: Webhook, call:
             session,
             event_id=f"{webhook.id}:{webhook.disabled_at}",
             studio_id=webhook.studio_id,
-            project_id=None,
+            project_id=webhook.project_id,
             topic=f"webhooks:{webhook.id}",
             recipient=recipient,
             subject="a webhook is disabled",

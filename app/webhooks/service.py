@@ -18,6 +18,7 @@ from app.core.db import bypass_row_policies, insert_if_absent, new_id
 from app.core.jobs.queue import BULK, queue_of
 from app.core.outgoing import AddressRefused, ensure_address
 from app.core.server_keys import derived
+from app.projects.members.service import is_open_to, producer_of
 from app.projects.models import Project
 from app.projects.service import project_access
 from app.webhooks import queries
@@ -86,7 +87,9 @@ def add(
     if project_id is not None:
         project = project_access(session, actor, project_id).project
         ensure_producer_of(session, actor, project.studio_id)
-    if queries.webhooks_count(session, studio_id) >= MAX_WEBHOOKS:
+    with bypass_row_policies(session):  # the limit counts those of projects that the producer is not in
+        count = queries.webhooks_count(session, studio_id)
+    if count >= MAX_WEBHOOKS:
         raise WebhooksFull(f"a studio has {MAX_WEBHOOKS} webhooks at most", fix="delete one that is not used")
     webhook = Webhook(
         studio_id=studio_id if project is None else project.studio_id,
@@ -141,9 +144,11 @@ def rotate_secret(session: Session, actor: Actor, webhook_id: UUID) -> Webhook:
 def remove(session: Session, actor: Actor, webhook_id: UUID) -> None:
     """Delete a webhook with its calls, once an attempt at one that is being recorded has ended."""
     webhook = webhook_for(session, actor, webhook_id, locked=True)
-    session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(WebhookCall.webhook_id == webhook.id)))
-    session.execute(delete(WebhookCall).where(WebhookCall.webhook_id == webhook.id))
-    session.delete(webhook)
+    with bypass_row_policies(session):  # it may have calls for projects that the producer is not in
+        session.execute(delete(WebhookAttempt).where(queries.is_attempt_at(WebhookCall.webhook_id == webhook.id)))
+        session.execute(delete(WebhookCall).where(WebhookCall.webhook_id == webhook.id))
+        session.delete(webhook)
+        session.flush()
     _record(session, actor, webhook, "deleted the webhook to")
 
 
@@ -153,10 +158,17 @@ def disable_webhooks_of_member(session: Session, payload: Mapping[str, Any]) -> 
     if not change.has_left:
         return
     for webhook in queries.enabled_webhooks_by(session, change.studio_id, change.person_id):
-        webhook.created_by = change.changed_by
+        webhook.created_by = _successor(session, webhook, change)
         if AccessKind.WEBHOOKS not in change.kept:
             webhook.disabled_at = clock.now()
     session.flush()
+
+
+def _successor(session: Session, webhook: Webhook, change: MemberChange) -> UUID:
+    """Return who has the webhook of a former member: who removed them, or a producer in its project if they are not."""
+    if webhook.project is None or is_open_to(session, webhook.project, change.changed_by):
+        return change.changed_by
+    return producer_of(session, webhook.project)
 
 
 def send_test(session: Session, actor: Actor, webhook_id: UUID, base_url: str) -> WebhookCall:
@@ -164,7 +176,8 @@ def send_test(session: Session, actor: Actor, webhook_id: UUID, base_url: str) -
     webhook = webhook_for(session, actor, webhook_id, locked=True)
     _ensure_enabled(webhook)
     text = "Soundlist: this is a test. Messages about your projects will arrive here."
-    write_call(session, webhook, str(new_id()), Message(WebhookEvent.TEST, text, base_url))
+    test = Message(WebhookEvent.TEST, text, base_url)
+    write_call(session, webhook, str(new_id()), test, project_id=webhook.project_id)
     return queries.calls_of(session, webhook.id, before=None, limit=1)[0]
 
 
@@ -207,7 +220,14 @@ def _studios_run_by(actor: Actor) -> list[UUID]:
 
 def _record(session: Session, actor: Actor, webhook: Webhook, act: str) -> None:
     summary = f"{act} {urlsplit(webhook.url).hostname}"  # the rest of an address may hold a secret
-    record(session, SecurityEventKind.WEBHOOK, summary, studio_ids=[webhook.studio_id], person_id=actor.person)
+    record(
+        session,
+        SecurityEventKind.WEBHOOK,
+        summary,
+        studio_ids=[webhook.studio_id],
+        project_id=webhook.project_id,
+        person_id=actor.person,
+    )
 
 
 def _ensure_enabled(webhook: Webhook) -> None:
@@ -234,14 +254,15 @@ def queue_event(session: Session, payload: Mapping[str, Any]) -> None:
         queue_of(session).enqueue(session, WRITE_CALLS, dict(payload), key=key, studio_id=studio_id, priority=BULK)
 
 
-def write_call(session: Session, webhook: Webhook, event_id: str, message: Message) -> None:
-    """Write one message for one address, once for each event, and have it sent."""
+def write_call(session: Session, webhook: Webhook, event_id: str, message: Message, *, project_id: UUID | None) -> None:
+    """Write one message about a project for one address, once for each event, and have it sent."""
     now = clock.now()
     call_id = new_id()
     facts = {
         "id": call_id,
         "studio_id": webhook.studio_id,
         "webhook_id": webhook.id,
+        "project_id": project_id,
         "event_id": event_id,
         "event": message.event,
         "body": body_of(webhook.form, message, now),

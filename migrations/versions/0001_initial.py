@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_98c17ced"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_90b21996"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -329,25 +329,6 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("studio_id", "kind", name=op.f("pk_accounts_quotas")),
     )
     op.create_table(
-        "accounts_security_events",
-        sa.Column("id", sa.Uuid(), nullable=False),
-        sa.Column("studio_id", sa.Uuid(), nullable=False),
-        sa.Column("kind", sa.Enum("sign_in", "email", "password", "second_factor", "roles", "removal", "token", "webhook", "guest_link", "export", name="securityeventkind", native_enum=False, length=32), nullable=False),
-        sa.Column("summary", sa.String(), nullable=False),
-        sa.Column("person_id", sa.Uuid()),
-        sa.Column("about_id", sa.Uuid()),
-        sa.Column("network", sa.String(), nullable=False),
-        sa.Column("at", sa.DateTime(timezone=True), nullable=False),
-        sa.ForeignKeyConstraint(["about_id"], ["accounts_people.id"], name=op.f("fk_accounts_security_events_about_id")),
-        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_security_events_person_id")),
-        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_security_events_studio_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_security_events")),
-    )
-    op.create_index(op.f("ix_accounts_security_events_about_id"), "accounts_security_events", ["about_id"])
-    op.create_index(op.f("ix_accounts_security_events_at"), "accounts_security_events", ["at"])
-    op.create_index(op.f("ix_accounts_security_events_person_id"), "accounts_security_events", ["person_id"])
-    op.create_index("ix_accounts_security_events_studio_id", "accounts_security_events", ["studio_id", "id"])
-    op.create_table(
         "accounts_sign_in_domains",
         sa.Column("domain", sa.String(), nullable=False),
         sa.Column("bound_at", sa.DateTime(timezone=True), nullable=False),
@@ -626,6 +607,28 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_shares_guest_copies_studio_id")),
         sa.PrimaryKeyConstraint("studio_id", "key", name=op.f("pk_shares_guest_copies")),
     )
+    op.create_table(
+        "accounts_security_events",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("project_id", sa.Uuid()),
+        sa.Column("kind", sa.Enum("sign_in", "email", "password", "second_factor", "roles", "removal", "token", "webhook", "guest_link", "export", name="securityeventkind", native_enum=False, length=32), nullable=False),
+        sa.Column("summary", sa.String(), nullable=False),
+        sa.Column("person_id", sa.Uuid()),
+        sa.Column("about_id", sa.Uuid()),
+        sa.Column("network", sa.String(), nullable=False),
+        sa.Column("at", sa.DateTime(timezone=True), nullable=False),
+        sa.ForeignKeyConstraint(["about_id"], ["accounts_people.id"], name=op.f("fk_accounts_security_events_about_id")),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_accounts_security_events_person_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_accounts_security_events_project_id"), ondelete="SET NULL"),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_accounts_security_events_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_accounts_security_events")),
+    )
+    op.create_index(op.f("ix_accounts_security_events_about_id"), "accounts_security_events", ["about_id"])
+    op.create_index(op.f("ix_accounts_security_events_at"), "accounts_security_events", ["at"])
+    op.create_index(op.f("ix_accounts_security_events_person_id"), "accounts_security_events", ["person_id"])
+    op.create_index(op.f("ix_accounts_security_events_project_id"), "accounts_security_events", ["project_id"])
+    op.create_index("ix_accounts_security_events_studio_id", "accounts_security_events", ["studio_id", "id"])
     op.create_table(
         "briefs_briefs",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -1425,7 +1428,6 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("id", name=op.f("pk_sound_lists_cues")),
         sa.UniqueConstraint("project_id", "number", name=op.f("uq_sound_lists_cues_project_id_number")),
     )
-    op.create_index("ix_sound_lists_cues_category", "sound_lists_cues", ["project_id", "category", "id", "studio_id"])
     op.create_index("ix_sound_lists_cues_counted", "sound_lists_cues", ["state", "project_id", "variations", "placeholder"])
     op.create_index(op.f("ix_sound_lists_cues_implementer_id"), "sound_lists_cues", ["implementer_id"])
     op.create_index("ix_sound_lists_cues_order", "sound_lists_cues", ["project_id", "position", "number"])
@@ -2109,6 +2111,7 @@ def upgrade() -> None:
         "webhooks_calls",
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("webhook_id", sa.Uuid(), nullable=False),
+        sa.Column("project_id", sa.Uuid()),
         sa.Column("event_id", sa.String(), nullable=False),
         sa.Column("event", sa.String(), nullable=False),
         sa.Column("body", sa.String(), nullable=False),
@@ -2123,6 +2126,7 @@ def upgrade() -> None:
         sa.Column("problem", sa.String(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_webhooks_calls_project_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_webhooks_calls_studio_id")),
         sa.ForeignKeyConstraint(["webhook_id"], ["webhooks_webhooks.id"], name=op.f("fk_webhooks_calls_webhook_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_webhooks_calls")),
@@ -2130,6 +2134,7 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_webhooks_calls_created_at"), "webhooks_calls", ["created_at"])
     op.create_index("ix_webhooks_calls_log", "webhooks_calls", ["webhook_id", "id"])
+    op.create_index(op.f("ix_webhooks_calls_project_id"), "webhooks_calls", ["project_id"])
     op.create_index(op.f("ix_webhooks_calls_studio_id"), "webhooks_calls", ["studio_id"])
     op.create_table(
         "contracts_amendment_acceptances",
@@ -2514,12 +2519,12 @@ def upgrade() -> None:
         sa.UniqueConstraint("upload_id", name=op.f("uq_deliveries_takes_upload_id")),
     )
     op.create_index(op.f("ix_deliveries_takes_delivery_id"), "deliveries_takes", ["delivery_id"])
-    op.create_index("ix_deliveries_takes_file_names", "deliveries_takes", ["project_id", "id", "file_name", "designer_id", "discarded_at", "studio_id"])
     op.create_index(op.f("ix_deliveries_takes_fix_of_id"), "deliveries_takes", ["fix_of_id"])
     op.create_index("ix_deliveries_takes_kept", "deliveries_takes", ["studio_id", "master_sha256", "master_bytes", "master_deleted_at"])
     op.create_index("ix_deliveries_takes_labelled", "deliveries_takes", ["project_id", "id", "label", "designer_id", "studio_id"], sqlite_where=sa.text("label is not null"), postgresql_where=sa.text("label is not null"))
     op.create_index(op.f("ix_deliveries_takes_master_sha256"), "deliveries_takes", ["master_sha256"])
-    op.create_index("ix_deliveries_takes_project_waiting", "deliveries_takes", ["project_id", "state", "state_since", "cue_id", "designer_id", "studio_id"])
+    op.create_index("ix_deliveries_takes_project_id_id", "deliveries_takes", ["project_id", "id"])
+    op.create_index("ix_deliveries_takes_project_waiting", "deliveries_takes", ["project_id", "state", "state_since", "cue_id"])
     op.create_index("ix_deliveries_takes_studio_waiting", "deliveries_takes", ["studio_id", "state", "state_since", "cue_id"])
     op.create_index("ix_deliveries_takes_sums", "deliveries_takes", ["project_id", "cue_id", "variation", "state", "number", "designer_id", "studio_id"])
     op.create_index("uq_reviews_one_approved", "deliveries_takes", ["cue_id", "variation"], unique=True, sqlite_where=sa.text("state = 'approved'"), postgresql_where=sa.text("state = 'approved'"))
@@ -3561,7 +3566,6 @@ def upgrade() -> None:
     )
     op.create_index("ix_reviews_given_reasons_counted", "reviews_given_reasons", ["project_id", "designer_id", "kind", "reason", "cue_id", "studio_id"])
     op.create_index("ix_reviews_given_reasons_found", "reviews_given_reasons", ["project_id", "kind", "reason", "verdict_id"])
-    op.create_index("ix_reviews_given_reasons_of_cues", "reviews_given_reasons", ["project_id", "cue_id", "designer_id", "kind", "reason", "studio_id"])
     op.create_index(op.f("ix_reviews_given_reasons_studio_id"), "reviews_given_reasons", ["studio_id"])
     op.create_table(
         "contracts_invoice_lines",
