@@ -128,7 +128,7 @@ def download_pack(
         handoff=handed_cues.handoff_entries(session, pack, handoff),
     )
     name, entries = f"{pack.project.name} {pack.target}.zip", [file.entry for file in files]
-    record_download(request, session, actor, pack.project.studio_id, name)
+    record_download(request, session, actor, pack.project.studio_id, pack.project.id, name)
     return stream_zip(name, entries)
 
 
@@ -307,7 +307,7 @@ def download_sealed_pack(
     """Stream a pack that was handed out, the same bytes each time."""
     pack = sealing.visible_sealed(session, actor, pack_id)
     name, entries = f"{pack.target} {pack.number}.zip", sealing.sealed_entries(session, runtime.store, pack)
-    record_download(request, session, actor, pack.studio_id, name)
+    record_download(request, session, actor, pack.studio_id, pack.project_id, name)
     return stream_zip(name, entries)
 
 

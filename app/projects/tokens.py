@@ -71,5 +71,11 @@ def revoke_token(session: Session, actor: Actor, project_id: UUID, token_id: UUI
     if token.revoked_at is None:
         token.revoked_at = clock.now()
         summary = f"revoked the build token {token.name}"
-        studio_ids = [token.studio_id]
-        record(session, SecurityEventKind.TOKEN, summary, studio_ids=studio_ids, person_id=actor.person)
+        record(
+            session,
+            SecurityEventKind.TOKEN,
+            summary,
+            studio_ids=[token.studio_id],
+            project_id=project_id,
+            person_id=actor.person,
+        )

@@ -217,7 +217,14 @@ def _link_for(session: Session, actor: Actor, link_id: UUID) -> GuestLink:
 
 def _record(session: Session, actor: Actor, link: GuestLink, act: str) -> None:
     summary = f"{act} the guest link {link.title}"
-    record(session, SecurityEventKind.GUEST_LINK, summary, studio_ids=[link.studio_id], person_id=actor.person)
+    record(
+        session,
+        SecurityEventKind.GUEST_LINK,
+        summary,
+        studio_ids=[link.studio_id],
+        project_id=link.project_id,
+        person_id=actor.person,
+    )
 
 
 def _invalid(where: str, message: str) -> GuestLinkInvalid:

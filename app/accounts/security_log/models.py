@@ -20,6 +20,9 @@ class SecurityEvent(Base):
 
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     studio_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_studios.id"))
+    project_id: Mapped[UUID | None] = mapped_column(  # None: of the studio, or of a project that is erased
+        ForeignKey("projects_projects.id", ondelete="SET NULL"), index=True
+    )
     kind: Mapped[SecurityEventKind]
     summary: Mapped[str]  # holds no name and no address of a person
     person_id: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"), index=True)  # None: the server

@@ -29,15 +29,22 @@ def record(
     summary: str,
     *,
     studio_ids: Sequence[UUID],
+    project_id: UUID | None = None,
     person_id: UUID | None,
     about_id: UUID | None = None,
 ) -> None:
-    """Add a line to the log of each studio."""
+    """Add a line to the log of each studio; of a project, only who sees it reads the line."""
     network = network_of(session.info.get(CLIENT_ADDRESS, ""))
     with bypass_row_policies(session):  # who joins or leaves cannot see the studio
         session.add_all(
             SecurityEvent(
-                studio_id=studio_id, kind=kind, summary=summary, person_id=person_id, about_id=about_id, network=network
+                studio_id=studio_id,
+                project_id=project_id,
+                kind=kind,
+                summary=summary,
+                person_id=person_id,
+                about_id=about_id,
+                network=network,
             )
             for studio_id in studio_ids
         )
@@ -66,7 +73,14 @@ def record_token(session: Session, payload: Mapping[str, Any]) -> None:
     """Record a new token for builds."""
     token = session.get_one(Token, UUID(payload["token_id"]))
     summary = f"made the build token {token.name}"
-    record(session, SecurityEventKind.TOKEN, summary, studio_ids=[token.studio_id], person_id=token.created_by)
+    record(
+        session,
+        SecurityEventKind.TOKEN,
+        summary,
+        studio_ids=[token.studio_id],
+        project_id=token.project_id,
+        person_id=token.created_by,
+    )
 
 
 def record_joining(session: Session, payload: Mapping[str, Any]) -> None:

@@ -35,8 +35,8 @@ def download_handover(
     actor: Actor = allows(Audience.PRODUCER),
 ) -> StreamingResponse:
     """Stream the handover of an ended contract to the next designer: approved masters, cues, brief, open rounds."""
-    studio_id, name, entries = handover_pack(session, runtime.store, actor, contract_id)
-    record_download(request, session, actor, studio_id, name)
+    project, name, entries = handover_pack(session, runtime.store, actor, contract_id)
+    record_download(request, session, actor, project.studio_id, project.id, name)
     return stream_zip(name, entries)
 
 

@@ -44,8 +44,8 @@ READ_ME, CUES = "README.md", "cues.csv"
 NO_STATE = "not settled"
 
 
-def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUID) -> tuple[UUID, str, list[Entry]]:
-    """Return studio, name and files of a contract's handover pack, for a producer.
+def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUID) -> tuple[Project, str, list[Entry]]:
+    """Return project, name and files of a contract's handover pack, for a producer.
 
     Raises ContractNotEnded before the contract has ended, BlobDamaged where the store lacks a master.
     """
@@ -80,7 +80,7 @@ def handover_pack(session: Session, store: Store, actor: Actor, contract_id: UUI
     ensure_stored(store, project.studio_id, masters)
     entries = [*masters, memory_entry(CUES, cue_table(handover)), memory_entry(READ_ME, read_me(handover))]
     entries.append(memory_entry(SUMS, sums({entry.path: entry.sha256 for entry in entries})))
-    return project.studio_id, f"{project.name} handover {contract.number}.zip", entries
+    return project, f"{project.name} handover {contract.number}.zip", entries
 
 
 def open_handovers(session: Session, actor: Actor, project_id: UUID) -> list[OpenHandover]:

@@ -63,5 +63,5 @@ def read_journal(
     bookings = journal.journal(session, actor, project_id, from_on=from_on, until_on=until_on)
     project = session.get_one(Project, project_id)
     if actor.roles_in(project.studio_id):  # a designer takes the own sales along, not what the studio keeps
-        record_download(request, session, actor, project.studio_id, f"the journal of {project.name}")
+        record_download(request, session, actor, project.studio_id, project_id, f"the journal of {project.name}")
     return file_response(bookings, journal.CSV, "journal.csv")

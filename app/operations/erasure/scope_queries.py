@@ -11,8 +11,7 @@ STUDIOS, PROJECTS = "accounts_studios", "projects_projects"
 Scope = Callable[[sa.Table], sa.ColumnElement[bool] | None]
 # Tables without a studio_id whose rows belong to a studio all the same: by which column, to which table.
 BELOW = {"reviews_heard_takes": ("take_id", "deliveries_takes")}
-
-
+KEPT = frozenset({"accounts_security_events"})  # of the studio too, whatever becomes of the project
 ACROSS = frozenset({"builds_same_sounds", "builds_library_matches"})  # of two projects at once
 
 
@@ -35,9 +34,11 @@ def of_studio(table: sa.Table, studio_id: UUID) -> sa.ColumnElement[bool] | None
 
 
 def of_project(table: sa.Table, project_id: UUID) -> sa.ColumnElement[bool] | None:
-    """Return the rows of a table that are a project's, or refer to one of its rows and are no other project's."""
+    """Return the rows of a table that go with a project: its own, and those that refer to one and are no other's."""
     if table.name == PROJECTS:
         return table.c.id == project_id
+    if table.name in KEPT:
+        return None
     if "project_id" in table.c and table.name not in ACROSS:
         return table.c.project_id == project_id
     conditions = [table.c.project_id == project_id] if "project_id" in table.c else []

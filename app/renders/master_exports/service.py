@@ -61,7 +61,14 @@ def request_export(session: Session, actor: Actor, take_id: UUID) -> MasterExpor
     export.refusal = None
     session.flush()
     summary = f"exported the master {export.file_name}"
-    record(session, SecurityEventKind.EXPORT, summary, studio_ids=[take.studio_id], person_id=actor.person)
+    record(
+        session,
+        SecurityEventKind.EXPORT,
+        summary,
+        studio_ids=[take.studio_id],
+        project_id=take.project_id,
+        person_id=actor.person,
+    )
     publish(session, "master_export.asked", studio_id=take.studio_id, export_id=export.id)
     return export
 
