@@ -56,7 +56,7 @@ def notify_game_task(runtime: Runtime, payload: Payload) -> None:
         line = f"{name}: {KIND_WORDS[task.kind]}{gain}{where}" + (f": {task.text}" if task.text else ".")
         notifier = Notifier(runtime, session, project, payload["event_id"])
         if task.role is TaskRole.IMPLEMENTER:
-            people = queries.implementer_addresses(session, project.studio_id)
+            people = queries.implementer_addresses(session, project)
         else:
             people = {queries.address_of(session, task.assignee_id)} if task.assignee_id else set()
         for recipient in people:

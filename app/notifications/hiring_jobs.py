@@ -38,7 +38,7 @@ def _mail(
         session,
         event_id=payload["event_id"],
         studio_id=posting.studio_id,
-        project_id=None,
+        project_id=posting.project_id,
         topic=f"posting:{posting.id}",
         recipient=recipient,
         subject=f"{posting.title}: {subject}",

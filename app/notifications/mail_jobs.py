@@ -58,7 +58,7 @@ def _send(runtime: Runtime, mail_id: UUID) -> None:
         claimed = service.claim(session, mail_id)
         if claimed is None:
             return
-        if preferences.drop_unwanted(session, claimed):
+        if preferences.drop_unwanted(session, claimed) or service.drop_unaddressed(session, claimed):
             return
         # A link that was handed over since the server refused the mail goes on working.
         is_by_hand = claimed.secret_of is not None and claimed.failure is not None and claimed.link is not None

@@ -34,6 +34,7 @@ class Mail(Dated, Base):
     recipient: Mapped[str]
     subject: Mapped[str]
     lines: Mapped[list[str]]
+    line_project_ids: Mapped[list[str]] = mapped_column(default=list)  # of a digest: the project of each line, or ""
     spots: Mapped[dict[str, Any]] = mapped_column(default=dict)  # places in sounds, by the addresses in the lines
     event_ids: Mapped[list[str]]  # each event is mailed once, however often its job runs
     folds: Mapped[dict[str, Any]] = mapped_column(default=dict)  # of a digest, by topic: the line and what it folds

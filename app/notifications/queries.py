@@ -77,6 +77,8 @@ def is_in_outbox(session: Session, actor: Actor, mail: Mail) -> bool:
     """Whether a caller runs the studio that a mail is sent for, and sees the project that it is about."""
     if mail.studio_id is None or Role.PRODUCER not in actor.roles_in(mail.studio_id):
         return False
+    if mail.studio_id in actor.limited_studio_ids and mail.topic.startswith(f"{DIGEST}:"):
+        return False
     return mail.about_project_id is None or session.get(Project, mail.about_project_id) is not None
 
 
@@ -229,22 +231,26 @@ def spokesperson_addresses(session: Session, project: Project) -> set[str]:
     return {*approver_addresses(session, project), *(liaison.person.email for liaison in liaisons)}
 
 
-def producer_addresses(session: Session, studio_id: UUID) -> set[str]:
-    """Return the addresses of the studio's producers."""
-    return _addresses_with(session, studio_id, Role.PRODUCER)
+def producer_addresses(session: Session, studio_id: UUID, project_id: UUID | None = None) -> set[str]:
+    """Return the addresses of the studio's producers; of a project, those of who sees it."""
+    return _addresses_with(session, studio_id, Role.PRODUCER, project_id)
 
 
-def implementer_addresses(session: Session, studio_id: UUID) -> set[str]:
-    """Return the addresses of the studio's implementers; of its producers where it has none."""
-    return _addresses_with(session, studio_id, Role.IMPLEMENTER) or producer_addresses(session, studio_id)
+def implementer_addresses(session: Session, project: Project) -> set[str]:
+    """Return the addresses of the studio's implementers who see a project; of its producers where there are none."""
+    implementers = _addresses_with(session, project.studio_id, Role.IMPLEMENTER, project.id)
+    return implementers or producer_addresses(session, project.studio_id, project.id)
 
 
-def _addresses_with(session: Session, studio_id: UUID, role: Role) -> set[str]:
-    rows = session.execute(
+def _addresses_with(session: Session, studio_id: UUID, role: Role, project_id: UUID | None) -> set[str]:
+    people = (
         select(Person.email, Membership.roles)
         .join(Membership, Membership.person_id == Person.id)
         .where(Membership.studio_id == studio_id)
     )
+    if project_id is not None:
+        people = people.where(not_(is_closed_to(Person.id, studio_id=studio_id, project_id=project_id)))
+    rows = session.execute(people)
     return {email for email, roles in rows if role in roles}
 
 

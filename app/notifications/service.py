@@ -49,10 +49,12 @@ def write_mail(
     send_after: datetime | None = None,
     fold: Fold | None = None,
     part: DigestPart | None = None,
+    line_project_ids: Sequence[str] = (),
 ) -> None:
     """Add to the recipient's open mail on the topic, or begin one and have it sent at once, or after a moment.
 
-    By a `fold` the subject counts the lines; a `part` of a digest takes the further lines of its own topic.
+    By a `fold` the subject counts the lines; a `part` of a digest takes the further lines of its own topic, and
+    `line_project_ids` are the projects of its lines.
     """
     now = clock.now()
     send_after = send_after or now
@@ -65,6 +67,7 @@ def write_mail(
         "recipient": recipient,
         "subject": subject,
         "lines": list(lines),
+        "line_project_ids": list(line_project_ids),
         "spots": dict(spots),
         "event_ids": [event_id],
         "folds": part.begun(0) if part else {},
@@ -87,6 +90,7 @@ def write_mail(
     if part is None or part.topic not in mail.folds:
         mail.folds = {**mail.folds, **(part.begun(len(mail.lines)) if part else {})}
         mail.lines = [*mail.lines, *lines]
+        mail.line_project_ids = [*mail.line_project_ids, *line_project_ids]
     else:
         at = mail.folds[part.topic]["at"]
         mail.folds, text = part.joined(mail.folds)
@@ -166,7 +170,36 @@ def write_news(
         news=preferences.EVERYTHING,
         send_after=send_after,
         part=DigestPart(topic, fold, mailed, link) if fold else None,
+        line_project_ids=[str(project_id or "")],
     )
+
+
+def drop_unaddressed(session: Session, mail: Mail) -> bool:
+    """Take out of a mail what is about projects that its reader may not see by now; delete it where nothing is left.
+
+    Return whether it was deleted. A mail with a secret link is for whoever is invited, and stays.
+    """
+    person_id = queries.person_id_at(session, mail.recipient)
+    if person_id is None or mail.studio_id is None or mail.secret_of is not None:
+        return False
+    if mail.about_project_id is not None:
+        is_left = queries.is_addressed(session, mail.studio_id, person_id, mail.about_project_id)
+    else:
+        is_left = not mail.line_project_ids or _keep_addressed_lines(session, mail, mail.studio_id, person_id)
+    if not is_left:
+        session.delete(mail)
+    return not is_left
+
+
+def _keep_addressed_lines(session: Session, mail: Mail, studio_id: UUID, person_id: UUID) -> bool:
+    is_open = {
+        id_: queries.is_addressed(session, studio_id, person_id, UUID(id_) if id_ else None)
+        for id_ in set(mail.line_project_ids)
+    }
+    kept = [(line, id_) for line, id_ in zip(mail.lines, mail.line_project_ids, strict=True) if is_open[id_]]
+    mail.lines, mail.line_project_ids = [line for line, _ in kept], [id_ for _, id_ in kept]
+    mail.spots = {url: spot for url, spot in mail.spots.items() if any(url in line for line in mail.lines)}
+    return bool(kept)
 
 
 def drop_news_of_member(session: Session, payload: Mapping[str, Any]) -> None:

@@ -7,12 +7,14 @@ from uuid import UUID
 
 from sqlalchemy.orm import Session
 
+from app.accounts.models import Studio
+from app.accounts.rules import MembersSee
 from app.core import clock, outgoing
 from app.core.outgoing import AddressRefused, Answer, RequestFailed, Resolver
 from app.core.runtime import Runtime
 from app.notifications.kinds import declare_topics
 from app.notifications.preferences.rules import News
-from app.notifications.queries import producer_addresses
+from app.notifications.queries import address_of, producer_addresses
 from app.notifications.service import write_news
 from app.webhooks import queries
 from app.webhooks.models import Webhook, WebhookAttempt, WebhookCall
@@ -103,13 +105,20 @@ def _record(runtime: Runtime, session: Session, call: WebhookCall, outcome: Outc
         call.next_at = now + pause
 
 
+def _producers_told(session: Session, webhook: Webhook) -> set[str]:
+    """Return the addresses of the producers who see a webhook: where they see their own, one of all is its maker's."""
+    if webhook.project_id is None and session.get_one(Studio, webhook.studio_id).members_see is MembersSee.OWN:
+        return {address_of(session, webhook.created_by)}
+    return producer_addresses(session, webhook.studio_id, webhook.project_id)
+
+
 def _notify_disabled(runtime: Runtime, session: Session, webhook: Webhook, call: WebhookCall) -> None:
     host = webhook.url.split("/")[2]
     line = (
         f"{host} has taken no message for {DISABLED_AFTER // timedelta(days=1)} days ({call.problem}), so nothing is "
         "sent there any more. Enable the webhook again once it answers; its log has what was not delivered."
     )
-    for recipient in sorted(producer_addresses(session, webhook.studio_id)):
+    for recipient in sorted(_producers_told(session, webhook)):
         write_news(
             session,
             event_id=f"{webhook.id}:{webhook.disabled_at}",

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_90b21996"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_6b0194b5"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -494,6 +494,7 @@ def upgrade() -> None:
         sa.Column("recipient", sa.String(), nullable=False),
         sa.Column("subject", sa.String(), nullable=False),
         sa.Column("lines", JSON, nullable=False),
+        sa.Column("line_project_ids", JSON, nullable=False),
         sa.Column("spots", JSON, nullable=False),
         sa.Column("event_ids", JSON, nullable=False),
         sa.Column("folds", JSON, nullable=False),
@@ -1131,6 +1132,7 @@ def upgrade() -> None:
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("designer_id", sa.Uuid(), nullable=False),
         sa.Column("kind", sa.Enum("advisory", "contract", "in-house", name="engagementkind", native_enum=False, length=32), nullable=False),
+        sa.Column("kind_since", sa.DateTime(timezone=True), nullable=False),
         sa.Column("ended_at", sa.DateTime(timezone=True)),
         sa.Column("nda_sha256", sa.String()),
         sa.Column("nda_accepted_at", sa.DateTime(timezone=True)),

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import func, literal, select, union_all, update
+from sqlalchemy import func, literal, not_, select, union_all, update
 from sqlalchemy.orm import Session
 
 from app.accounts.models import DeskToken, InvoiceDetails, Membership, Operator, Person, SignIn, Studio
@@ -22,6 +22,7 @@ from app.notifications.models import Notice
 from app.operations.erasure import scope_queries as scopes
 from app.operations.models import Erasure
 from app.projects.models import Engagement, Project
+from app.projects.visibility import is_closed_to
 from app.references.models import ReferenceVersion
 from app.reviews.models import Comment, Verdict
 from app.shares.models import GuestLink, SavedView
@@ -172,12 +173,13 @@ def names_of_erasure(session: Session, erasure: Erasure) -> tuple[str, str]:
 
 
 def addresses_concerned(session: Session, studio_id: UUID, project_id: UUID | None) -> set[str]:
-    """Return the addresses of a studio's members and of the designers engaged in it, or in one of its projects."""
+    """Return the addresses of a studio's members and of its engaged designers; of a project, those of who sees it."""
     members = select(Person.email).join(Membership, Membership.person_id == Person.id)
     designers = select(Person.email).join(Engagement, Engagement.designer_id == Person.id)
     designers = designers.where(Engagement.studio_id == studio_id, Engagement.ended_at.is_(None))
     if project_id is not None:
         designers = designers.where(Engagement.project_id == project_id)
+        members = members.where(not_(is_closed_to(Person.id, studio_id=studio_id, project_id=project_id)))
     return set(session.scalars(members.where(Membership.studio_id == studio_id))) | set(session.scalars(designers))
 
 

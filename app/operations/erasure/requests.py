@@ -89,7 +89,8 @@ def read_project_erasure(session: Session, actor: Actor, project_id: UUID) -> Er
 def read_studio_erasure(session: Session, actor: Actor, studio_id: UUID) -> ErasureRead:
     """Return the plan of erasing a studio: deleted rows, kept rows and obstacles."""
     studio = ensure_producer_of(session, actor, studio_id)
-    obstacle = erasure.obstacle_of_contracts(session, f"The studio {studio.name}", studio_id=studio_id)
+    with bypass_row_policies(session):  # contracts of projects that the producer is not in count too
+        obstacle = erasure.obstacle_of_contracts(session, f"The studio {studio.name}", studio_id=studio_id)
     return _plan(session, studio.name, studio_id, None, obstacle)
 
 
@@ -147,7 +148,14 @@ def give_up(session: Session, erasure_id: UUID, reason: str) -> None:
         return
     name, _ = erasure_queries.names_of_erasure(session, pending)
     for recipient in sorted(erasure_queries.addresses_concerned(session, pending.studio_id, pending.project_id)):
-        _mail(session, recipient, pending.studio_id, f"{name} was not erased", f"{name} was not erased: {reason}.")
+        _mail(
+            session,
+            recipient,
+            pending.studio_id,
+            f"{name} was not erased",
+            f"{name} was not erased: {reason}.",
+            project_id=pending.project_id,
+        )
     session.delete(pending)
 
 
@@ -201,6 +209,7 @@ def _request(
             f"{person} has requested that {name} be erased with everything in it, {counted(GRACE.days, 'day')} from "
             "now. Download what you need before. Until then a producer can cancel it.",
             link=page,
+            project_id=project_id,
         )
 
 
@@ -211,7 +220,8 @@ def _cancel(session: Session, actor: Actor, name: str, studio_id: UUID, project_
     session.delete(pending)
     person = session.get_one(Person, actor.person)
     for recipient in sorted(erasure_queries.addresses_concerned(session, studio_id, project_id)):
-        _mail(session, recipient, studio_id, f"{name} will not be erased", f"{person.name} has cancelled the erasure.")
+        line = f"{person.name} has cancelled the erasure."
+        _mail(session, recipient, studio_id, f"{name} will not be erased", line, project_id=project_id)
 
 
 def _ensure_confirmed(typed: str, confirmation: str) -> None:
@@ -221,13 +231,21 @@ def _ensure_confirmed(typed: str, confirmation: str) -> None:
 
 
 def _mail(
-    session: Session, recipient: str, studio_id: UUID | None, subject: str, line: str, link: str | None = None
+    session: Session,
+    recipient: str,
+    studio_id: UUID | None,
+    subject: str,
+    line: str,
+    *,
+    link: str | None = None,
+    project_id: UUID | None = None,
 ) -> None:
     event_id = str(new_id())
     notifications.write_mail(
         session,
         event_id=event_id,
         studio_id=studio_id,
+        project_id=project_id,
         topic=f"erasure:{event_id}",
         recipient=recipient,
         subject=subject,

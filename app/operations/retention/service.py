@@ -207,7 +207,7 @@ def _tell(session: Session, plan: Plan, subject: str, line: str, base_url: str) 
     contract = plan.contracts[-1]
     event_id, path = str(new_id()), f"/projects/{contract.project_id}/contracts/{contract.id}"
     topic, subject = f"contract:masters:{event_id}", f"{contract.project.name}: {subject}"
-    recipients = notification_queries.producer_addresses(session, contract.studio_id)
+    recipients = notification_queries.producer_addresses(session, contract.studio_id, contract.project_id)
     recipients |= {notification_queries.address_of(session, contract.designer_id)}
     for recipient in sorted(recipients):
         notices.add(
@@ -225,6 +225,7 @@ def _tell(session: Session, plan: Plan, subject: str, line: str, base_url: str) 
             session,
             event_id=event_id,
             studio_id=contract.studio_id,
+            project_id=contract.project_id,
             topic=topic,
             recipient=recipient,
             subject=subject,

@@ -19,6 +19,7 @@ from app.operations.schemas import KeptKind
 from app.operations.scrubbing import queries as blob_queries
 from app.operations.scrubbing import service as scrubbing
 from tests.app.agreements.conftest import Contracts
+from tests.app.projects.test_members import add_producer, limit
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
@@ -215,3 +216,14 @@ def test_a_contract_without_years_sets_no_end(keeping: Keeping) -> None:
     assert (keeping.read()["years"], keeping.read()["ends_on"]) == (None, None)
     keeping.after(4_000)
     assert keeping.has_master
+
+
+def test_the_end_of_masters_is_told_to_producers_who_see_the_project(keeping: Keeping) -> None:
+    world = keeping.world
+    add_producer(world)
+    keeping.sign_and_deliver()
+    limit(world)
+    end = years_after(clock.now().date(), YEARS)
+    keeping.after(-30)
+    parties = {f"{person_id}@example.test" for person_id in (world.producer_id, world.designer_id)}
+    assert keeping.mailed(f"masters will be deleted on {end.day} ") == parties

@@ -9,18 +9,28 @@ import sqlalchemy as sa
 from fastapi.testclient import TestClient
 from sqlalchemy.orm import Session
 
+from app.accounts.models import Membership
+from app.accounts.rules import Role
 from app.accounts.security_log import service as security_log
 from app.accounts.security_log.models import SecurityEvent
 from app.accounts.security_log.rules import SecurityEventKind
+from app.core.db import new_id
+from app.notifications import mail_jobs
+from app.notifications import queries as notification_queries
+from app.notifications import service as notifications
+from app.notifications.models import Mail
 from app.operations.erasure.service import erase_project
+from app.projects.models import Project, ProjectMember
 from app.webhooks import queries as webhook_queries
 from app.webhooks import service as webhooks
 from app.webhooks.bodies import Message
 from app.webhooks.models import Webhook
 from app.webhooks.rules import WebhookEvent
+from tests.app.agreements.conftest import Contracts
 from tests.app.projects.test_members import add_producer, limit
 from tests.app.reviews.making import refused
 from tests.support.server import World
+from tests.support.smtp import mail_server
 
 pytestmark = pytest.mark.both_databases
 
@@ -183,3 +193,168 @@ def test_the_security_log_outlives_the_project(hidden: Hidden) -> None:
     with hidden.world.server.runtime.database.reading() as session:
         of_project = sa.select(SecurityEvent.id).where(SecurityEvent.project_id == hidden.project_id)
         assert session.scalars(of_project).all() == []
+
+
+def address(person_id: UUID) -> str:
+    return f"{person_id}@example.test"
+
+
+def write_news(hidden: Hidden, person_id: UUID, *project_ids: UUID) -> None:
+    """Write news of projects to a person, to be sent later."""
+
+    def write(session: Session) -> None:
+        for project_id in project_ids:
+            notifications.write_news(
+                session,
+                event_id=str(new_id()),
+                studio_id=hidden.world.studio_id,
+                project_id=project_id,
+                topic=f"list:{project_id}",
+                recipient=address(person_id),
+                subject=f"news of {project_id}",
+                lines=["A line."],
+                base_url="https://s.example",
+                path="/desk",
+                delay_s=3600,
+            )
+
+    hidden.world.server.in_database(write)
+
+
+def send_all(hidden: Hidden, person_id: UUID) -> None:
+    """Send the mails of a person that wait, as if their time had come."""
+    with hidden.world.server.runtime.database.reading() as session:
+        waiting = sa.select(Mail.id).where(Mail.recipient == address(person_id), Mail.sent_at.is_(None))
+        mail_ids = session.scalars(waiting).all()
+    for mail_id in mail_ids:
+        mail_jobs.send_mail(hidden.world.server.runtime, {"mail_id": str(mail_id)})
+
+
+def test_mails_that_wait_are_not_sent_to_who_was_removed_meanwhile(hidden: Hidden) -> None:
+    with mail_server(hidden.world.server) as mails:
+        write_news(hidden, hidden.other_id, hidden.project_id)
+        assert hidden.owner.delete(f"{hidden.path}/members/{hidden.other_id}").status_code == 204
+        send_all(hidden, hidden.other_id)
+        assert mails.texts_for(address(hidden.other_id)) == []
+
+
+def test_a_digest_leaves_out_the_lines_of_projects_that_its_reader_lost(hidden: Hidden) -> None:
+    wishes = {"cadences": {"list": "daily"}, "time_zone": "UTC", "daily_at": "08:00"}
+    assert hidden.other.put("/v1/me/mail-preferences", json=wishes).status_code == 200
+    page = f"/v1/projects/{hidden.world.project_id}/members/{hidden.other_id}"
+    assert hidden.world.producer.put(page).status_code == 204
+    with mail_server(hidden.world.server) as mails:
+        write_news(hidden, hidden.other_id, hidden.project_id, hidden.world.project_id)
+        assert hidden.owner.delete(f"{hidden.path}/members/{hidden.other_id}").status_code == 204
+        send_all(hidden, hidden.other_id)
+        (text,) = mails.texts_for(address(hidden.other_id))
+    assert f"news of {hidden.world.project_id}" in text
+    assert f"news of {hidden.project_id}" not in text
+
+
+def test_a_digest_of_several_projects_is_sent_again_by_nobody_who_sees_some_only(hidden: Hidden) -> None:
+    wishes = {"cadences": {"list": "daily"}, "time_zone": "UTC", "daily_at": "08:00"}
+    assert hidden.other.put("/v1/me/mail-preferences", json=wishes).status_code == 200
+    write_news(hidden, hidden.other_id, hidden.project_id)
+    with hidden.world.server.runtime.database.reading() as session:
+        mail_id = session.scalars(sa.select(Mail.id).where(Mail.recipient == address(hidden.other_id))).one()
+    assert refused(hidden.world.producer.post(f"/v1/mails/{mail_id}/send"))[0] == 404
+
+
+def test_an_erasure_is_announced_to_who_sees_the_project(hidden: Hidden) -> None:
+    asked = hidden.owner.post(f"{hidden.path}/erasure", json={"confirmation": "Hidden Game"})
+    assert asked.status_code == 200, asked.text
+    assert hidden.owner.delete(f"{hidden.path}/erasure").status_code == 204
+    with hidden.world.server.runtime.database.reading() as session:
+        about = sa.select(Mail.recipient).where(Mail.subject.contains("Hidden Game"))
+        about = about.where(Mail.studio_id == hidden.world.studio_id)
+        assert set(session.scalars(about)) == {address(hidden.owner_id), address(hidden.other_id)}
+    assert "Hidden Game" not in hidden.world.producer.get(f"{hidden.studio}/outbox").text
+
+
+def test_producers_and_implementers_who_are_written_to_see_the_project(hidden: Hidden) -> None:
+    add_producer(hidden.world, "An implementer", Role.IMPLEMENTER)
+    with hidden.world.server.runtime.database.reading() as session:
+        project = session.get_one(Project, hidden.project_id)
+        assert notification_queries.implementer_addresses(session, project) == {
+            address(hidden.owner_id),
+            address(hidden.other_id),
+        }
+
+
+def test_a_candidates_news_are_in_the_outbox_of_who_sees_the_project(hidden: Hidden) -> None:
+    cue = {"name": "Door", "file_name": "door"}
+    assert hidden.owner.post(f"{hidden.path}/cues", json={"cues": [cue]}).is_success
+    posting = hidden.owner.post(f"{hidden.path}/postings", json={"title": "Hidden effects"}).json()
+    assert hidden.owner.post(f"/v1/postings/{posting['id']}/open").status_code == 200
+    secret = hidden.owner.post(f"/v1/postings/{posting['id']}/link").json()["url"].rpartition("/")[2]
+    stranger = hidden.world.stranger
+    assert stranger.post(f"/v1/posting-links/{secret}/join").is_success
+    asked = stranger.post(f"/v1/postings/{posting['id']}/questions", json={"text": "How long?"})
+    assert asked.is_success, asked.text
+    (question,) = asked.json()["questions"]
+    answer = {"text": "Two weeks.", "is_for_all": True}
+    answered = hidden.owner.post(f"/v1/posting-questions/{question['id']}/answer", json=answer)
+    assert answered.is_success, answered.text
+    hidden.world.server.wait_for_jobs()
+    assert "Hidden effects: a question" in hidden.owner.get(f"{hidden.studio}/outbox").text
+    assert "Hidden effects" not in hidden.world.producer.get(f"{hidden.studio}/outbox").text
+
+
+def contract_signed_by(world: World, person_id: UUID, *, sent: bool = False) -> dict[str, Any]:
+    """Return a contract of the visible project that a producer is named to sign."""
+    contracts = Contracts(world)
+    draft = contracts.begin()
+    answer = world.producer.put(f"/v1/contracts/{draft['id']}/signers", json={"person_ids": [str(person_id)]})
+    assert answer.status_code == 200, answer.text
+    return contracts.send(draft) if sent else draft
+
+
+def test_a_signer_is_in_the_project_and_stays_until_another_is_named(hidden: Hidden) -> None:
+    world = hidden.world
+    page = f"/v1/projects/{world.project_id}"
+    assert hidden.other.get(page).status_code == 404
+    draft = contract_signed_by(world, hidden.other_id)
+    assert hidden.other.get(page).status_code == 200
+    kept = world.producer.delete(f"{page}/members/{hidden.other_id}")
+    assert refused(kept) == (409, "member-needed")
+    assert "named to sign a contract" in kept.json()["detail"]
+    assert world.producer.put(f"/v1/contracts/{draft['id']}/signers", json={"person_ids": []}).status_code == 200
+    assert world.producer.delete(f"{page}/members/{hidden.other_id}").status_code == 204
+
+
+def test_signers_are_in_their_projects_when_the_setting_is_turned_on(world: World) -> None:
+    signer_id, signer = add_producer(world)
+    contract_signed_by(world, signer_id)
+
+    def leave(session: Session) -> None:
+        session.execute(sa.delete(ProjectMember).where(ProjectMember.person_id == signer_id))
+
+    world.server.in_database(leave)
+    limit(world)
+    assert signer.get(f"/v1/projects/{world.project_id}").status_code == 200
+
+
+def test_a_contract_that_waits_is_not_named_to_who_does_not_see_its_project(hidden: Hidden) -> None:
+    world = hidden.world
+    contract = contract_signed_by(world, hidden.other_id, sent=True)
+    query = {"hand_over_to": str(hidden.owner_id)}
+    removed = hidden.owner.delete(f"{hidden.studio}/people/{hidden.other_id}", params=query)
+    assert refused(removed) == (409, "hand-over-needed")
+    assert removed.json()["detail"] == "they are named to sign 1 contract in a project that you are not in"
+    assert removed.json()["errors"] == []
+    assert contract["title"] in world.producer.delete(f"{hidden.studio}/people/{hidden.other_id}").json()["detail"]
+
+
+def test_an_engaged_member_works_on_their_project(hidden: Hidden) -> None:
+    world = hidden.world
+
+    def join(session: Session) -> None:
+        session.add(Membership(studio_id=world.studio_id, person_id=world.designer_id, roles=[Role.PRODUCER]))
+
+    world.server.in_database(join)
+    page = f"/v1/projects/{world.project_id}"
+    assert world.designer.get(page).status_code == 200
+    made = world.designer.post(f"{page}/postings", json={"title": "Effects"})
+    assert made.status_code == 201, made.text
+    assert world.designer.get(f"{page}/members").status_code == 200

@@ -22,11 +22,11 @@ def limit(world: World, browser: TestClient | None = None) -> None:
     assert answer.status_code == 200, answer.text
 
 
-def add_producer(world: World, name: str = "A second producer") -> tuple[UUID, TestClient]:
+def add_producer(world: World, name: str = "A second producer", role: Role = Role.PRODUCER) -> tuple[UUID, TestClient]:
     with world.server.runtime.database.writing() as session:
         person_id = world._person(session, name)
         session.flush()
-        session.add(Membership(studio_id=world.studio_id, person_id=person_id, roles=[Role.PRODUCER]))
+        session.add(Membership(studio_id=world.studio_id, person_id=person_id, roles=[role]))
     return person_id, world.signed_in(person_id)
 
 
