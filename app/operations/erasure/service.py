@@ -104,8 +104,10 @@ def obstacle_of_contracts(session: Session, name: str, **of: UUID) -> str | None
     signed = erasure_queries.signed_contracts(session, **of)
     if not signed:
         return None
+    is_of_project = "project_id" in of  # one of a studio may be in a project that the reader does not see
+    example = f", such as {signed[0].title}" if is_of_project else ""
     return (
-        f"{name} has {counted(len(signed), 'signed contract')}, such as {signed[0].title}: contracts, invoices and "
+        f"{name} has {counted(len(signed), 'signed contract')}{example}: contracts, invoices and "
         "the record of what was accepted are kept as evidence and for the tax office"
     )
 

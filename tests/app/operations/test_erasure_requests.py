@@ -14,6 +14,7 @@ from app.notifications.models import Mail
 from app.operations import jobs
 from app.operations.erasure import requests as erasure_requests
 from tests.app.agreements.conftest import Contracts
+from tests.app.projects.test_members import add_producer, limit
 from tests.support.deliver import add_cues
 from tests.support.server import World
 
@@ -101,6 +102,15 @@ def test_a_signed_contract_stands_against_it_before_and_in_the_days_of_grace(
     assert "1 signed contract" in plan["obstacles"][0]
     refused = world.producer.post(path, json={"confirmation": "Shield Wing"})
     assert (refused.status_code, refused.json()["code"]) == (409, "erasure-refused")
+
+
+def test_a_contract_of_an_unseen_project_stands_against_it_without_its_name(world: World) -> None:
+    contracts = Contracts(world)
+    contracts.agree(contracts.begin())
+    _, outsider = add_producer(world)
+    limit(world)
+    (obstacle,) = outsider.get(f"/v1/studios/{world.studio_id}/erasure").json()["obstacles"]
+    assert "The studio Test studio has 1 signed contract: " in obstacle
 
 
 def test_only_producers_erase_and_for_others_there_is_nothing(world: World) -> None:
