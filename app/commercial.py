@@ -13,7 +13,7 @@ from app.agreements.record.project_changes import (
     record_question,
     record_spec_version,
 )
-from app.agreements.signing.service import end_signers_of_member
+from app.agreements.signing.service import answer_needed_people, end_signers_of_member
 from app.agreements.sources import ensure_stated_to_accept
 from app.core.events import Handler, Receiver, Signal
 from app.deliveries import signals as deliveries
@@ -25,6 +25,7 @@ from app.money.covering import answer_contract_references
 from app.money.downloads import answer_closed_downloads
 from app.money.ledger.service import charge_deposits
 from app.money.source_files import answer_source_files
+from app.projects import signals as projects
 from app.reviews import signals as reviews
 
 JOB_MODULES = (
@@ -59,6 +60,7 @@ HANDLERS: dict[str, tuple[Handler, ...]] = {
     "member.changed": (end_signers_of_member, revoke_posting_links, revoke_calendars),  # the first may refuse it
 }
 RECEIVERS: dict[type[Signal[Any]], tuple[Receiver, ...]] = {
+    projects.NeededPeople: (answer_needed_people,),
     deliveries.WorkDone: (verdicts.record_work,),
     deliveries.SourcesDue: (ensure_stated_to_accept,),
     deliveries.DownloadsClosed: (answer_closed_downloads,),

@@ -233,6 +233,13 @@ def unsigned_contracts_of_signer(session: Session, studio_id: UUID, person_id: U
     ).all()
 
 
+def signers_awaited(session: Session, project_id: UUID) -> Sequence[UUID]:
+    """Return the people who are named to sign contracts of a project that are not agreed."""
+    unsigned = Contract.project_id == project_id, Contract.state.in_((ContractState.DRAFT, ContractState.SENT))
+    signers = select(ContractSigner.person_id).join(Contract, Contract.id == ContractSigner.contract_id)
+    return session.scalars(signers.where(*unsigned).distinct()).all()
+
+
 def drop_signer(session: Session, contract_id: UUID, person_id: UUID) -> None:
     """Delete one person from those who are named to sign a contract for the studio."""
     named = ContractSigner.contract_id == contract_id, ContractSigner.person_id == person_id

@@ -46,7 +46,11 @@ from app.core import clock
 from app.core.db import bypass_row_policies
 from app.core.errors import FieldProblem
 from app.core.events import publish
+from app.core.plural import counted
 from app.projects.engagements import record_nda
+from app.projects.members.service import ensure_member, is_open_to
+from app.projects.models import Project
+from app.projects.signals import NeededPeople
 
 AnyAcceptance = TypeVar("AnyAcceptance", bound=Acceptance)
 
@@ -106,6 +110,7 @@ def set_signers(
     producers = _producers(session, contract) - {contract.designer_id}
     ensure_signers_fit(person_ids, producers)
     queries.drop_signers(session, contract.id)
+    project = session.get_one(Project, contract.project_id)
     for position, person_id in enumerate(person_ids, start=1):
         session.add(
             ContractSigner(
@@ -116,8 +121,14 @@ def set_signers(
                 position=position,
             )
         )
+        ensure_member(session, project, person_id)
     contract.signs_first = first
     session.flush()
+
+
+def answer_needed_people(session: Session, asked: NeededPeople) -> dict[UUID, str]:
+    """Return the people who are named to sign a contract of a project that is not agreed yet."""
+    return dict.fromkeys(queries.signers_awaited(session, asked.project_id), "is named to sign a contract here")
 
 
 def contracts_to_sign(session: Session, studio_id: UUID, person_id: UUID) -> list[Contract]:
@@ -140,14 +151,22 @@ def end_signers_of_member(session: Session, payload: Mapping[str, Any]) -> None:
     if Role.PRODUCER in change.roles:
         return
     if waiting := contracts_to_sign(session, change.studio_id, change.person_id):
+        seen = [contract for contract in waiting if is_open_to(session, contract.project, change.changed_by)]
+        names = [contract.title for contract in seen]
+        if hidden := len(waiting) - len(seen):
+            names.append(
+                counted(
+                    hidden, "contract in a project that you are not in", "contracts in projects that you are not in"
+                )
+            )
         raise HandOverNeeded(
-            f"they are named to sign {', '.join(contract.title for contract in waiting)}",
+            f"they are named to sign {', '.join(names)}",
             errors=[
                 FieldProblem(
                     where=f"contracts.{contract.id}",
                     message=f"signs {contract.title} of {contract.project.name} for the studio",
                 )
-                for contract in waiting
+                for contract in seen
             ],
             fix="recall each of these contracts, name other signers and send it again",
         )

@@ -13,14 +13,16 @@ from app.accounts.security_log.rules import SecurityEventKind
 from app.accounts.security_log.service import record
 from app.accounts.service import ensure_member_of, ensure_producer_of
 from app.core import clock
+from app.core.events import send
 from app.projects.approval import queries as approval_queries
 from app.projects.approval.service import approval_rights
 from app.projects.errors import MemberNeeded, ProjectMemberNotFound
 from app.projects.members import queries
 from app.projects.members.service import ensure_member, lead_projects
-from app.projects.models import ProjectMember
+from app.projects.models import Project, ProjectMember
 from app.projects.queries import is_liaison, liaisons_of
 from app.projects.service import project_access
+from app.projects.signals import NeededPeople
 
 SETTING_WORDS = {
     MembersSee.ALL: "let members see all projects",
@@ -55,8 +57,19 @@ def _add_named_people(session: Session, studio_id: UUID) -> None:
         rights = approval_rights(session, project)
         leads = {liaison.person_id for liaison in liaisons_of(session, [project.id])}
         deputies = {deputy_id for deputy_ids in rights.deputies.values() for deputy_id in deputy_ids}
-        for person_id in {rights.approver_id, *rights.by_category.values(), *leads, *deputies}:
+        for person_id in {
+            rights.approver_id,
+            *rights.by_category.values(),
+            *leads,
+            *deputies,
+            *_needed(session, project),
+        }:
             ensure_member(session, project, person_id)
+
+
+def _needed(session: Session, project: Project) -> dict[UUID, str]:
+    """Return the people whom rooms above this one need in a project, each with what they are there."""
+    return {id_: part for needed in send(session, NeededPeople(project.id)) for id_, part in needed.items()}
 
 
 def people_of_project(session: Session, actor: Actor, project_id: UUID) -> tuple[MembersSee, Sequence[ProjectMember]]:
@@ -80,7 +93,7 @@ def add_member(session: Session, actor: Actor, project_id: UUID, person_id: UUID
 def remove_member(session: Session, actor: Actor, project_id: UUID, person_id: UUID) -> None:
     """Take a member out of a project, and revoke the build tokens that they made for it.
 
-    Raises MemberNeeded for approvers, deputies, audio leads and the only producer.
+    Raises MemberNeeded for approvers, deputies, audio leads, signers and the only producer.
     """
     access = project_access(session, actor, project_id)
     access.ensure_producer()
@@ -92,6 +105,8 @@ def remove_member(session: Session, actor: Actor, project_id: UUID, person_id: U
     today = clock.now().date()
     if is_liaison(session, project_id, person_id) or approval_rights(session, access.project).is_approver(person_id):
         raise MemberNeeded("this person is an approver or an audio lead here", fix="name another person first")
+    if part := _needed(session, access.project).get(person_id):
+        raise MemberNeeded(f"this person {part}", fix="name another person first")
     if approval_queries.is_deputy_until(session, project_id, person_id, until=today):
         raise MemberNeeded("this person is a deputy, or has one", fix="withdraw the deputy first")
     if not any(Role.PRODUCER in held for id_, held in roles.items() if id_ != person_id):
