@@ -49,6 +49,7 @@ PERSONAL = frozenset(
 TEAMS_OWN = frozenset(  # no designer reads them
     {
         *("hiring_scores", "hiring_roster_entries", "hiring_busy_ranges", "hiring_reel_sounds"),
+        *("hiring_bid_notes", "hiring_loans", "projects_members"),
         *("shares_guest_links", "shares_guest_sounds", "shares_guest_visits", "shares_guest_plays"),
         *("shares_guest_copies", "shares_live_sessions", "shares_live_listeners"),
         *("webhooks_webhooks", "webhooks_calls", "webhooks_attempts"),
@@ -73,7 +74,10 @@ LISTS = {  # looked up when a transaction begins, and kept to its end
         where person_id = me and members_see = 'all'""",
     "soundlist.own_projects": """
         select project_id from projects_members join accounts_memberships using (studio_id, person_id)
-        where person_id = me""",
+        where person_id = me
+        union select project_id from projects_engagements engagements join accounts_memberships members
+        on members.studio_id = engagements.studio_id and person_id = designer_id
+        where designer_id = me and ended_at is null""",
     "soundlist.near_studios": """
         select studio_id from accounts_memberships where person_id = me
         union select studio_id from projects_engagements where designer_id = me

@@ -128,6 +128,29 @@ def test_where_members_see_their_own_projects_the_others_are_hidden(database: Da
             connection.execute(sa.update(studios).where(studios.c.id == HERE).values(members_see=MembersSee.ALL))
 
 
+@pytest.mark.parametrize("name", ["shares_guest_links", "webhooks_webhooks", "reviews_verdicts", "projects_projects"])
+def test_an_engaged_member_sees_the_project_as_its_members_do(database: Database, name: str):
+    studios, engagements, members = (
+        Base.metadata.tables[kind] for kind in ("accounts_studios", "projects_engagements", "projects_members")
+    )
+    one, other = PROJECTS[HERE]
+    with database.engine.begin() as connection:
+        connection.execute(sa.update(studios).where(studios.c.id == HERE).values(members_see=MembersSee.OWN))
+        connection.execute(sa.update(members).where(members.c.person_id == MEMBER).values(person_id=new_id()))
+        connection.execute(sa.update(engagements).where(engagements.c.project_id == other).values(designer_id=MEMBER))
+    try:
+        with database.reading(AccessScope(person_id=MEMBER)) as session:
+            assert projects_seen(session, name) - {None} == {other}
+        with database.reading(AccessScope(person_id=DESIGNER)) as session:  # engaged, and no member of the studio
+            assert (one in projects_seen(session, name)) is (name not in TEAMS_OWN)
+    finally:
+        with database.engine.begin() as connection:
+            connection.execute(sa.update(studios).where(studios.c.id == HERE).values(members_see=MembersSee.ALL))
+            connection.execute(
+                sa.update(engagements).where(engagements.c.designer_id == MEMBER).values(designer_id=new_id())
+            )
+
+
 def test_every_table_says_who_may_see_its_rows():
     for table in Base.metadata.sorted_tables:
         assert (condition(table) is None) == (table.name in UNGUARDED | ADD_ONLY | SERVERS_OWN), table.name
