@@ -1,6 +1,5 @@
 """The endpoints of effort and size."""
 
-from datetime import date
 from typing import Annotated
 from uuid import UUID
 
@@ -14,6 +13,7 @@ from app.dashboards.effort.schemas import Effort, SizeEstimate
 from app.dashboards.effort.service import project_effort
 from app.dashboards.effort.service import size_estimate as estimated_size
 from app.hiring.errors import PostingNotFound
+from app.hiring.schemas import Day
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import KitNotFound
 
@@ -28,8 +28,8 @@ def read_effort(
     session: DbSession,
     posting_id: UUID | None = None,
     contract_id: UUID | None = None,
-    begin_on: date | None = None,
-    due_on: date | None = None,
+    begin_on: Day | None = None,
+    due_on: Day | None = None,
     weekly_hours: Annotated[float | None, Query(ge=1, le=168)] = None,
     actor: Actor = allows(Audience.TEAM),
 ) -> Effort:

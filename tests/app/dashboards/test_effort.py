@@ -211,3 +211,10 @@ def test_the_team_reads_the_size_that_the_brief_leads_to(world: World) -> None:
     assert world.producer.get(path, params={"kit": "none"}).status_code == 404
     assert world.designer.get(path).status_code == 403
     assert world.stranger.get(path).status_code == 404
+
+
+def test_a_day_beyond_the_calendar_is_refused(world: World) -> None:
+    for name in ("begin_on", "due_on"):
+        answer = read(world, **{name: "9999-12-31"})
+        assert answer.status_code == 422
+        assert name in answer.json()["errors"][0]["where"]
