@@ -12,7 +12,7 @@ from app.accounts.models import Person
 from app.accounts.quotas.queries import Usage
 from app.core.in_array import in_array
 from app.core.uploads import Upload
-from app.deliveries.models import Archive, Delivery, DryStem, Take, TrayAction
+from app.deliveries.models import Archive, Delivery, DryStem, SourceFile, Take, TrayAction
 from app.deliveries.rules import OPEN_STATES, TakeState
 from app.deliveries.rules import stem_of as stem_of_name
 from app.projects.models import Engagement, Project
@@ -30,7 +30,11 @@ _OF_UPLOAD = select(Take).where(Take.upload_id == bindparam("upload_id")).option
 
 
 kept_master_bytes = Usage(
-    Take.studio_id, Take.master_deleted_at.is_(None), sha256=Take.master_sha256, size_bytes=Take.master_bytes
+    Take.studio_id,
+    Take.master_deleted_at.is_(None),
+    sha256=Take.master_sha256,
+    size_bytes=Take.master_bytes,
+    also=Usage(SourceFile.studio_id, sha256=SourceFile.sha256, size_bytes=SourceFile.file_bytes),
 )
 open_uploads = Usage(Upload.studio_id, Upload.sha256.is_(None))
 

@@ -5,7 +5,7 @@ from datetime import datetime
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import BindParameter, ColumnElement, Select, bindparam, func, select
+from sqlalchemy import BindParameter, ColumnElement, Select, bindparam, func, select, union_all
 from sqlalchemy.orm import InstrumentedAttribute, Session
 
 from app.accounts.models import Membership, Person, Quota, Studio, Token
@@ -21,31 +21,43 @@ class Usage:
         *conditions: ColumnElement[bool],
         sha256: InstrumentedAttribute[Any] | None = None,
         size_bytes: InstrumentedAttribute[Any] | None = None,
+        also: "Usage | None" = None,
     ) -> None:
         self._studio_id = studio_id
         self._conditions = conditions
-        self._sha256 = sha256
-        self._size_bytes = size_bytes
+        self._sha256: Any = sha256
+        self._size_bytes: Any = size_bytes
+        self._also = also  # files of another table that count too
 
     def __call__(self, session: Session, studio_id: UUID) -> int:
         """Return the amount that one studio has."""
-        return dict(self._rows(session, self._studio_id == studio_id)).get(studio_id, 0)
+        return dict(self._rows(session, studio_id)).get(studio_id, 0)
 
     def by_studio(self, session: Session) -> dict[UUID, int]:
         """Return the amount of each studio that has any, by one statement."""
         return dict(self._rows(session))
 
-    def _rows(self, session: Session, *conditions: ColumnElement[bool]) -> list[tuple[UUID, int]]:
-        statement = self._statement(*self._conditions, *conditions)
-        return [(studio_id, int(amount or 0)) for studio_id, amount in session.execute(statement)]
+    def _rows(self, session: Session, studio_id: UUID | None = None) -> list[tuple[UUID, int]]:
+        return [(owner_id, int(amount or 0)) for owner_id, amount in session.execute(self._statement(studio_id))]
 
-    def _statement(self, *conditions: ColumnElement[bool]) -> Select[UUID, Any]:
-        if self._sha256 is None or self._size_bytes is None:
-            return select(self._studio_id, func.count()).where(*conditions).group_by(self._studio_id)
-        size = func.max(self._size_bytes).label("size_bytes")
-        files = select(self._studio_id.label("studio_id"), size).where(*conditions)
-        file = files.group_by(self._studio_id, self._sha256).subquery()
+    def _statement(self, studio_id: UUID | None) -> Select[UUID, Any]:
+        if self._sha256 is None:
+            return select(self._studio_id, func.count()).where(*self._of(studio_id)).group_by(self._studio_id)
+        files = self._files(studio_id)
+        if self._also is not None:
+            both = union_all(files, self._also._files(studio_id)).subquery()
+            size = func.max(both.c.size_bytes).label("size_bytes")
+            files = select(both.c.studio_id, both.c.sha256, size).group_by(both.c.studio_id, both.c.sha256)
+        file = files.subquery()
         return select(file.c.studio_id, func.sum(file.c.size_bytes)).group_by(file.c.studio_id)
+
+    def _files(self, studio_id: UUID | None) -> Select[Any, Any, Any]:
+        size = func.max(self._size_bytes).label("size_bytes")
+        files = select(self._studio_id.label("studio_id"), self._sha256.label("sha256"), size)
+        return files.where(*self._of(studio_id)).group_by(self._studio_id, self._sha256)
+
+    def _of(self, studio_id: UUID | None) -> list[ColumnElement[bool]]:
+        return [*self._conditions, *([] if studio_id is None else [self._studio_id == studio_id])]
 
 
 def studios_opened_by(session: Session, person_id: UUID) -> int:

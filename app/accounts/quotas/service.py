@@ -37,7 +37,7 @@ DEFAULTS: Mapping[QuotaKind, int] = {
     QuotaKind.REEL_BYTES: 50_000_000_000,
 }
 NOUNS: Mapping[QuotaKind, str] = {
-    QuotaKind.MASTER_BYTES: "bytes of masters",
+    QuotaKind.MASTER_BYTES: "bytes of masters and source files",
     QuotaKind.CUES: "cues",
     QuotaKind.PROJECTS: "projects",
     QuotaKind.PEOPLE: "people",

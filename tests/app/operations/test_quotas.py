@@ -13,6 +13,7 @@ from app.accounts.rules import Role
 from app.cli import accounts, cli
 from app.deliveries.uploads import quotas as upload_quotas
 from app.operations.quotas import PAGE_STUDIOS
+from tests.app.deliveries.test_source_banks import SESSION, give
 from tests.support.deliver import TUS, add_cues, deliver, metadata, open_delivery, upload
 from tests.support.references import begin_upload
 from tests.support.server import World
@@ -94,6 +95,18 @@ def test_what_is_finished_is_never_refused(world: World) -> None:
     limit(world, QuotaKind.MASTER_BYTES, 0)
     body = {"upload_id": upload_id, "file_name": "a.wav"}
     assert world.designer.post(f"/v1/deliveries/{delivery_id}/takes", json=body).status_code == 201
+    assert send(world).status_code == 507
+
+
+def test_source_files_count_with_the_masters(world: World) -> None:
+    add_cues(world, {"name": "Door"})
+    take = deliver(world, "a.wav", SOUND)
+    give(world, take["id"], SESSION)
+    assert give(world, take["id"], SOUND, "a.wav")["file_name"] == "a.wav"
+    shown = world.producer.get(f"/v1/studios/{world.studio_id}/quotas").json()
+    used = next(one["used"] for one in shown if one["kind"] == "master_bytes")
+    assert used == len(SOUND) + len(SESSION), "the same bytes count once"
+    limit(world, QuotaKind.MASTER_BYTES, len(SOUND) + len(SESSION))
     assert send(world).status_code == 507
 
 
