@@ -116,10 +116,16 @@ def engage(
         engagement = Engagement(studio_id=studio_id, project_id=project_id, designer=designer, kind=kind)
         session.add(engagement)
     else:
-        engagement.kind, engagement.ended_at = kind, None
+        _set_kind(engagement, kind)
+        engagement.ended_at = None
     session.flush()
     publish(session, "designer.joined", studio_id=engagement.studio_id, engagement_id=engagement.id)
     return engagement
+
+
+def _set_kind(engagement: Engagement, kind: EngagementKind) -> None:
+    if engagement.kind is not kind:
+        engagement.kind, engagement.kind_since = kind, clock.now()
 
 
 def change_engagement(
@@ -136,7 +142,7 @@ def change_engagement(
     engagement = queries.engagement_by_id(session, project_id, engagement_id)
     if engagement is None:
         raise EngagementNotFound(f"no engagement {engagement_id} in this project")
-    engagement.kind = kind or engagement.kind
+    _set_kind(engagement, kind or engagement.kind)
     if ended is not None and ended != (engagement.ended_at is not None):
         engagement.ended_at = clock.now() if ended else None
     if engagement.ended_at is not None:

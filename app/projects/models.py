@@ -127,6 +127,7 @@ class Engagement(ProjectOwned, Dated, Base):
     id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     kind: Mapped[EngagementKind]
+    kind_since: Mapped[datetime] = mapped_column(default=clock.now)
     ended_at: Mapped[datetime | None]
     nda_sha256: Mapped[str | None]  # of the document that the designer accepted
     nda_accepted_at: Mapped[datetime | None]

@@ -18,7 +18,8 @@ from app.core.db import bypass_row_policies, insert_if_absent, new_id
 from app.core.jobs.queue import BULK, queue_of
 from app.core.outgoing import AddressRefused, ensure_address
 from app.core.server_keys import derived
-from app.projects.members.service import is_open_to, producer_of
+from app.projects.members.queries import is_open_to
+from app.projects.members.service import producer_of
 from app.projects.models import Project
 from app.projects.service import project_access
 from app.webhooks import queries

@@ -48,7 +48,8 @@ from app.core.errors import FieldProblem
 from app.core.events import publish
 from app.core.plural import counted
 from app.projects.engagements import record_nda
-from app.projects.members.service import ensure_member, is_open_to
+from app.projects.members.queries import is_open_to
+from app.projects.members.service import ensure_member
 from app.projects.models import Project
 from app.projects.signals import NeededPeople
 

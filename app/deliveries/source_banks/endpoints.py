@@ -34,7 +34,7 @@ def see_source_bank(take_id: UUID, session: DbSession, actor: Actor = allows(Aud
 @router.put(
     "/takes/{take_id}/source-bank",
     response_model=SourceBankRead,
-    responses=problems(TakeNotFound, OwnDesignerNeeded),
+    responses=problems(TakeNotFound, OwnDesignerNeeded, SourceBankHandedOver),
 )
 def set_recipe(
     take_id: UUID, body: RecipeSet, session: DbSession, actor: Actor = allows(Audience.DESIGNER)

@@ -1,6 +1,7 @@
 """Source banks: kept with a take by its designer, open to the studio once handed over, in no pack."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from datetime import datetime
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -30,12 +31,16 @@ def source_bank(session: Session, actor: Actor, take_id: UUID) -> SourceBankRead
 
 
 def set_recipe(session: Session, actor: Actor, take_id: UUID, recipe: RecipeSet) -> SourceBankRead:
-    """Set plug-ins and recipe of a take, as its designer."""
+    """Set plug-ins and recipe of a take, as its designer; raise SourceBankHandedOver where the studio has them."""
     take, access = take_for(session, actor, take_id, locked=True)
     ensure_own_designer(access, take)
-    bank = session.get(SourceBank, take_id) or SourceBank(
-        studio_id=take.studio_id, project_id=take.project_id, take_id=take_id
-    )
+    bank = session.get(SourceBank, take_id)
+    if bank is not None and handed_over(session, [take]):
+        raise SourceBankHandedOver(
+            "this version is approved, and its recipe is the studio's",
+            fix="write the new recipe beside the next version",
+        )
+    bank = bank or SourceBank(studio_id=take.studio_id, project_id=take.project_id, take_id=take_id)
     bank.plug_ins, bank.recipe, bank.changed_at = recipe.plug_ins, recipe.recipe, clock.now()
     session.add(bank)
     session.flush()
@@ -68,7 +73,7 @@ def add_source_file(session: Session, actor: Actor, take_id: UUID, upload_id: UU
 
 def remove_source_file(session: Session, actor: Actor, source_file_id: UUID) -> None:
     """Remove a source file, as its designer; raise SourceBankHandedOver once it is the studio's."""
-    file, take, access = _file_and_take(session, actor, source_file_id)
+    file, take, access = _file_and_take(session, actor, source_file_id, locked=True)
     ensure_own_designer(access, take)
     if handed_over(session, [take]):
         raise SourceBankHandedOver(
@@ -116,36 +121,45 @@ def read_source_files(files: Sequence[SourceFile]) -> list[SourceFileRead]:
     return [SourceFileRead.model_validate(file) for file in files]
 
 
-def _file_and_take(session: Session, actor: Actor, source_file_id: UUID) -> tuple[SourceFile, Take, ProjectAccess]:
+def _file_and_take(
+    session: Session, actor: Actor, source_file_id: UUID, *, locked: bool = False
+) -> tuple[SourceFile, Take, ProjectAccess]:
     not_found = SourceFileNotFound(f"no source file {source_file_id}")
     file = queries.source_file_by_id(session, source_file_id)
     if file is None:
         raise not_found
     try:
-        take, access = take_for(session, actor, file.take_id)
+        take, access = take_for(session, actor, file.take_id, locked=locked)
     except TakeNotFound:
         raise not_found from None
     return file, take, access
 
 
 def _of_studio(session: Session, takes: Sequence[Take]) -> list[Take]:
-    """Return the takes whose source banks go to the studio: by contract, or as an employee's work."""
+    """Return the takes whose source banks go to the studio: by contract, or as work of an employee of then."""
     if not takes:
         return []
     work = {(take.cue_id, take.designer_id) for take in takes if take.cue_id is not None}
     agreed: dict[tuple[UUID | None, UUID], bool] = {
         key: is_agreed for answer in send(session, SourceFilesAgreed(work)) for key, is_agreed in answer.items()
     }
-    employees = {
-        (engagement.project_id, engagement.designer_id)
+    employed_since = {
+        (engagement.project_id, engagement.designer_id): engagement.kind_since
         for engagement in engagements_of(session, {take.project_id for take in takes})
         if engagement.kind is EngagementKind.IN_HOUSE
     }
     return [
         take
         for take in takes
-        if agreed.get((take.cue_id, take.designer_id), (take.project_id, take.designer_id) in employees)
+        if agreed.get((take.cue_id, take.designer_id), _is_made_since(session, take, employed_since))
     ]
+
+
+def _is_made_since(session: Session, take: Take, employed_since: Mapping[tuple[UUID, UUID], datetime]) -> bool:
+    since = employed_since.get((take.project_id, take.designer_id))
+    while since is not None and take.fix_of_id is not None:  # what the designer made is as old as what a fix is of
+        take = session.get_one(Take, take.fix_of_id)
+    return since is not None and take.received_at >= since
 
 
 def _is_shown(access: ProjectAccess, take: Take, *, is_handed_over: bool) -> bool:

@@ -94,11 +94,16 @@ def test_an_approved_takes_bank_is_the_studios_where_the_contract_says_so(world:
     agreed.agree(milestone("Alpha", cue, amount_minor=18_000))
     take = agreed.take(cue)
     file = give(world, take)
+    assert world.designer.put(f"/v1/takes/{take}/source-bank", json=RECIPE).status_code == 200
     assert bank(world.producer, take)["is_shown"] is False, "not before the approval"
     agreed.approve(take)
     is_handed_over = source_files == "handed_over"
     assert bank(world.producer, take)["is_shown"] is is_handed_over
     assert world.producer.get(f"/v1/source-files/{file['id']}").status_code == (200 if is_handed_over else 404)
+    recipe = world.designer.put(f"/v1/takes/{take}/source-bank", json=RECIPE)
+    assert (recipe.status_code, recipe.json().get("code")) == (
+        (409, "source-bank-handed-over") if is_handed_over else (200, None)
+    )
     removed = world.designer.delete(f"/v1/source-files/{file['id']}")
     assert removed.status_code == (409 if is_handed_over else 204)
 
@@ -139,6 +144,21 @@ def test_the_handover_has_the_source_files_of_approved_takes_by_contract(world: 
         }
         assert all(name in sums for name in sources)
         assert f"- Plug-ins: Pro-Q 3.21\n\n{RECIPE['recipe']}" in read_me
+
+
+def test_who_is_named_an_employee_later_keeps_what_they_made_before(stage: Stage) -> None:
+    world = stage.world
+    before = stage.take(stage.cue("before"))
+    session = give(world, before)
+    stage.approve(before)
+    page = f"/v1/projects/{world.project_id}"
+    engagement_id = body_of(world.producer.get(page))["engagements"][0]["id"]
+    body_of(world.producer.patch(f"{page}/engagements/{engagement_id}", json={"kind": "in-house"}))
+    assert refused(world.producer.get(f"/v1/source-files/{session['id']}")) == (404, "source-file-not-found")
+    after = stage.take(stage.cue("after"))
+    layer = give(world, after, LAYER, "bowl.wav")
+    stage.approve(after)
+    assert world.producer.get(f"/v1/source-files/{layer['id']}").content == LAYER
 
 
 @pytest.mark.slow
