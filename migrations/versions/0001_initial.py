@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_17c41f74"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_6c23baa4"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -1430,6 +1430,7 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("id", name=op.f("pk_sound_lists_cues")),
         sa.UniqueConstraint("project_id", "number", name=op.f("uq_sound_lists_cues_project_id_number")),
     )
+    op.create_index("ix_sound_lists_cues_category", "sound_lists_cues", ["project_id", "category", "id", "studio_id"])
     op.create_index("ix_sound_lists_cues_counted", "sound_lists_cues", ["state", "project_id", "variations", "placeholder"])
     op.create_index(op.f("ix_sound_lists_cues_implementer_id"), "sound_lists_cues", ["implementer_id"])
     op.create_index("ix_sound_lists_cues_order", "sound_lists_cues", ["project_id", "position", "number"])
@@ -2526,7 +2527,7 @@ def upgrade() -> None:
     op.create_index("ix_deliveries_takes_kept", "deliveries_takes", ["studio_id", "master_sha256", "master_bytes", "master_deleted_at"])
     op.create_index("ix_deliveries_takes_labelled", "deliveries_takes", ["project_id", "id", "label", "designer_id", "studio_id"], sqlite_where=sa.text("label is not null"), postgresql_where=sa.text("label is not null"))
     op.create_index(op.f("ix_deliveries_takes_master_sha256"), "deliveries_takes", ["master_sha256"])
-    op.create_index("ix_deliveries_takes_project_waiting", "deliveries_takes", ["project_id", "state", "state_since", "cue_id"])
+    op.create_index("ix_deliveries_takes_project_waiting", "deliveries_takes", ["project_id", "state", "state_since", "cue_id", "designer_id", "studio_id"])
     op.create_index("ix_deliveries_takes_studio_waiting", "deliveries_takes", ["studio_id", "state", "state_since", "cue_id"])
     op.create_index("ix_deliveries_takes_sums", "deliveries_takes", ["project_id", "cue_id", "variation", "state", "number", "designer_id", "studio_id"])
     op.create_index("uq_reviews_one_approved", "deliveries_takes", ["cue_id", "variation"], unique=True, sqlite_where=sa.text("state = 'approved'"), postgresql_where=sa.text("state = 'approved'"))
@@ -3568,6 +3569,7 @@ def upgrade() -> None:
     )
     op.create_index("ix_reviews_given_reasons_counted", "reviews_given_reasons", ["project_id", "designer_id", "kind", "reason", "cue_id", "studio_id"])
     op.create_index("ix_reviews_given_reasons_found", "reviews_given_reasons", ["project_id", "kind", "reason", "verdict_id"])
+    op.create_index("ix_reviews_given_reasons_of_cues", "reviews_given_reasons", ["project_id", "cue_id", "designer_id", "kind", "reason", "studio_id"])
     op.create_index(op.f("ix_reviews_given_reasons_studio_id"), "reviews_given_reasons", ["studio_id"])
     op.create_table(
         "contracts_invoice_lines",
