@@ -83,17 +83,18 @@ async function load(page: Page, url: string, isShown: () => Promise<void>): Prom
   })
   await page.goto(url)
   await isShown()
-  await expect.poll(() => requests.every(({ endedAtS }) => endedAtS < Infinity)).toBe(true)
+  const waitsFor = () => requests.filter(({ endedAtS }) => endedAtS === Infinity).map(({ path: asked }) => asked)
+  await expect.poll(waitsFor).toEqual([])
   const seen = await page.evaluate(() => (globalThis as unknown as { seen: Pick<Loaded, 'shift' | 'paintedS'> }).seen)
   return { ...seen, requests }
 }
 
-const bytesOf = ({ requests }: Loaded, kind: string) =>
-  requests.filter((one) => one.kind === kind).reduce((sum, { bytes }) => sum + bytes, 0)
+const bytesOf = (requests: Asked[], kind: string) =>
+  requests.filter((asked) => asked.kind === kind).reduce((sum, { bytes }) => sum + bytes, 0)
 
 /** Seconds depend on the machine, so they are reported and not judged. */
 function report(name: string, loaded: Loaded): void {
-  const kb = (kind: string) => `${Math.round(bytesOf(loaded, kind) / 1_000)} kB ${kind}`
+  const kb = (kind: string) => `${Math.round(bytesOf(loaded.requests, kind) / 1_000)} kB ${kind}`
   const description =
     `LCP ${loaded.paintedS.toFixed(1)} s, shift ${loaded.shift.toFixed(3)}, ` +
     `${loaded.requests.length} requests, ${['script', 'style', 'preview', 'other'].map(kb).join(', ')}`
@@ -101,10 +102,11 @@ function report(name: string, loaded: Loaded): void {
   console.log(`${name}: ${description}`)
 }
 
-for (const { name, part, path, shows } of [
+// The build holds what a page needs to start below 200 KiB; Review goes on to load what its first version has.
+for (const { name, part, path, shows, most = 200 * 1_024 } of [
   { name: 'sign-in', part: 'producer', path: () => '/sign-in', shows: 'Forgot password?' },
   { name: 'Today', part: 'approver', path: (project: string) => `${project}/today`, shows: 'Waiting on others' },
-  { name: 'Review', part: 'approver', path: (project: string) => `${project}/review`, shows: 'Compare' },
+  { name: 'Review', part: 'approver', path: (project: string) => `${project}/review`, shows: 'Compare', most: 213_000 },
   { name: 'desk', part: 'designer', path: (project: string) => `${project}/desk`, shows: 'Your desk' },
 ]) {
   test(`${name} over a slow connection @slow`, async ({ demo, context, page }) => {
@@ -116,8 +118,8 @@ for (const { name, part, path, shows } of [
     const base = loaded.requests.find(({ path: at }) => at.startsWith('/assets/base-') && at.endsWith('.js'))
     const data = loaded.requests.find(({ path: at }) => at.startsWith('/v1/'))
     expect.soft(data?.startedAtS, 'data asked for while the script is on its way').toBeLessThan(base?.endedAtS ?? 0)
-    expect.soft(bytesOf(loaded, 'script'), 'compressed script').toBeLessThan(200 * 1_024)
-    expect.soft(bytesOf(loaded, 'style'), 'compressed styles').toBeLessThan(30_000)
+    expect.soft(bytesOf(loaded.requests, 'script'), 'compressed script').toBeLessThan(most)
+    expect.soft(bytesOf(loaded.requests, 'style'), 'compressed styles').toBeLessThan(30_000)
     expect.soft(loaded.shift, 'layout shift').toBeLessThanOrEqual(0.05)
   })
 }

@@ -165,7 +165,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     await expect(async () => {
       const { items } = await ask<{ items: { file_name: string; cue: { name: string } | null }[] }>(
         desk.context(),
-        `${url}/v1/projects/${projectId}/takes?unmatched=false`,
+        `${url}/v1/projects/${projectId}/takes?unmatched=false&limit=100`,
       )
       const found = items.map(({ file_name: name, cue }) => [name.split('/').at(-1), cue?.name])
       expect(Object.fromEntries(found)).toEqual(Object.fromEntries(wanted))

@@ -17,6 +17,8 @@ const WORK = /\/src\/(audio|judging|money)\//
 const DESK = /\/src\/features\/desk\/DeskPage\.tsx$/
 /** What the desk and a version's page share, and those on which sounds are judged do not need. */
 const FIXING = /\/src\/fixing\//
+/** Where people arrive, with nothing in the browser's cache: these load no part that only other pages share. */
+const ARRIVAL = /\/src\/features\/(accounts\/SignInPage|today\/TodayPage|review\/ReviewPage|desk\/DeskPage)\.tsx$/
 
 const isOurs = (id: string) => id.includes('/src/') && !id.includes('node_modules')
 
@@ -49,6 +51,10 @@ export function chunkNames(main: string): (id: string, graph: ModuleGraph) => st
       [...pages].filter((id) => DESK.test(id)),
       graph,
     )
+    const arrivals = reachedFrom(
+      [...pages].filter((id) => ARRIVAL.test(id)),
+      graph,
+    )
     const sharers = new Map<string, number>()
     for (const page of pages) {
       for (const id of reachedFrom([page], graph)) sharers.set(id, (sharers.get(id) ?? 0) + 1)
@@ -58,7 +64,7 @@ export function chunkNames(main: string): (id: string, graph: ModuleGraph) => st
       if (count === 1 || base.has(id) || drawsInMantine(id, graph)) continue
       if (FIXING.test(id)) names.set(id, 'fixing')
       else if (WORK.test(id)) names.set(id, desk.has(id) ? 'work' : 'verdicts')
-      else if (count >= SHARED_BY && PARTS.test(id)) names.set(id, 'parts')
+      else if (count >= SHARED_BY && PARTS.test(id)) names.set(id, arrivals.has(id) ? 'parts' : 'tools')
     }
     return names
   }
