@@ -1,5 +1,6 @@
 import { fireEvent, screen } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
+import { useLayoutEffect, useState } from 'react'
 import { beforeEach, expect, test, vi } from 'vitest'
 
 import { draw } from '@/test/draw'
@@ -156,6 +157,26 @@ test('the last one registered wins, and the one below comes back when it leaves'
   rerender(<Hears hotkeys={[key('a', page)]} />)
   await userEvent.keyboard('a')
   expect([page.mock.calls.length, row.mock.calls.length]).toEqual([1, 1])
+})
+
+test('a key that comes with the next sound does not judge the one before', async () => {
+  const judged = vi.fn<(cue: string) => void>()
+  const Room = ({ cue }: { cue: string }) => <Hears hotkeys={[key('a', () => judged(cue))]} />
+  function Page() {
+    const [cue, setCue] = useState('first')
+    useLayoutEffect(() => {
+      if (cue === 'second') fireEvent.keyDown(window, { key: 'a' })
+    }, [cue])
+    return (
+      <>
+        <Room key={cue} cue={cue} />
+        <button onClick={() => setCue('second')}>Next</button>
+      </>
+    )
+  }
+  draw(<Page />)
+  await userEvent.click(screen.getByRole('button', { name: 'Next' }))
+  expect(judged.mock.calls).toEqual([['second']])
 })
 
 test('a dialog hears its own keys only', async () => {

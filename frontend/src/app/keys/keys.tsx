@@ -54,7 +54,8 @@ export function useHotkeys(hotkeys: Hotkey[]): void {
     latest.current = hotkeys
   })
   const shape = hotkeys.map(({ keys, label, disabled }) => `${keys}\n${label}\n${String(disabled)}`).join('\n\n')
-  useEffect(() => {
+  // Before anything else can be pressed: a key that comes with the next sound must not judge the one before.
+  useLayoutEffect(() => {
     const removers = latest.current.map((hotkey, index) =>
       registry.add(() => latest.current[index] ?? hotkey, scope ?? 0),
     )
