@@ -13,7 +13,7 @@ const server = process.env.SOUNDLIST_SERVER ?? 'http://127.0.0.1:8000'
 const ARRIVALS = PAGES.map(({ modules: [page = ''] }) => page)
 
 // Tests with vi.mock: a module that another file has loaded is no longer replaced.
-const REPLACES_MODULES = ['src/features/take/DryStem.test.tsx']
+const REPLACES_MODULES = ['src/features/take/DryStem.test.tsx', 'src/features/take/SourceBank.test.tsx']
 
 export default defineConfig({
   plugins: [react(), early(), precompress(), limitPageSizes(ARRIVALS)],

@@ -102,6 +102,7 @@ function openDraft(more: Answers = {}) {
         preview(asked, saved === NO_PLAN ? 'EUR 0.00' : 'EUR 1,000.00'),
       'GET /v1/contract-library/single': { kind: 'single', notice: '', clauses: library, variables: {} },
       'GET /v1/projects/p1/sound-list': { revision: 1, cues: [cue('a'), cue('b')], next: null },
+      'GET /v1/projects/p1/effort': { cues: 0 },
       'GET /v1/contracts/c1/milestones': () => saved,
       'GET /v1/contracts/c1/milestones/proposal': ({ query }: Asked) => proposed(Number(query?.get('total_minor'))),
       'POST /v1/contracts/c1/plan-check': { faults: [], advice: [], price: price(100_000), concepts: NO_CONCEPTS },
