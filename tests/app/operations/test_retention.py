@@ -96,11 +96,13 @@ class Keeping(Contracts):
         return [entry["kind"] for entry in self.entries(self.draft) if entry["kind"].startswith("masters_")]
 
     def mailed(self, subject: str) -> set[str]:
-        """Return the addresses of the people who have a mail and a notice of a subject."""
+        """Return the addresses of the people who have a mail and a notice of a subject from the studio."""
+        of_studio = self.world.studio_id
         with self.world.server.runtime.database.reading() as session:
-            mailed = set(session.scalars(sa.select(Mail.recipient).where(Mail.subject.contains(subject))))
-            noticed = session.scalars(sa.select(Notice.person_id).where(Notice.subject.contains(subject)))
-            assert {f"{person_id}@example.test" for person_id in noticed} == mailed
+            mails = sa.select(Mail.recipient).where(Mail.studio_id == of_studio, Mail.subject.contains(subject))
+            notices = sa.select(Notice.person_id).where(Notice.studio_id == of_studio, Notice.subject.contains(subject))
+            mailed = set(session.scalars(mails))
+            assert {f"{person_id}@example.test" for person_id in session.scalars(notices)} == mailed
         return mailed
 
     @property
