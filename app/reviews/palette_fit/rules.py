@@ -83,6 +83,16 @@ def timbre_distance_db(numbers: Numbers, other: Numbers) -> float:
     return math.dist(numbers, other)
 
 
+def nearest(sound: Likeness, others: Sequence[Likeness]) -> list[tuple[int, float]]:
+    """Return the places of the others and their distances in timbre in dB, the nearest first; silence has none."""
+    if not sound.timbre:
+        return []
+    distances = [
+        (place, timbre_distance_db(sound.timbre, other.timbre)) for place, other in enumerate(others) if other.timbre
+    ]
+    return sorted(distances, key=lambda distance: distance[1])
+
+
 def middle_of(sounds: Sequence[Likeness]) -> Likeness:
     """Return the medians of some sounds, number by number: so the variations of one cue count as one sound."""
     loudness = [sound.loudness_lufs for sound in sounds if sound.loudness_lufs is not None]

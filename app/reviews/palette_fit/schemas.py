@@ -33,6 +33,14 @@ class MeasureFit(Schema):
     others: list[FitPoint]
 
 
+class SoundsLike(Schema):
+    """An approved sound of another cue that is near in timbre."""
+
+    cue: CueBrief
+    take_id: UUID
+    distance_db: float = Field(description="Between the two timbres; 0 is the same.")
+
+
 class TakeFitRead(Schema):
     """A take compared with the approved sounds of its category, or of the palette if those are too few."""
 
@@ -46,6 +54,10 @@ class TakeFitRead(Schema):
     measures: list[MeasureFit]
     first_delivery_id: UUID | None = Field(
         description="Its delivery, where that is the first of a designer who takes over."
+    )
+    sounds_like: list[SoundsLike] = Field(
+        description="The nearest approved sounds by timbre, one a cue, the nearest first; "
+        "timbres are measured once the list has a palette. Empty in the comparison of a delivery.",
     )
 
     @classmethod
@@ -63,6 +75,7 @@ class TakeFitRead(Schema):
             is_apart=False,
             measures=[],
             first_delivery_id=first_delivery_id,
+            sounds_like=[],
         )
 
 

@@ -25,12 +25,21 @@ from app.reviews.palette_fit.rules import (
     fit_of,
     in_words,
     middle_of,
+    nearest,
     shift,
 )
-from app.reviews.palette_fit.schemas import DeliveryFitRead, DeliveryShift, FitPoint, MeasureFit, TakeFitRead
+from app.reviews.palette_fit.schemas import (
+    DeliveryFitRead,
+    DeliveryShift,
+    FitPoint,
+    MeasureFit,
+    SoundsLike,
+    TakeFitRead,
+)
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import label
 
+MOST_ALIKE = 5
 NO_PALETTE = "No cue is marked as palette. Mark the reference sounds, and new sounds are compared with them."
 TOO_FEW = f"Fewer than {FEWEST} other cues are approved in this category or the palette: too few to compare with."
 NOT_CHECKED = "This version has not been checked, or is for no cue yet."
@@ -54,7 +63,8 @@ def take_fit(session: Session, actor: Actor, take_id: UUID) -> TakeFitRead:
         return TakeFitRead.nothing(take, NOT_CHECKED, first_delivery_id=first)
     if not has_palette(session, take.project_id):
         return TakeFitRead.nothing(take, NO_PALETTE, first_delivery_id=first)
-    return _fit(access.project, sound, approved, first_delivery_id=first)
+    fit = _fit(access.project, sound, approved, first_delivery_id=first)
+    return fit.model_copy(update={"sounds_like": _sounds_like(access.project, sound, approved)})
 
 
 def delivery_fit(session: Session, actor: Actor, delivery_id: UUID) -> DeliveryFitRead:
@@ -108,7 +118,18 @@ def _fit(
             _read(project, measure, fit, [cue_sound for cue_sound, _ in others]) for measure, fit in fits.items()
         ],
         first_delivery_id=first_delivery_id,
+        sounds_like=[],
     )
+
+
+def _sounds_like(project: Project, sound: Compared, approved: Sequence[Compared]) -> list[SoundsLike]:
+    """Return the nearest sound of each other cue, as far as it is one of the nearest."""
+    others = [compared for compared in approved if compared.cue.id != sound.cue.id]
+    near: dict[UUID, SoundsLike] = {}
+    for place, distance_db in nearest(sound.likeness, [other.likeness for other in others]):
+        take, cue = others[place].take, others[place].cue
+        near.setdefault(cue.id, SoundsLike(cue=_brief(project, cue), take_id=take.id, distance_db=distance_db))
+    return list(near.values())[:MOST_ALIKE]
 
 
 def _by_cue(sounds: Sequence[Compared]) -> list[tuple[Cue, Likeness]]:

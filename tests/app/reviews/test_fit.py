@@ -83,6 +83,17 @@ def test_a_take_lies_among_the_approved_sounds_of_its_category(stage: Stage) -> 
     assert (spectrum["value"], spectrum["stands"]) == (pytest.approx(7 / 2**0.5), "above")
 
 
+def test_a_take_sounds_like_the_nearest_cues_by_timbre(stage: Stage) -> None:
+    one, two, three = palette(stage)
+    far = approved(stage, -18.0, 30.0, category="weapon", palette=False, variations=2)
+    sounding(stage, stage.take(far, 2, state=TakeState.APPROVED), -18.0, 2.5)  # a variation that is nearer
+    fit = fit_of(stage, sounding(stage, stage.take(stage.cue("ui_new", category="ui")), -18.0, 2.8))
+    alike = [(sound["cue"]["id"], round(sound["distance_db"], 1)) for sound in fit["sounds_like"]]
+    assert alike == [(str(three), 0.2), (str(far), 0.3), (str(two), 0.8), (str(one), 1.8)]
+    silent = fit_of(stage, sounding(stage, stage.take(stage.cue("ui_off", category="ui")), -18.0))
+    assert silent["sounds_like"] == []
+
+
 def test_the_palette_stands_in_where_a_category_is_too_young(stage: Stage) -> None:
     palette(stage)
     fit = fit_of(stage, sounding(stage, stage.take(stage.cue("boom", category="impact")), -18.0, 2.0))
@@ -143,6 +154,7 @@ def test_a_designer_is_compared_with_what_they_may_hear(stage: Stage, choice: De
     world.server.in_database(given_to_another)
     fit = world.designer.get(f"/v1/takes/{mine}/fit").json()
     assert [len(measure["others"]) for measure in fit["measures"][:1]] == [others] * bool(others)
+    assert len(fit["sounds_like"]) == others
     assert fit["first_delivery_id"] is None
     assert len(fit_of(stage, mine)["measures"][0]["others"]) == 3
 

@@ -37,6 +37,10 @@ const aFit = (fit: object = {}) => ({
   is_apart: true,
   measures: [LOUDNESS, { ...TIMBRE, stands: 'within', others: LOUDNESS.others.slice(0, 2) }],
   first_delivery_id: null,
+  sounds_like: [
+    { cue: cue('ui_open'), take_id: 't8', distance_db: 0.42 },
+    { cue: cue('ui_back'), take_id: 't9', distance_db: 3.1 },
+  ],
   ...fit,
 })
 const forTheTeam = (fit: object) => aTakeServer().on('GET /v1/me', aMe()).on('GET /v1/takes/t1/fit', aFit(fit))
@@ -49,6 +53,8 @@ describe('a version among the approved sounds', () => {
     const shown = await card()
     expect(shown).toHaveTextContent('compared with the approved sounds in ui')
     expect(shown).toHaveTextContent('louder than all of them, by 5.0 LU.')
+    expect(shown).toHaveTextContent('Sounds like ui_open (0.4 dB), ui_back (3.1 dB).')
+    expect(within(shown).getByRole('link', { name: 'ui_open' })).toHaveAttribute('href', '/takes/t8')
     const [loudness] = within(shown).getAllByRole('img')
     expect(loudness).toHaveAccessibleName('Loudness: −12.0 LUFS; 3 others from −20.0 LUFS to −17.0 LUFS')
     expect(loudness?.querySelectorAll('circle')).toHaveLength(3)

@@ -1,12 +1,14 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
+import { Fragment } from 'react'
 
 import { Card, CardHead } from '@/ui/Card'
+import { figure } from '@/ui/format'
 
 import { fitQuery, type Take } from './api'
 import { FitPicture } from './FitPicture'
 
-/** How a version lies among the approved sounds of its category, or of the palette; for the team. */
+/** How a version lies among the approved sounds of its category, or of the palette. */
 export function FitCard({ take }: { take: Take }) {
   const { data: fit } = useQuery(fitQuery(take))
   if (!fit) return null
@@ -23,6 +25,21 @@ export function FitCard({ take }: { take: Take }) {
           {fit.is_apart && ' That may be intended. Trust your ears.'}
         </p>
         {fit.basis !== null && <FitPicture fit={fit} />}
+        {fit.sounds_like.length > 0 && (
+          <p>
+            Sounds like{' '}
+            {fit.sounds_like.map(({ cue, take_id: takeId, distance_db: distanceDb }, at) => (
+              <Fragment key={takeId}>
+                {at > 0 && ', '}
+                <Link className="link" to="/takes/$takeId" params={{ takeId }}>
+                  {cue.name}
+                </Link>{' '}
+                ({figure(distanceDb, 1)} dB)
+              </Fragment>
+            ))}
+            . The distance is between timbres, of approved sounds.
+          </p>
+        )}
         {fit.first_delivery_id !== null && (
           <p>
             This is the first delivery of {take.designer.name}, who follows other designers.{' '}
