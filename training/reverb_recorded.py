@@ -227,7 +227,7 @@ def by_repository(some: Set, scores: Floats) -> str:
 
 
 def levels_on(some: Set, scores: Floats, limits: Floats) -> dict[str, float]:
-    """Return how often each level is right, of events."""
+    """Return the shares of events that each level names, rightly and wrongly."""
     wet, audible = some.wet, some.column(lambda one: one.is_audible)
     events = some.column(lambda one: one.kind) == "event"
     dry_below, likely_from, reverb_from = limits.T

@@ -166,7 +166,7 @@ def disable_webhooks_of_member(session: Session, payload: Mapping[str, Any]) -> 
 
 
 def _successor(session: Session, webhook: Webhook, change: MemberChange) -> UUID:
-    """Return who has the webhook of a former member: who removed them, or a producer in its project if they are not."""
+    """Return the next owner of a former member's webhook: the remover, or a producer of its project."""
     if webhook.project is None or is_open_to(session, webhook.project, change.changed_by):
         return change.changed_by
     return producer_of(session, webhook.project)

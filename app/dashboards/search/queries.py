@@ -32,13 +32,13 @@ def find_files(
     session: Session, project_id: UUID, designer_id: UUID | None, words: Sequence[str], *, limit: int
 ) -> Sequence[Row[Take, Cue | None]]:
     """Return the newest takes whose file name holds every word, with their cue; of one designer where one is given."""
-    found = _named(words, limit).where(Take.project_id == project_id)
+    take_ids = _named(words, limit).where(Take.project_id == project_id)
     if designer_id is not None:
-        found = found.where(Take.designer_id == designer_id)
+        take_ids = take_ids.where(Take.designer_id == designer_id)
     return session.execute(
         select(Take, Cue)
         .join(Cue, Cue.id == Take.cue_id, isouter=True)
-        .where(Take.id.in_(found))
+        .where(Take.id.in_(take_ids))
         .order_by(Take.id.desc())
     ).all()
 

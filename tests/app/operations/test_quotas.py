@@ -104,7 +104,7 @@ def test_source_files_count_with_the_masters(world: World) -> None:
     give(world, take["id"], SESSION)
     assert give(world, take["id"], SOUND, "a.wav")["file_name"] == "a.wav"
     shown = world.producer.get(f"/v1/studios/{world.studio_id}/quotas").json()
-    used = next(one["used"] for one in shown if one["kind"] == "master_bytes")
+    used = next(quota["used"] for quota in shown if quota["kind"] == "master_bytes")
     assert used == len(SOUND) + len(SESSION), "the same bytes count once"
     limit(world, QuotaKind.MASTER_BYTES, len(SOUND) + len(SESSION))
     assert send(world).status_code == 507

@@ -28,9 +28,9 @@ def test_exact_at_a_rate_that_binary_fractions_miss(codes_of):
 
 @pytest.mark.parametrize(("count", "codes"), [(60_000, []), (60_001, ["duration:cue"]), (35_999, ["duration:cue"])])
 def test_a_request_may_be_missed_by_a_quarter(found_by, count, codes):
-    found = found_by("duration", frames(count), cue=CueFacts("SW-1", duration_s=1.0))
-    assert [finding.code for finding in found] == codes
-    assert all(finding.severity == "warning" for finding in found)
+    findings = found_by("duration", frames(count), cue=CueFacts("SW-1", duration_s=1.0))
+    assert [finding.code for finding in findings] == codes
+    assert all(finding.severity == "warning" for finding in findings)
 
 
 @pytest.mark.parametrize(
@@ -45,9 +45,9 @@ def test_a_request_may_be_missed_by_a_quarter(found_by, count, codes):
 )
 def test_a_locked_length_allows_one_video_frame(found_by, count, fps, codes):
     cue = CueFacts("SW-1", duration_s=1.0, length_locked=True, frame_rate_fps=fps)
-    found = found_by("duration", frames(count), cue=cue)
-    assert [finding.code for finding in found] == codes
-    assert all(finding.severity == "error" for finding in found)
+    findings = found_by("duration", frames(count), cue=cue)
+    assert [finding.code for finding in findings] == codes
+    assert all(finding.severity == "error" for finding in findings)
 
 
 @pytest.mark.parametrize(
@@ -65,8 +65,8 @@ def test_a_locked_length_allows_one_video_frame(found_by, count, fps, codes):
 )
 def test_bounds_of_the_list_count_in_place_of_a_length(found_by, count, low, high, codes):
     cue = CueFacts("SW-1", duration_s=0.75, duration_min_s=low, duration_max_s=high)
-    found = found_by("duration", frames(count), cue=cue)
-    assert [(finding.code, finding.severity) for finding in found] == [(code, "warning") for code in codes]
+    findings = found_by("duration", frames(count), cue=cue)
+    assert [(finding.code, finding.severity) for finding in findings] == [(code, "warning") for code in codes]
 
 
 def test_locked_bounds_are_an_error_and_say_how_far(found_by):
