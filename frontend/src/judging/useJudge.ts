@@ -167,24 +167,24 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
     const withoutIt = (items: QueueItem[]) => withoutVerdict(items, what)
     underWay(client).decisions.add(withoutIt)
-    await client.cancelQueries({ queryKey: queryKeys.reviewQueue(projectId) })
     const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
-    const countBefore = client.getQueryData<QueueCount>(countKey)
     const pages = before?.pages.map((page) => ({ ...page, items: withoutIt(page.items) }))
     if (before && pages) client.setQueryData(queueKey, { ...before, pages })
-    const left = cuesOf(before?.pages) - cuesOf(pages)
-    if (countBefore?.is_all) client.setQueryData(countKey, { ...countBefore, cues: countBefore.cues - left })
+    const changeCount = (by: number) =>
+      client.setQueryData<QueueCount>(countKey, (count) => (count?.is_all ? { ...count, cues: count.cues + by } : count))
+    changeCount(cuesOf(pages) - cuesOf(before?.pages))
     const reviewKey = queryKeys.cueReview(decided.cue.id)
     const reviewBefore = client.getQueryData<CueReview>(reviewKey)
     const pickedIds = decided.picked.map(({ id }) => id)
-    if (reviewBefore) {
-      await client.cancelQueries({ queryKey: reviewKey })
-      client.setQueryData<CueReview>(reviewKey, (review) => review && withPicks(review, pickedIds))
-    }
+    client.setQueryData<CueReview>(reviewKey, (review) => review && withPicks(review, pickedIds))
+    // Only now: a page that is asked for while they end is added to what is here by then.
+    await Promise.all(
+      [queryKeys.reviewQueue(projectId), reviewKey].map((queryKey) => client.cancelQueries({ queryKey })),
+    )
     let isKept = false
     const sent = send(() => (isKept = true))
 
-    const showAgain = () => {
+    const putBack = () => {
       underWay(client).decisions.delete(withoutIt)
       const now = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
       const again = now && withVerdictBack(now.pages, before?.pages ?? [], what)
@@ -192,8 +192,10 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       if (reviewBefore) {
         client.setQueryData<CueReview>(reviewKey, (review) => review && withoutPicks(review, reviewBefore, pickedIds))
       }
-      const back = cuesOf(again) - cuesOf(now?.pages)
-      client.setQueryData<QueueCount>(countKey, (count) => count && { ...count, cues: count.cues + back })
+      changeCount(cuesOf(again) - cuesOf(now?.pages))
+    }
+    const showAgain = () => {
+      putBack()
       onBack?.(decided.cue.id)
     }
     const undo = async () => {
@@ -215,15 +217,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     }
     showToast(decided.done, undo)
     await end(sent, (error) => {
-      underWay(client).decisions.delete(withoutIt)
-      if (reviewBefore) {
-        client.setQueryData<CueReview>(reviewKey, (review) => review && withoutPicks(review, reviewBefore, pickedIds))
-      }
+      putBack()
       dismissToast()
-      if (underWay(client).count === 1) {
-        client.setQueryData(queueKey, before)
-        client.setQueryData(countKey, countBefore)
-      }
       // A refusal that comes later stands above every page, and leads nobody away from what they do then.
       if (!isKept) {
         setRefusal({ what: decided.refused, problem: asProblem(error) })

@@ -97,6 +97,27 @@ describe('a long queue in the review room', () => {
     expect(pagesAsked()).toEqual(['first', '12'])
   })
 
+  test('what was just judged stays out when the next page, asked for before, arrives', async () => {
+    let send: () => void = () => undefined
+    const held = new Promise<void>((resolve) => (send = resolve))
+    let answer: (verdict: object) => void = () => undefined
+    const verdict = new Promise<object>((resolve) => (answer = resolve))
+    server.on('GET /v1/review-queue', async (asked: Asked) => {
+      if (asked.query.get('cursor') === '12') await held
+      return page(asked)
+    })
+    server.on('POST /v1/takes/take-3/verdict', () => verdict)
+    await opened(3)
+    await waitFor(() => expect(pagesAsked()).toEqual(['first', '12']))
+    await userEvent.keyboard('a')
+    await heading(4)
+    send()
+    expect(await within(panel()).findByRole('link', { name: /hit_12 / })).toBeInTheDocument()
+    expect(within(panel()).queryByRole('link', { name: /hit_3 / })).toBeNull()
+    answer({})
+    await waitFor(() => expect(pagesAsked().filter((cursor) => cursor === 'first')).toHaveLength(2))
+  })
+
   test('a cue far behind opens by its address, and j goes to what waits longest', async () => {
     await opened(30)
     expect(await heading(30)).toBeVisible()
