@@ -82,6 +82,10 @@ async function leaveAndSend(page: Page, form: Typed): Promise<void> {
   await expect(signInAgain(page)).toBeHidden()
   await expect(form.sent.first(), `${form.name} is sent`).toBeVisible()
   await answer
+  // What was typed is kept until the page has read the answer.
+  await expect
+    .poll(() => page.evaluate(() => Object.keys(localStorage).filter((key) => key.includes('-draft:'))))
+    .toEqual([])
 
   await page.goto(form.path)
   await form.open?.()

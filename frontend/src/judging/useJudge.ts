@@ -171,7 +171,9 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     const pages = before?.pages.map((page) => ({ ...page, items: withoutIt(page.items) }))
     if (before && pages) client.setQueryData(queueKey, { ...before, pages })
     const changeCount = (by: number) =>
-      client.setQueryData<QueueCount>(countKey, (count) => (count?.is_all ? { ...count, cues: count.cues + by } : count))
+      client.setQueryData<QueueCount>(countKey, (count) =>
+        count?.is_all ? { ...count, cues: count.cues + by } : count,
+      )
     changeCount(cuesOf(pages) - cuesOf(before?.pages))
     const reviewKey = queryKeys.cueReview(decided.cue.id)
     const reviewBefore = client.getQueryData<CueReview>(reviewKey)

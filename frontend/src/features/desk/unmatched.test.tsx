@@ -56,8 +56,18 @@ describe('an unmatched file', () => {
     )
   })
 
-  test('is given to another cue by searching the list', async () => {
-    const { asked } = serve(atDesk({ [MOVE]: MOVED }))
+  test('is given to another cue by searching the list, and what is typed stays when the list arrives', async () => {
+    let send: () => void = () => undefined
+    const held = new Promise<void>((resolve) => (send = resolve))
+    const desk = atDesk({ [MOVE]: MOVED })
+    const list = desk['GET /v1/projects/p1/sound-list']
+    const { asked } = serve({
+      ...desk,
+      'GET /v1/projects/p1/sound-list': async () => {
+        await held
+        return list
+      },
+    })
     const user = userEvent.setup()
     openApp('/desk')
     await screen.findByRole('region', { name: 'Unmatched files' })
@@ -65,7 +75,10 @@ describe('an unmatched file', () => {
     const field = await screen.findByRole('combobox', { name: 'Cue for final_FINAL_sting2.wav' })
     expect(field).toHaveFocus()
     await user.type(field, 'airl')
-    await user.click(await screen.findByRole('option', { name: /airlock_cycle/ }))
+    send()
+    expect(await screen.findByRole('option', { name: /airlock_cycle/ })).toBeInTheDocument()
+    expect(field).toHaveValue('airl')
+    await user.keyboard('{Enter}')
     await waitFor(() =>
       expect(asked.find(({ path }) => path.endsWith('/takes/move'))?.body).toEqual({
         moves: [{ take_id: 't30', cue_id: CUE.id, variation: null }],
