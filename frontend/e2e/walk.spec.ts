@@ -221,6 +221,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     await desk.goto(`${url}/desk`)
     await designer.click(tray.getByRole('button', { name: /^Other cue/ }))
     await designer.type(desk.getByRole('combobox', { name: /^Cue for .*something else\.wav$/ }), 'bell_o')
+    await expect(desk.getByRole('option', { name: /bell_o$/ })).toBeVisible()
     await designer.press('Enter')
     await expect(tray).toBeHidden()
     expect(designer.clicks - clicks).toBeLessThanOrEqual(MOST.delivery.clicks)
