@@ -34,7 +34,7 @@ def departure(
     return [
         DepartureItem(
             kind=kind,
-            id=id_,
+            id=id_ if project_id is None or project_id in names else None,
             name=name if project_id is None or project_id in names else OTHER_PROJECT,
             project_id=project_id if project_id in names else None,
             project_name=names.get(project_id),

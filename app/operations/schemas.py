@@ -188,7 +188,7 @@ class DepartureItem(Schema):
     """One thing that a member would lose, or that another person must take over first."""
 
     kind: DepartureKind
-    id: UUID
+    id: UUID | None = Field(description="Null: in a project that the reader is not in.")
     name: str = Field(description="Its own name: of a project, a contract, a category, a link; the address of a call.")
     project_id: UUID | None = Field(description="Null: of the studio.")
     project_name: str | None

@@ -135,6 +135,7 @@ def test_a_project_keeps_a_producer_when_its_last_one_leaves(world: World):
     address = f"/v1/studios/{world.studio_id}/people/{leaver_id}"
     departure = world.producer.get(f"{address}/departure")
     assert "Left Game" not in departure.text
+    assert {item["id"] for item in departure.json()} == {None}
     refused = world.producer.delete(address)
     assert refused.json()["code"] == "hand-over-needed"
     assert "Left Game" not in refused.text

@@ -98,7 +98,7 @@ export function DepartureDialog(props: DepartureDialogProps) {
       )}
       {signs.length > 0 && (
         <p>
-          {name} is named to sign {signs.map((item) => `${item.name} of ${item.project_name}`).join(', ')}. Recall each
+          {name} is named to sign {signs.map(({ name, project_name }) => (project_name ? `${name} of ${project_name}` : name)).join(', ')}. Recall each
           contract, name other signers and send it again first.
         </p>
       )}
@@ -106,8 +106,8 @@ export function DepartureDialog(props: DepartureDialogProps) {
         <>
           <h3 id="departure-ends">{leaves ? 'What this membership gave' : 'What these roles do not allow'}</h3>
           <Rows aria-labelledby="departure-ends">
-            {ends.map((item) => (
-              <Row key={`${item.kind} ${item.id}`}>
+            {ends.map((item, place) => (
+              <Row key={item.id ?? place}>
                 <span className="grow">
                   <span className="wrap-anywhere">{item.kind === 'liaison' ? item.project_name : item.name}</span>
                   <br />
