@@ -98,8 +98,9 @@ export function DepartureDialog(props: DepartureDialogProps) {
       )}
       {signs.length > 0 && (
         <p>
-          {name} is named to sign {signs.map(({ name, project_name }) => (project_name ? `${name} of ${project_name}` : name)).join(', ')}. Recall each
-          contract, name other signers and send it again first.
+          {name} is named to sign{' '}
+          {signs.map(({ name, project_name }) => (project_name ? `${name} of ${project_name}` : name)).join(', ')}.
+          Recall each contract, name other signers and send it again first.
         </p>
       )}
       {ends.length > 0 && (
