@@ -68,15 +68,15 @@ def list_my_sign_ins(request: Request, session: DbSession, actor: Actor = allows
     current = sha256_of(request.cookies.get(SESSION_COOKIE, ""))
     return [
         SignInRead(
-            id=each.id,
-            device=each.device,
-            place=each.place,
-            is_current=each.secret_sha256 == current,
-            created_at=each.created_at,
-            last_seen_at=each.last_seen_at,
-            expires_at=each.expires_at,
+            id=sign_in.id,
+            device=sign_in.device,
+            place=sign_in.place,
+            is_current=sign_in.secret_sha256 == current,
+            created_at=sign_in.created_at,
+            last_seen_at=sign_in.last_seen_at,
+            expires_at=sign_in.expires_at,
         )
-        for each in sign_ins.sign_ins_of(session, actor)
+        for sign_in in sign_ins.sign_ins_of(session, actor)
     ]
 
 

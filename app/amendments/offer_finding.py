@@ -203,7 +203,7 @@ class Found:
         differences = net_change(unsettled, list(PRICED_FACTS))
         if not differences:
             return
-        last = [each for each in unsettled if any(fact in each.after for fact in differences)][-1]
+        last = [change for change in unsettled if any(fact in change.after for fact in differences)][-1]
         name = self._name(contract_cue.cue)
         is_open = contract_cue.accepted_at is None
         text = f"{name} changed after work on it began"
@@ -229,7 +229,7 @@ class Found:
         if moved is None:
             return
         was_on, is_on = moved
-        last = [each for each in unsettled if DUE in each.after][-1]
+        last = [change for change in unsettled if DUE in change.after][-1]
         yield Offer(
             f"{OfferKind.NEEDED}:{contract_cue.cue_id}:{last.revision}",
             OfferKind.NEEDED,

@@ -29,7 +29,7 @@ def token(
     from app.accounts.rules import Scope
     from app.projects.tokens import issue_token
 
-    scopes = [Scope(each) for each in scope] if scope else [Scope.SPEC_READ, Scope.LIST_READ, Scope.CHECKS_WRITE]
+    scopes = [Scope(name) for name in scope] if scope else [Scope.SPEC_READ, Scope.LIST_READ, Scope.CHECKS_WRITE]
     runtime = opened(read_settings_or_exit())
     with runtime.database.writing() as session:
         typer.echo(issue_token(session, project, name=name, scopes=scopes, days=days))
@@ -49,13 +49,13 @@ def quota(
 
     runtime = opened(read_settings_or_exit())
     with runtime.database.writing() as session:
-        for each in limit or []:
-            kind, _, most = each.partition("=")
+        for assignment in limit or []:
+            kind, _, most = assignment.partition("=")
             if kind not in set(QuotaKind) or not (most == "default" or (most.isascii() and most.isdigit())):
                 kinds = ", ".join(QuotaKind)
-                raise refusal([f"--set {each}: write KIND=NUMBER or KIND=default, KIND being one of {kinds}"])
+                raise refusal([f"--set {assignment}: write KIND=NUMBER or KIND=default, KIND being one of {kinds}"])
             if most != "default" and int(most) >= 1 << 63:
-                raise refusal([f"--set {each}: a limit has at most 18 digits"])
+                raise refusal([f"--set {assignment}: a limit has at most 18 digits"])
             set_limit(session, studio, QuotaKind(kind), None if most == "default" else int(most))
         table = Table("kind", "used", "limit", "default")
         for row in quotas_of(session, studio):

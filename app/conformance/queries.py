@@ -275,8 +275,8 @@ def _sets_of_takes(is_own: bool) -> Select[UUID | None, str]:
     )
     if is_own:
         access = access.where(Take.designer_id == bindparam("designer_id"))
-    each = access.subquery()
-    return select(each.c.cue_id, aggregate_strings(each.c.said, ",")).group_by(each.c.cue_id)
+    checks = access.subquery()
+    return select(checks.c.cue_id, aggregate_strings(checks.c.said, ",")).group_by(checks.c.cue_id)
 
 
 def same_sounds(session: Session, take: Take, pcm_sha256: str) -> list[AnalysedTake]:

@@ -38,7 +38,7 @@ class _Values(TypeDecorator[Collection[Any]]):
         if dialect.name == "postgresql":
             return list(value or ())
         write = self.of.dialect_impl(dialect).bind_processor(dialect)
-        return json.dumps([write(each) if write else each for each in value or ()])
+        return json.dumps([write(item) if write else item for item in value or ()])
 
 
 class _InArray(FunctionElement[bool]):

@@ -123,7 +123,7 @@ def _with_others(session: Session, project: Project) -> list[schemas.WithOthers]
         waits(take, brief(project, cue), take.state.value, who)
         for take, cue, who in queries.takes_with_designers(session, project)
     ]
-    return sorted([*unmatched, *back], key=lambda each: each.since)[: queries.WITH_OTHERS]
+    return sorted([*unmatched, *back], key=lambda item: item.since)[: queries.WITH_OTHERS]
 
 
 def overview(session: Session, actor: Actor, project_id: UUID) -> schemas.Overview:
@@ -197,7 +197,7 @@ def _lately(session: Session, access: ProjectAccess) -> list[schemas.Activity]:
         for sending, approver, count in queries.latest_feedback(session, project.id):
             noun = "change" if count == 1 else "changes"
             add(sending.created_at, "changes", approver.name, f"requested {count} {noun}")
-    happened.sort(key=lambda each: each.at, reverse=True)
+    happened.sort(key=lambda event: event.at, reverse=True)
     return happened[: queries.LATELY]
 
 

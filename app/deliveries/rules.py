@@ -178,7 +178,9 @@ def stored_name(given: str) -> str:
 
 def shown_name(kept: str) -> str:
     r"""Return a file name as it may be shown on one line: what does not print is escaped, as in `\n` or `\u202e`."""
-    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in kept)
+    return "".join(
+        letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii") for letter in kept
+    )
 
 
 def named_for(file_name: str, stem: str) -> str:

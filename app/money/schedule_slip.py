@@ -60,7 +60,7 @@ def schedule_slip_of(
 
 
 def _stretches(turns: Sequence[Sequence[Turn]], since: datetime, until: datetime) -> list[tuple[datetime, datetime]]:
-    moments = sorted({since, until, *(turn.at for each in turns for turn in each if since < turn.at < until)})
+    moments = sorted({since, until, *(turn.at for cue_turns in turns for turn in cue_turns if since < turn.at < until)})
     return list(itertools.pairwise(moments))
 
 

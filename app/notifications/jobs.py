@@ -84,7 +84,7 @@ def _why_returned(run: CheckRun) -> str:
     lines = [finding_line(finding) for finding in run.report["findings"] if finding["severity"] == "error"]
     if run.verdict == "unjudged":
         lines = ["The check failed. That is our fault: your file is kept, and no round is counted."]
-    return "".join(f"\n  {each}" for each in lines)
+    return "".join(f"\n  {line}" for line in lines)
 
 
 @notice("changes.sent", topics={"changes": News.SOUNDS})

@@ -95,12 +95,12 @@ def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead
         StorageRead(
             studio_id=id_,
             studio_name=name,
-            size_bytes=sum(each.size_bytes for each in sums[id_].values()),
+            size_bytes=sum(kept.size_bytes for kept in sums[id_].values()),
             kept=[sums[id_][kind] for kind in KeptKind if kind in sums[id_]],
         )
         for id_, name in session.execute(studios)
     ]
-    return sorted(reads, key=lambda each: (-each.size_bytes, each.studio_name))
+    return sorted(reads, key=lambda read: (-read.size_bytes, read.studio_name))
 
 
 def _summed(source: Source, studio_id: UUID | None) -> Sums:
@@ -111,9 +111,11 @@ def _summed(source: Source, studio_id: UUID | None) -> Sums:
         files = files.where(ONLY[whose.class_])
     if studio_id is not None:
         files = files.where(whose == studio_id)
-    each = files.group_by(whose, sha256).subquery()
-    summed = select(each.c.studio_id, literal(kind.value, String), func.count(), func.sum(each.c.size_bytes))
-    return summed.group_by(each.c.studio_id)
+    distinct_files = files.group_by(whose, sha256).subquery()
+    summed = select(
+        distinct_files.c.studio_id, literal(kind.value, String), func.count(), func.sum(distinct_files.c.size_bytes)
+    )
+    return summed.group_by(distinct_files.c.studio_id)
 
 
 def _drawn(studio_id: UUID | None) -> Sums:

@@ -248,10 +248,10 @@ def list_revisions(
 ) -> Page[RevisionRead]:
     """Return the saved changes of the list, the newest first."""
     project = project_access(session, actor, project_id).project
-    found = queries.revisions_of(session, project.id, before=cursor, limit=REVISIONS_AT_ONCE + 1)
+    revisions = queries.revisions_of(session, project.id, before=cursor, limit=REVISIONS_AT_ONCE + 1)
     return Page(
-        items=[RevisionRead.model_validate(revision) for revision in found[:REVISIONS_AT_ONCE]],
-        next=cursor_of(found[-2].number) if len(found) > REVISIONS_AT_ONCE else None,
+        items=[RevisionRead.model_validate(revision) for revision in revisions[:REVISIONS_AT_ONCE]],
+        next=cursor_of(revisions[-2].number) if len(revisions) > REVISIONS_AT_ONCE else None,
     )
 
 
@@ -281,12 +281,12 @@ def list_questions(
 ) -> Page[QuestionRead]:
     """Return the questions on the project's cues, the oldest first."""
     access = project_access(session, actor, project_id)
-    found = queries.questions_of(
+    page = queries.questions_of(
         session, project_id, only_open=only_open, after=uuid_cursor(cursor), limit=QUESTIONS_AT_ONCE + 1
     )
     return Page(
-        items=[questions.question_read(question, access) for question in found[:QUESTIONS_AT_ONCE]],
-        next=cursor_of(found[-2].id) if len(found) > QUESTIONS_AT_ONCE else None,
+        items=[questions.question_read(question, access) for question in page[:QUESTIONS_AT_ONCE]],
+        next=cursor_of(page[-2].id) if len(page) > QUESTIONS_AT_ONCE else None,
     )
 
 

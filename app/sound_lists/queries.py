@@ -67,10 +67,10 @@ def people_of_list(
         select(column).where(Cue.project_id == project_id, column.is_not(None))
         for column in (Cue.implementer_id, Cue.recorder_id)
     ]
-    found = select(Person.id, Person.name, Person.email).where(
-        or_(Person.id.in_(designers), *(Person.id.in_(some) for some in (members, *named)))
+    people = select(Person.id, Person.name, Person.email).where(
+        or_(Person.id.in_(designers), *(Person.id.in_(ids) for ids in (members, *named)))
     )
-    return session.execute(found.order_by(Person.name, Person.id)).all()
+    return session.execute(people.order_by(Person.name, Person.id)).all()
 
 
 def cue_page(
@@ -151,8 +151,8 @@ def slot_of_stem(session: Session, project_id: UUID, stem: str) -> tuple[Cue, in
 @cache  # asked for with each upload: to build the statement takes as long as to run it
 def _of_stem() -> Select[Cue, int]:
     of_stem = (Stem.project_id == bindparam("project_id"), Stem.folded == bindparam("folded"))
-    found = select(Cue, Stem.variation).join(Stem, Stem.cue_id == Cue.id)
-    return found.where(*of_stem, Stem.stem == bindparam("stem"))
+    cues = select(Cue, Stem.variation).join(Stem, Stem.cue_id == Cue.id)
+    return cues.where(*of_stem, Stem.stem == bindparam("stem"))
 
 
 def stem_owners(session: Session, project_id: UUID, wanted: Collection[str]) -> dict[str, tuple[UUID, int, str]]:
@@ -276,6 +276,6 @@ def spoken_placeholder(session: Session, cue_id: UUID) -> SpokenPlaceholder | No
 
 def spoken_sha256s(session: Session, project_id: UUID) -> dict[UUID, str]:
     """Return the files of what was said for the cues of a project, by cue."""
-    said = select(SpokenPlaceholder.cue_id, SpokenPlaceholder.sha256)
-    found = session.execute(said.where(SpokenPlaceholder.project_id == project_id))
-    return {row.cue_id: row.sha256 for row in found}
+    files = select(SpokenPlaceholder.cue_id, SpokenPlaceholder.sha256)
+    rows = session.execute(files.where(SpokenPlaceholder.project_id == project_id))
+    return {row.cue_id: row.sha256 for row in rows}

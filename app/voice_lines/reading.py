@@ -158,15 +158,15 @@ class ScriptReader:
         """Return the pick-ups of the next session: by language, then character, in the order of the script."""
         languages = [language] if language else self.languages
         reads: list[VoiceLineRead] = []
-        for each in languages:
-            language_texts = self._said(each)
+        for language in languages:
+            language_texts = self._said(language)
             stale_lines = [
                 line
                 for line in self.lines
                 if language_texts.statuses.get(line.id, NOT_TRANSLATED).state in PICK_UPS
                 and (character_id is None or line.character_id == character_id)
             ]
-            reads += self._reads(each, language_texts, stale_lines)
+            reads += self._reads(language, language_texts, stale_lines)
         order = {language: rank for rank, language in enumerate(languages)}
         reads.sort(
             key=lambda read: (order[read.language], read.character.name.casefold())

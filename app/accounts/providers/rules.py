@@ -142,7 +142,7 @@ def person_in(claims: Mapping[str, Any]) -> ProvenPerson:
     except BadAddress as error:
         raise refused("the provider names no email", error, fix="ask who runs the provider") from error
     name, methods = claims.get("name"), claims.get("amr")
-    printable = "".join(each for each in name if each.isprintable()).strip() if isinstance(name, str) else ""
+    printable = "".join(letter for letter in name if letter.isprintable()).strip() if isinstance(name, str) else ""
     return ProvenPerson(
         email=email,
         name=printable[:MAX_NAME_CHARS] or email.partition("@")[0],

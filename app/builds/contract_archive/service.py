@@ -205,12 +205,12 @@ def _cues(
                 state=_state(contract_cue),
                 files=[files[take.id] for take in takes],
                 owed=[  # a cue that was cut from the list owns no names, and is owed no more
-                    stems[cue.id, each]
-                    for each in range(1, cue.variations + 1)
-                    if each not in done and (cue.id, each) in stems
+                    stems[cue.id, variation]
+                    for variation in range(1, cue.variations + 1)
+                    if variation not in done and (cue.id, variation) in stems
                 ],
                 remarks=[_remark(remark) for remark in remarks if remark.cue_id == cue.id],
-                questions=[each.text for each in asked if each.cue_id == cue.id],
+                questions=[question.text for question in asked if question.cue_id == cue.id],
             )
         )
     return cues

@@ -211,7 +211,7 @@ def _ensure_few_names(value: Any) -> None:
         if isinstance(node, dict) and len(node) > MANY_NAMES:
             names += len(node)
         values = node.values() if isinstance(node, dict) else node
-        left += [each for each in values if isinstance(each, dict | list)]
+        left += [child for child in values if isinstance(child, dict | list)]
     if names > MAX_NAMES:
         raise TooManyNames(
             f"objects with more than {MANY_NAMES} names may have {MAX_NAMES:,} together; these have {names:,}"

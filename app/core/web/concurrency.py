@@ -124,16 +124,16 @@ class _FairQueue:
         self._running[caller] -= 1
         if not self._running[caller]:
             del self._running[caller]
-        for each in list(self._waiting):
-            if self._may_run(each):
-                turns = self._waiting.pop(each)
+        for waiting_caller in list(self._waiting):
+            if self._may_run(waiting_caller):
+                turns = self._waiting.pop(waiting_caller)
                 while turns and (turn := turns.popleft()).cancelled():
                     continue
                 if not turn.cancelled():
-                    self._take(each)
+                    self._take(waiting_caller)
                     turn.set_result(None)
                 if turns:
-                    self._waiting[each] = turns  # behind all others
+                    self._waiting[waiting_caller] = turns  # behind all others
 
 
 class ConcurrencyLimiter:

@@ -72,4 +72,4 @@ def _latest_comments(session: Session, cue_ids: Sequence[UUID], designer_id: UUI
         errors = [finding["message"] for finding in run.report.get("findings", []) if finding["severity"] == "error"]
         if take.cue_id is not None and errors:
             comments.append(Said(take.cue_id, take.state_since, errors[0], None))
-    return {each.cue_id: each for each in sorted(comments, key=lambda each: each.at)}
+    return {comment.cue_id: comment for comment in sorted(comments, key=lambda comment: comment.at)}

@@ -93,7 +93,7 @@ def comments(session: Session, cue_ids: Collection[UUID], designer_id: UUID) -> 
     """Return the newest comment on a designer's takes of each cue."""
     by = func.coalesce(Person.name, Comment.guest_name)
     rank = func.row_number().over(partition_by=Take.cue_id, order_by=(Comment.created_at.desc(), Comment.id.desc()))
-    each = (
+    ranked = (
         select(Take.cue_id, Comment.created_at, Comment.text, by.label("by"), rank.label("place"))
         .select_from(Comment)
         .join(Take, Take.id == Comment.take_id)
@@ -101,7 +101,9 @@ def comments(session: Session, cue_ids: Collection[UUID], designer_id: UUID) -> 
         .where(in_array(Take.cue_id, cue_ids), Take.designer_id == designer_id)
         .subquery()
     )
-    rows = session.execute(select(each.c.cue_id, each.c.created_at, each.c.text, each.c.by).where(each.c.place == 1))
+    rows = session.execute(
+        select(ranked.c.cue_id, ranked.c.created_at, ranked.c.text, ranked.c.by).where(ranked.c.place == 1)
+    )
     return [Said._make(row) for row in rows]
 
 

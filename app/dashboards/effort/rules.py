@@ -221,7 +221,7 @@ def _factors(samples: Iterable[Logged]) -> tuple[float, float]:
 
 def finish_on(hours: float, begin_on: date, weekly_hours: float, busy: Iterable[Busy] = ()) -> date | None:
     """Return the working day on which so many hours are done; None where that is more than five years away."""
-    taken = [(each.from_on, each.to_on, 0.5 if each.kind is BusyKind.HALF_DAYS else 0.0) for each in busy]
+    taken = [(span.from_on, span.to_on, 0.5 if span.kind is BusyKind.HALF_DAYS else 0.0) for span in busy]
     left = hours - 1e-9
     for offset in range(MAX_DAYS):
         day = begin_on + timedelta(days=offset)

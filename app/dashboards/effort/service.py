@@ -80,7 +80,7 @@ def project_effort(
     weekly = weekly_hours or on_file_hours or ASSUMED_WEEKLY_HOURS
     today = clock.now().date()
     begin_on = max(begin_on or today, today)
-    earliest_on, latest_on = (finish_on(each, begin_on, weekly, busy) for each in (hours.low_h, hours.high_h))
+    earliest_on, latest_on = (finish_on(effort_h, begin_on, weekly, busy) for effort_h in (hours.low_h, hours.high_h))
     return Effort(
         cues=len(works),
         files=sum(work.variations for work in works),

@@ -253,12 +253,12 @@ def current_findings(
 @cache
 def _current_findings(is_own: bool) -> Select[UUID | None, Any]:
     findings = CheckRun.report["findings"]
-    each = aliased(Take)
+    other = aliased(Take)
     newest = (
-        select(each.cue_id, each.variation, func.max(each.number).label("number"))
-        .where(in_array(each.cue_id, "cue_ids"), each.state != TakeState.SET_ASIDE)
-        .where(*([each.designer_id == bindparam("designer_id")] if is_own else []))
-        .group_by(each.cue_id, each.variation)
+        select(other.cue_id, other.variation, func.max(other.number).label("number"))
+        .where(in_array(other.cue_id, "cue_ids"), other.state != TakeState.SET_ASIDE)
+        .where(*([other.designer_id == bindparam("designer_id")] if is_own else []))
+        .group_by(other.cue_id, other.variation)
     )
     is_newest = tuple_(Take.cue_id, Take.variation, Take.number).in_(newest)
     return (

@@ -135,15 +135,17 @@ def _questions(session: Session, access: PostingAccess) -> list[PostingQuestionR
     is_team = access.team is not None
     return [
         PostingQuestionRead(
-            id=one.id,
-            text=one.text,
-            asked_by=PersonBrief.model_validate(one.asker) if is_team or one.asked_by == access.actor.person else None,
-            asked_at=one.asked_at,
-            answer=one.answer,
-            is_for_all=one.is_for_all,
-            answered_at=one.answered_at,
+            id=question.id,
+            text=question.text,
+            asked_by=PersonBrief.model_validate(question.asker)
+            if is_team or question.asked_by == access.actor.person
+            else None,
+            asked_at=question.asked_at,
+            answer=question.answer,
+            is_for_all=question.is_for_all,
+            answered_at=question.answered_at,
         )
-        for one in bids.questions_seen(session, access)
+        for question in bids.questions_seen(session, access)
     ]
 
 

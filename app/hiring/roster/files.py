@@ -167,8 +167,8 @@ def _until(moment: date | datetime, start: date | datetime) -> datetime:
 
 def _moments(event: Event, name: str) -> Iterator[datetime]:
     given = event.get(name, [])
-    for each in given if isinstance(given, list) else [given]:
-        for moments in each.dts:
+    for dates in given if isinstance(given, list) else [given]:
+        for moments in dates.dts:
             moment = moments.dt[0] if isinstance(moments.dt, tuple) else moments.dt
             yield _naive(moment)
 

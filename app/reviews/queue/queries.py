@@ -226,7 +226,7 @@ def _cues_on_review() -> Select[UUID, str, int, int, int, str | None, bool]:
     return (
         select(
             *(Cue.id, Project.cue_prefix),
-            *(each.correlate(Cue).scalar_subquery() for each in (rounds, *_open_notes(), approved)),
+            *(query.correlate(Cue).scalar_subquery() for query in (rounds, *_open_notes(), approved)),
             row_exists(changed, Cue),
         )
         .join(Project, Project.id == Cue.project_id)

@@ -111,7 +111,7 @@ def send_changes(
     reversals: dict[UUID, list[bool]] = defaultdict(list)
     action_id = new_id()
     given: list[GivenVerdict] = []
-    for draft in sorted(sendable, key=lambda each: each.cue_id):  # contracts are locked in one order
+    for draft in sorted(sendable, key=lambda draft: draft.cue_id):  # contracts are locked in one order
         reversals[draft.cue_id].append(draft.take.state is TakeState.APPROVED)
         for_whom = rights.on_behalf_of(actor.person, draft.cue.category)
         verdict = new_verdict(
@@ -132,7 +132,7 @@ def send_changes(
     rounds = _count_rounds(session, sending, reversals, joins=cue_id is not None)
     session.flush()
     send(session, VerdictsOnFile(VerdictKind.REQUEST_CHANGE, given))
-    for round_ in sorted(rounds, key=lambda each: each.cue_id):  # contracts are locked in one order
+    for round_ in sorted(rounds, key=lambda round_: round_.cue_id):  # contracts are locked in one order
         if round_.number is not None:
             send(session, RoundCounted(round_.cue_id, round_.number, actor.person))
         decide_cue(session, session.get_one(Cue, round_.cue_id), person_id=actor.person)
