@@ -39,12 +39,14 @@ if TYPE_CHECKING:
         SandboxOutOfMemory,
         SandboxTimedOut,
         SpecError,
+        SplitRefused,
         Unreadable,
     )
     from audio_checks.fixing.fix_master import fix_master
     from audio_checks.fixing.fixed import FIXER_VERSION, FixedMaster
     from audio_checks.fixing.listed_names import NameRefusal, pattern_admitting, refused_name
     from audio_checks.fixing.offers import Offer, fix_in_words, fix_offer
+    from audio_checks.fixing.split_master import SHORTEST_PAUSE_S, SoundPart, SplitMaster, split_master
     from audio_checks.fixing.spots import Spot, repair_spots
     from audio_checks.judge.compare.dry_stem import compare_reverb_with_dry
     from audio_checks.judge.compare.takes import compare_reverb_of_takes
@@ -132,6 +134,7 @@ __all__ = [
     "LOSSY_ENCODINGS",
     "MAX_FIGURE_CHARS",
     "RENDERER_VERSION",
+    "SHORTEST_PAUSE_S",
     "TARGET_PRESETS",
     "TOOL_VERSION",
     "AdoptionPlan",
@@ -182,9 +185,12 @@ __all__ = [
     "SandboxTimedOut",
     "ShippedFile",
     "SoundList",
+    "SoundPart",
     "SoundSignature",
     "SoundSize",
     "SpecError",
+    "SplitMaster",
+    "SplitRefused",
     "Spot",
     "TableUnreadable",
     "TakeName",
@@ -265,6 +271,7 @@ __all__ = [
     "sound_signature",
     "sounds_of_manifest",
     "spectrogram",
+    "split_master",
     "stem_in_language",
     "stem_of_file",
     "stems_of",
@@ -304,6 +311,7 @@ _HOMES = {
         "SandboxOutOfMemory",
         "SandboxTimedOut",
         "SpecError",
+        "SplitRefused",
         "Unreadable",
     ),
     "audio_checks.checks": ("Check", "CheckLimit", "all_checks"),
@@ -320,6 +328,7 @@ _HOMES = {
     "audio_checks.fixing.fixed": ("FIXER_VERSION", "FixedMaster"),
     "audio_checks.fixing.listed_names": ("NameRefusal", "pattern_admitting", "refused_name"),
     "audio_checks.fixing.offers": ("Offer", "fix_in_words", "fix_offer"),
+    "audio_checks.fixing.split_master": ("SHORTEST_PAUSE_S", "SoundPart", "SplitMaster", "split_master"),
     "audio_checks.fixing.spots": ("Spot", "repair_spots"),
     "audio_checks.placeholders.make": ("Placeholder", "make_placeholder", "make_placeholders"),
     "audio_checks.placeholders.recorded": ("tidy_recording",),

@@ -107,6 +107,25 @@ class FixRefused(AudioChecksError):
         self.fix = fix
 
 
+class SplitRefused(AudioChecksError):
+    """A split of a master that cannot be made, such as one of a file that holds one sound.
+
+    Parameters
+    ----------
+    message : str
+        What was found, and what was wanted.
+    code : str
+        Stable name of the condition, such as "split:one-sound".
+    fix : str
+        What to do instead.
+    """
+
+    def __init__(self, message: str, code: str, fix: str) -> None:
+        super().__init__(message, code, fix)
+        self.code = code
+        self.fix = fix
+
+
 class SandboxFailed(AudioChecksError):
     """A sandboxed call that gave no result; never the file's fault in itself.
 

@@ -1,7 +1,6 @@
 """A section of a WAV file, read in place."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import BinaryIO
 
 import numpy as np
@@ -34,10 +33,4 @@ def stretch(file: BinaryIO, layout: wav.WavLayout, first: int, end: int) -> Iter
     """
     first, end = max(first, 0), min(end, layout.frames)
     if end > first:
-        inside = replace(
-            layout,
-            data_offset=layout.data_offset + first * layout.frame_bytes,
-            data_size=(end - first) * layout.frame_bytes,
-            frames=end - first,
-        )
-        yield from wav.blocks(file, inside)
+        yield from wav.blocks(file, wav.stretch_of(layout, first, end))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -49,13 +50,24 @@ class Pauses:
 
     def result(self) -> dict[str, Any]:
         """Return `pauses`, start and end of each in seconds; none in silence."""
-        highest = self._highest
-        threshold = min(ratio(BELOW_DBFS), float(highest.max(initial=0.0)) * BELOW_PEAK)
-        loud = np.flatnonzero(highest >= threshold) if threshold else np.empty(0, np.int64)
         seconds = self._grain / self._rate
-        long = np.flatnonzero((np.diff(loud) - 1) * seconds >= SHORTEST_S)
-        return {
-            "pauses": tuple(
-                (float((loud[index] + 1) * seconds), float(loud[index + 1] * seconds)) for index in long.tolist()
-            )
-        }
+        sounds = self._grains_of_sounds(SHORTEST_S)
+        return {"pauses": tuple((end * seconds, start * seconds) for (_, end), (start, _) in pairwise(sounds))}
+
+    @property
+    def threshold(self) -> float:
+        """The magnitude below which all that was added is silence; 0 for digital silence."""
+        return min(ratio(BELOW_DBFS), float(self._highest.max(initial=0.0)) * BELOW_PEAK)
+
+    def sounds(self, shortest_s: float) -> list[tuple[int, int]]:
+        """Return first and end frame of each sound between pauses of a length, to 10 ms; none in silence."""
+        return [(first * self._grain, end * self._grain) for first, end in self._grains_of_sounds(shortest_s)]
+
+    def _grains_of_sounds(self, shortest_s: float) -> list[tuple[int, int]]:
+        threshold = self.threshold
+        if not threshold:
+            return []
+        loud = np.flatnonzero(self._highest >= threshold)
+        breaks = np.flatnonzero((np.diff(loud) - 1) * (self._grain / self._rate) >= shortest_s)
+        firsts, lasts = loud[np.append(0, breaks + 1)], loud[np.append(breaks, -1)]
+        return [(first, last + 1) for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True)]

@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 from audio_checks.metadata.bext import FIELDS as BEXT_FIELDS
 from audio_checks.metadata.bext import read_bext
 from audio_checks.metadata.ixml import ASWG_FIELDS, read_ixml
-from audio_checks.metadata.lists import read_info, read_labels
+from audio_checks.metadata.lists import read_info, read_labels, read_lengths
 from audio_checks.metadata.points import CuePoint, Instrument, read_cue, read_inst, read_smpl
 
 __all__ = ["ASWG_FIELDS", "BEXT_FIELDS", "CHUNKS", "MOST_BYTES", "CuePoint", "Instrument", "Metadata", "read_metadata"]
@@ -95,7 +95,8 @@ def read_metadata(chunks: Iterable[tuple[str, bytes]]) -> Metadata:
         for name, text in (group_fields or {}).items()
     }
     labels = reading.first("LIST", read_labels) or {}
-    points = reading.first("cue ", lambda payload: read_cue(payload, labels)) or ()
+    lengths = reading.first("LIST", read_lengths) or {}
+    points = reading.first("cue ", lambda payload: read_cue(payload, labels, lengths)) or ()
     notes = _both(reading.first("smpl", read_smpl), reading.first("inst", read_inst))
     return Metadata(texts, points, notes, tuple(reading.damaged))
 

@@ -48,6 +48,24 @@ def read_labels(payload: bytes) -> dict[int, str]:
     return notes | labels
 
 
+def read_lengths(payload: bytes) -> dict[int, int]:
+    """Return the lengths in frames of the regions of a LIST/adtl chunk by their cue points; empty for another list.
+
+    Raises
+    ------
+    ValueError
+        An entry reaches beyond the chunk, or there are too many.
+    """
+    if payload[:4] != b"adtl":
+        return {}
+    regions = (struct.unpack_from("<2I", entry) for name, entry in _entries(payload) if _is_region(name, entry))
+    return {point: frames for point, frames in regions if frames}
+
+
+def _is_region(name: bytes, entry: bytes) -> bool:
+    return name == b"ltxt" and len(entry) >= 8
+
+
 def _entries(payload: bytes) -> Iterator[tuple[bytes, bytes]]:
     kind = payload[:4].decode("latin-1")
     at, count = 4, 0

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import BinaryIO
 
 from audio_checks import wav
+from audio_checks.metadata.inside import inside_only
 
 REWRITTEN = frozenset({"fmt ", "data", "fact", "ds64"})  # written by the copy itself
 STALE = frozenset({"PEAK", "levl"})  # peaks of the old samples, which programs draw or trust
@@ -62,6 +63,9 @@ class Move:
         How many times longer the sound became by that, 1 for all but fitted loops.
     history : str
         A line for the coding history of a broadcast wave.
+    only_inside : bool
+        Whether points, regions and loops outside the copy are left out; else they move to its nearer end. Only for
+        copies at the master's rate.
     """
 
     cut: int
@@ -74,6 +78,7 @@ class Move:
     loops: Mapping[Points, Points] = field(default_factory=dict)
     stretch: float = 1.0
     history: str = ""
+    only_inside: bool = False
 
     @property
     def new_rate(self) -> bool:
@@ -125,8 +130,13 @@ def carried(
     for chunk, payload in payloads:
         if chunk.id == "cue ":
             points |= _points(payload)
-    for chunk, payload in payloads:
-        if (chunk.id in STALE and move.changed) or (keep is not None and not keep(chunk.id, payload)):
+    for chunk, whole in payloads:
+        if (chunk.id in STALE and move.changed) or (keep is not None and not keep(chunk.id, whole)):
+            continue
+        payload = whole
+        if move.only_inside:
+            payload = inside_only(chunk.id, whole, move.cut, move.cut + move.frames, points)
+        if whole and not payload:
             continue
         moved = _moved(chunk.id, payload, move, points)
         (before if chunk.offset < layout.data_offset else after).append((chunk.id, moved))

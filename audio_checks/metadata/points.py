@@ -7,7 +7,9 @@ Standards Update (1994) for `smpl` and `inst`.
 from __future__ import annotations
 
 import struct
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from audio_checks.system.plural import counted
 
@@ -16,11 +18,12 @@ MOST_POINTS = 10_000
 
 @dataclass(frozen=True)
 class CuePoint:
-    """A marked place: its number, the frame it stands at, and what it is called ("" for nothing)."""
+    """A marked place: its number, the frame it stands at, what it is called ("" for nothing), and a region's length."""
 
     number: int
     frame: int
     label: str = ""
+    frames: int = 0  # of a region; 0 for a marker
 
 
 @dataclass(frozen=True)
@@ -46,15 +49,17 @@ class Instrument:
     velocities: tuple[int, int] | None = None
 
 
-def read_cue(payload: bytes, labels: dict[int, str]) -> tuple[CuePoint, ...]:
+def read_cue(
+    payload: bytes, labels: Mapping[int, str], lengths: Mapping[int, int] = MappingProxyType({})
+) -> tuple[CuePoint, ...]:
     """Return the cue points in the chunk's order.
 
     Parameters
     ----------
     payload : bytes
         Of the chunk.
-    labels : dict
-        Of the LIST/adtl chunk, by cue point.
+    labels, lengths : mapping
+        Of the LIST/adtl chunk, by cue point: texts, and the frames of regions.
 
     Raises
     ------
@@ -69,7 +74,9 @@ def read_cue(payload: bytes, labels: dict[int, str]) -> tuple[CuePoint, ...]:
             f'the "cue " chunk announces {counted(count, "point")}, more than it holds or than {MOST_POINTS}'
         )
     points = (struct.unpack_from("<2I4s3I", payload, 4 + 24 * index) for index in range(count))
-    return tuple(CuePoint(number, frame, labels.get(number, "")) for number, _, _, _, _, frame in points)
+    return tuple(
+        CuePoint(number, frame, labels.get(number, ""), lengths.get(number, 0)) for number, _, _, _, _, frame in points
+    )
 
 
 def read_smpl(payload: bytes) -> Instrument:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 STREAM_SIZE = 0xFFFFFFFF  # written by programs that cannot go back to fill in the size
@@ -94,3 +94,13 @@ class WavLayout:
     def duration_s(self) -> float:
         """Length in seconds."""
         return self.frames / self.sample_rate_hz
+
+
+def stretch_of(layout: WavLayout, first: int, end: int) -> WavLayout:
+    """Return the layout of a file whose sound is one stretch of it, from `first` up to, and without, `end`."""
+    return replace(
+        layout,
+        data_offset=layout.data_offset + first * layout.frame_bytes,
+        data_size=(end - first) * layout.frame_bytes,
+        frames=end - first,
+    )

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from audio_checks import kernel
 from audio_checks.wav.decoding import raw_blocks
 from audio_checks.wav.files import chunk_payload
-from audio_checks.wav.layout import EXTENSIBLE, FLOAT, GUID_TAIL, PCM, STREAM_SIZE, WavLayout
+from audio_checks.wav.layout import EXTENSIBLE, FLOAT, GUID_TAIL, PCM, STREAM_SIZE, WavLayout, stretch_of
 
 
 def write_wav(
@@ -102,12 +102,49 @@ def copy_wav(file: BinaryIO, layout: WavLayout, target: str | os.PathLike[str], 
         payload = left.pop(chunk.id) if chunk.id in left else chunk_payload(file, chunk)
         (before if chunk.offset < layout.data_offset else after).append(_chunk(chunk.id, payload))
     before += [_chunk(name, payload) for name, payload in left.items()]
-    head = _opened(b"".join(before), layout.data_size, layout.frames, sum(map(len, after)))
+    _copy_sound(file, layout, target, b"".join(before), b"".join(after))
+
+
+def copy_stretch(
+    file: BinaryIO,
+    layout: WavLayout,
+    target: str | os.PathLike[str],
+    first: int,
+    end: int,
+    *,
+    chunks: Sequence[tuple[str, bytes]] = (),
+    chunks_after: Sequence[tuple[str, bytes]] = (),
+) -> None:
+    """Write a stretch of a WAV file as a file of the same format, its sound byte for byte.
+
+    Parameters
+    ----------
+    file, layout : binary file, WavLayout
+        What is copied.
+    target : path
+        Written next to its final name, synced and renamed, so it is whole or absent.
+    first, end : int
+        From frame `first` up to, and without, frame `end`, which lie inside the sound.
+    chunks, chunks_after : sequence of (id, payload)
+        Further chunks before and after `data`.
+    """
+    inside = stretch_of(layout, first, end)
+    formats = [chunk_payload(file, chunk) for chunk in layout.chunks if chunk.id == "fmt "]
+    head = b"".join(_chunk("fmt ", payload) for payload in formats)
+    if any(chunk.id == "fact" for chunk in layout.chunks):
+        head += _chunk("fact", struct.pack("<I", min(inside.frames, STREAM_SIZE)))
+    head += b"".join(_chunk(name, payload) for name, payload in chunks)
+    after = b"".join(_chunk(name, payload) for name, payload in chunks_after)
+    _copy_sound(file, inside, target, head, after)
+
+
+def _copy_sound(file: BinaryIO, layout: WavLayout, target: str | os.PathLike[str], before: bytes, after: bytes) -> None:
+    head = _opened(before, layout.data_size, layout.frames, len(after))
     path = Path(target)
     temporary = path.parent / f".wav-{secrets.token_hex(8)}.part"
     try:
         with open(temporary, "xb") as copy:
-            _write_all(copy, head, raw_blocks(file, layout), b"\0" * (layout.data_size % 2) + b"".join(after))
+            _write_all(copy, head, raw_blocks(file, layout), b"\0" * (layout.data_size % 2) + after)
             copy.flush()
             os.fsync(copy.fileno())
         os.replace(temporary, path)
