@@ -79,6 +79,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {  # beside kinds of notices, which na
     "take.rendered": ("renders.measure_timbre",),
     "palette.changed": ("renders.measure_palette",),
     "fix.asked": ("conformance.make_fix",),
+    "split.asked": ("conformance.split_master",),
     "fix.made": ("renders.draw_fix",),
     "dry_stem.changed": ("conformance.compare_takes",),
     "take.waived": ("renders.make_renders",),

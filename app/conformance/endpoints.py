@@ -8,8 +8,16 @@ from fastapi import APIRouter, Response
 import audio_checks
 from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
-from app.conformance import fixes, previews, service
-from app.conformance.errors import CheckNotFound, FixNotReady, NothingToFix, NothingToWaive
+from app.conformance import fixes, previews, service, splits
+from app.conformance.errors import (
+    CheckNotFound,
+    FixNotReady,
+    NothingToFix,
+    NothingToSplit,
+    NothingToWaive,
+    PartsMisplaced,
+    SplitNotReady,
+)
 from app.conformance.schemas import (
     CheckDescription,
     CheckPreview,
@@ -17,12 +25,17 @@ from app.conformance.schemas import (
     CheckRead,
     FixOffer,
     FixRead,
+    SplitAsk,
+    SplitOffer,
+    SplitRead,
+    SplitUse,
     WaiverAdd,
 )
 from app.core.web.http import DbSession, problems
 from app.deliveries.errors import MasterDeleted, OwnDesignerNeeded, TakeNotFound, VariationUnknown, WrongState
-from app.deliveries.schemas import TakeRead
+from app.deliveries.schemas import TakeRead, TrayActionRead
 from app.deliveries.service import read_take, take_for
+from app.deliveries.tray.service import tray_action_read
 from app.projects.errors import ApproverNeeded, ProjectNotFound, TeamNeeded
 from app.sound_lists.errors import CueNotFound
 
@@ -118,3 +131,44 @@ def use_fix(
     made, already_here, access = fixes.use_fix(session, actor, take_id)
     response.status_code = 200 if already_here else 201
     return read_take(session, access.project, made).model_copy(update={"already_here": already_here})
+
+
+@router.get("/projects/{project_id}/splits", response_model=list[SplitOffer], responses=problems(ProjectNotFound))
+def list_splits(project_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> list[SplitOffer]:
+    """List the files that hold several sounds, longest waiting first; a designer's own."""
+    return splits.splits_offered(session, actor, project_id)
+
+
+@router.get("/takes/{take_id}/split", response_model=SplitRead, responses=problems(TakeNotFound))
+def see_split(take_id: UUID, session: DbSession, actor: Actor = allows(Audience.PROJECT)) -> SplitRead:
+    """Show the parts of a file, and the file that a take was itself cut from."""
+    return splits.split_for(session, actor, take_id)
+
+
+@router.post(
+    "/takes/{take_id}/split",
+    status_code=202,
+    response_model=SplitRead,
+    responses=problems(TakeNotFound, OwnDesignerNeeded, MasterDeleted, NothingToSplit),
+)
+def request_split(
+    take_id: UUID, body: SplitAsk, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> SplitRead:
+    """Have the parts of a file found, to see before they become variations."""
+    return splits.request_split(session, actor, take_id, body)
+
+
+@router.post(
+    "/takes/{take_id}/split/use",
+    status_code=201,
+    response_model=TrayActionRead,
+    responses=problems(
+        *(TakeNotFound, OwnDesignerNeeded, MasterDeleted, NothingToSplit, SplitNotReady),
+        *(PartsMisplaced, CueNotFound, VariationUnknown),
+    ),
+)
+def use_split(
+    take_id: UUID, body: SplitUse, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
+) -> TrayActionRead:
+    """Make the parts of a file versions of a cue's variations; the file is discarded and kept, and it can be undone."""
+    return tray_action_read(splits.use_split(session, actor, take_id, body))

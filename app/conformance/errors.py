@@ -1,6 +1,6 @@
 """Errors of this room, each named after the fact."""
 
-from app.core.errors import Conflict, NotFound
+from app.core.errors import Conflict, Invalid, NotFound
 
 
 class CheckNotFound(NotFound):
@@ -17,3 +17,15 @@ class NothingToFix(Conflict):
 
 class FixNotReady(Conflict):
     """The fixed copy is still being made, or could not be made."""
+
+
+class NothingToSplit(Conflict):
+    """The take is decided upon or discarded, so that no part of it becomes a version."""
+
+
+class SplitNotReady(Conflict):
+    """The parts of the file are not found yet, or there are none."""
+
+
+class PartsMisplaced(Invalid):
+    """A part that the file does not have, or two for one variation."""

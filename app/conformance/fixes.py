@@ -24,7 +24,7 @@ from app.deliveries.models import Take
 from app.deliveries.rules import ensure_master_kept
 from app.deliveries.schemas import CueBrief
 from app.deliveries.service import add_fixed_take, check_name, ensure_own_designer, take_for
-from app.deliveries.source_banks.service import copy_bank_to_fix
+from app.deliveries.source_banks.service import copy_bank
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.rules import label
 from app.sound_lists.service import cue_facts
@@ -130,7 +130,7 @@ def use_fix(session: Session, actor: Actor, take_id: UUID) -> tuple[Take, bool, 
         )
     made, already_here = add_fixed_take(session, take, fix.sha256, fix.fixed_bytes, _file_name(take, fix))
     copy_to_fix(session, take, made)
-    copy_bank_to_fix(session, take, made)
+    copy_bank(session, take, made)
     fix.used_by, fix.used_at, fix.new_take_id = actor.person, clock.now(), made.id
     session.flush()
     return made, already_here, access

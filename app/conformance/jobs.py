@@ -8,7 +8,7 @@ from uuid import UUID
 import structlog
 
 import audio_checks
-from app.conformance import checking, fixes, fixing, queries, service
+from app.conformance import checking, fixes, fixing, queries, service, splits, splitting
 from app.conformance.rules import TRIES
 from app.core import kill_points
 from app.core.jobs.queue import NORMAL, Payload, job
@@ -39,6 +39,27 @@ def make_fix(runtime: Runtime, payload: Payload) -> None:
     kill_points.point("conformance.after_fix")
     with runtime.database.writing() as session:
         fixes.record_fix(session, fix_id, made, (stored.sha256, stored.size_bytes) if stored else None)
+
+
+@job("conformance.split_master")
+def split_master(runtime: Runtime, payload: Payload) -> None:
+    """Find the parts of a master, and store each as a file of its own."""
+    split_id = UUID(payload["split_id"])
+    with runtime.database.reading() as session:
+        order = splits.order_split(session, split_id)
+    if order is None:
+        return
+    with tempfile.TemporaryDirectory(prefix="soundlist-") as folder:
+        made = _split(runtime, order, folder)
+        if isinstance(made, str):
+            with runtime.database.writing() as session:
+                splits.refuse_split(session, split_id, made)
+            return
+        # Only files inside the folder are accepted of a child.
+        paths = [Path(folder) / Path(part.file_name).name for part in made.parts]
+        stored = [runtime.store.put_file(order.studio_id, path) for path in paths]
+    with runtime.database.writing() as session:
+        splits.record_split(session, split_id, made, [(blob.sha256, blob.size_bytes) for blob in stored])
 
 
 @job("conformance.recheck_takes")
@@ -92,3 +113,24 @@ def _fixed(runtime: Runtime, order: fixes.FixOrder, folder: str) -> dict[str, An
 def _refused(order: fixes.FixOrder, refusal: audio_checks.FixRefused) -> dict[str, Any]:
     left = {"code": refusal.code, "severity": "error", "message": str(refusal), "why": f"{refusal}; {refusal.fix}."}
     return {"file": None, "name": order.name, "conforms": False, "repairs": [], "left": [left]}
+
+
+def _split(runtime: Runtime, order: splits.SplitOrder, folder: str) -> audio_checks.SplitMaster | str:
+    """Return a child's parts of a master, or why there are none."""
+    for _ in range(TRIES):
+        try:
+            with (
+                runtime.store.local_copy(order.studio_id, order.master_sha256) as path,
+                checking.sandbox().child(
+                    timeout_s=FIX_PASSES * checking.time_for(order.master_bytes), reads=[path], writes=[folder]
+                ) as child,
+            ):
+                made: audio_checks.SplitMaster = child.call(
+                    splitting.split, str(path), folder, shortest_pause_s=order.shortest_pause_s
+                )
+            return made
+        except audio_checks.SplitRefused as refusal:
+            return f"Not split: {refusal}. To get parts, {refusal.fix}."
+        except (audio_checks.SandboxFailed, BlobAltered, BlobMissing) as error:
+            log.warning("a split failed", split_id=str(order.split_id), error=str(error))
+    return splits.OUR_FAULT

@@ -83,3 +83,41 @@ class Fix(ProjectOwned, Dated, Base):
     used_by: Mapped[UUID | None] = mapped_column(ForeignKey("accounts_people.id"))
     used_at: Mapped[datetime | None]
     new_take_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)
+
+
+class Split(ProjectOwned, Dated, Base):
+    """The parts of a take's master, to see before its designer makes them variations of a cue."""
+
+    __tablename__ = "conformance_splits"
+    __table_args__ = (
+        UniqueConstraint("take_id", "shortest_pause_s"),
+        CheckConstraint("(state = 'made') = (found_by is not null)", name="made_has_parts"),
+        CheckConstraint("(found_by is null) = (sample_rate_hz is null)", name="rate_with_parts"),
+    )
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    take_id: Mapped[UUID] = mapped_column(ForeignKey("deliveries_takes.id"))
+    shortest_pause_s: Mapped[float]  # shorter silence is part of a sound
+    state: Mapped[FixState] = mapped_column(default=FixState.MAKING)
+    asked_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
+    asked_at: Mapped[datetime]  # for the last time: the newest is shown
+    refusal: Mapped[str | None]  # in words, with what the designer can do
+    found_by: Mapped[str | None]  # regions, markers, silence
+    sample_rate_hz: Mapped[int | None]
+    tray_action_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_tray_actions.id"))  # of its last use
+    parts: Mapped[list["SplitPart"]] = relationship(lazy="raise", order_by="SplitPart.number")
+
+
+class SplitPart(ProjectOwned, Base):
+    """One part of a take's master, as a file of its own."""
+
+    __tablename__ = "conformance_split_parts"
+    __table_args__ = (CheckConstraint("first_frame < end_frame", name="holds_frames"),)
+
+    split_id: Mapped[UUID] = mapped_column(ForeignKey("conformance_splits.id"), primary_key=True)
+    number: Mapped[int] = mapped_column(primary_key=True)  # from 1, in the order of the sound
+    first_frame: Mapped[int] = mapped_column(BigInteger)
+    end_frame: Mapped[int] = mapped_column(BigInteger)  # the first one after it
+    label: Mapped[str]  # of its marker; empty for none
+    sha256: Mapped[str] = mapped_column(index=True)
+    part_bytes: Mapped[int] = mapped_column(BigInteger)

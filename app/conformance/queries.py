@@ -22,11 +22,11 @@ from sqlalchemy import (
     tuple_,
     update,
 )
-from sqlalchemy.orm import Session, aliased, joinedload
+from sqlalchemy.orm import Session, aliased, joinedload, selectinload
 from sqlalchemy.sql.functions import aggregate_strings
 
 import audio_checks
-from app.conformance.models import CheckRun, Fix, Waiver
+from app.conformance.models import CheckRun, Fix, Split, Waiver
 from app.conformance.rules import FIXABLE_STATES
 from app.core.in_array import in_array
 from app.deliveries.models import DryStem, Take
@@ -371,3 +371,43 @@ def takes_with_finding(session: Session, take_ids: Collection[UUID], code: str) 
         of = CheckRun.take_id.in_(ids[start : start + TAKES_AT_ONCE])
         matching_ids |= set(session.scalars(select(CheckRun.take_id).where(of, CheckRun.is_current, has_code)))
     return matching_ids
+
+
+def split_by_id(session: Session, split_id: UUID, *, locked: bool = False) -> Split | None:
+    """Return a split; locked where it is going to change."""
+    query = select(Split).where(Split.id == split_id)
+    return session.scalar(query.with_for_update() if locked else query)
+
+
+def split_with_pause(session: Session, take_id: UUID, shortest_pause_s: float) -> Split | None:
+    """Return the split of a take at pauses of a length."""
+    return session.scalar(select(Split).where(Split.take_id == take_id, Split.shortest_pause_s == shortest_pause_s))
+
+
+def newest_split(session: Session, take_id: UUID) -> Split | None:
+    """Return the split of a take that was asked for last, with its parts."""
+    of_take = select(Split).where(Split.take_id == take_id).options(selectinload(Split.parts))
+    return session.scalar(of_take.order_by(Split.asked_at.desc(), Split.id.desc()).limit(1))
+
+
+def takes_of_several_sounds(
+    session: Session, project_id: UUID, *, designer_id: UUID | None, limit: int
+) -> list[tuple[Take, CheckRun]]:
+    """Return the takes not decided upon whose newest check may have found several sounds, longest waiting first."""
+    report = cast(CheckRun.report, String)
+    query = (
+        select(Take, CheckRun)
+        .join(CheckRun, and_(CheckRun.take_id == Take.id, CheckRun.is_current))
+        .where(
+            Take.project_id == project_id,
+            Take.state.in_(FIXABLE_STATES),
+            Take.discarded_at.is_(None),
+            report.contains('"internal-silence:pause"') | report.contains('"cue_points"'),
+        )
+        .options(joinedload(Take.cue))
+        .order_by(Take.state_since)
+        .limit(limit)
+    )
+    if designer_id is not None:
+        query = query.where(Take.designer_id == designer_id)
+    return [(take, run) for take, run in session.execute(query)]

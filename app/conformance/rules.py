@@ -28,7 +28,7 @@ FIXABLE_STATES = frozenset({TakeState.RETURNED, TakeState.CONFORMING})  # not ye
 
 
 class FixState(StrEnum):
-    """The state of a fixed copy."""
+    """The state of a fixed copy, or of the parts of a split."""
 
     MAKING = "making"
     MADE = "made"
@@ -190,3 +190,18 @@ def members_of_set(takes: Iterable[MemberFact]) -> list[UUID]:
         newest = {take.alternate: take for take in sorted(approved or here, key=lambda take: take.number)}
         access += [take.take_id for take in newest.values()]
     return access
+
+
+def several_sounds(report: Report, *, one_sound_expected: bool) -> str | None:
+    """Return by what a check saw that a WAV file holds several sounds, as a sentence; None where it saw none.
+
+    Markers alone say nothing where the list asks for one file.
+    """
+    facts = report["facts"] or {}
+    if facts.get("container") not in ("wav", "rf64"):
+        return None
+    frames = {point["frame"] for point in (facts.get("metadata") or {}).get("cue_points", [])}
+    if len(frames) > 1 and not one_sound_expected:
+        return f"It has {len(frames)} markers."
+    pauses = (finding for finding in report["findings"] if finding["code"] == "internal-silence:pause")
+    return next((f"{finding['message']}." for finding in pauses), None)

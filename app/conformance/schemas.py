@@ -6,6 +6,7 @@ from uuid import UUID
 
 from pydantic import Field, StringConstraints
 
+import audio_checks
 from app.accounts.schemas import PersonBrief
 from app.core.web.http import Schema
 from app.deliveries.rules import TakeState
@@ -261,3 +262,79 @@ class FixOffer(Schema):
     take_state: TakeState
     state: Literal["offered", "making", "made"]
     says: str = Field(examples=["Trims 45.0 ms from the start."])
+
+
+SHORTEST_PAUSES_S = (0.05, 10.0)
+MAX_PARTS = 100
+
+
+class SplitAsk(Schema):
+    """How the parts of a file are to be found; markers and regions come before silence."""
+
+    shortest_pause_s: float = Field(
+        audio_checks.SHORTEST_PAUSE_S,
+        ge=SHORTEST_PAUSES_S[0],
+        le=SHORTEST_PAUSES_S[1],
+        description="Shorter silence is part of a sound.",
+    )
+
+
+class PartPlace(Schema):
+    """The variation that a part becomes."""
+
+    part: int = Field(ge=1, le=MAX_PARTS)
+    variation: int = Field(ge=1)
+
+
+class SplitUse(Schema):
+    """The cue that the parts are for; parts that are not named are left out."""
+
+    cue_id: UUID | None = Field(None, description="Null: the cue of the file.")
+    places: list[PartPlace] | None = Field(
+        None, min_length=1, max_length=MAX_PARTS, description="Null: part 1 becomes variation 1, and so on."
+    )
+
+
+class SplitPartRead(Schema):
+    """One part of a file."""
+
+    number: int
+    start_s: float
+    duration_s: float
+    label: str = Field(description="Of its marker or region; empty for none.")
+
+
+class SplitFrom(Schema):
+    """The file that a take was cut from, and which range of it."""
+
+    take_id: UUID
+    file_name: ShownName
+    first_frame: int
+    end_frame: int = Field(description="The first frame after the range.")
+    start_s: float | None = Field(description="Null where the rate is not known any more.")
+    end_s: float | None
+
+
+class SplitRead(Schema):
+    """The parts that a file holds, and what became of them."""
+
+    take_id: UUID
+    state: Literal["none", "offered", "making", "made", "refused", "used"]
+    says: str = Field(description="Why it is offered, how the parts were found, or why there are none.")
+    may_split: bool = Field(description="It is not reviewed yet and not discarded.")
+    is_our_fault: bool = Field(description="It failed because of an error in our code; asking again may help.")
+    shortest_pause_s: float
+    found_by: Literal["regions", "markers", "silence"] | None
+    parts: list[SplitPartRead]
+    tray_action_id: UUID | None = Field(description="The action that made the parts variations, until it is undone.")
+    split_from: SplitFrom | None
+
+
+class SplitOffer(Schema):
+    """A file that holds several sounds."""
+
+    take_id: UUID
+    file_name: ShownName
+    cue: CueBrief | None
+    variations: int | None = Field(description="Of its cue.")
+    says: str = Field(examples=["3 sounds with silence between them (0.20 s, 1.40 s), 1.00 s long."])

@@ -41,6 +41,10 @@ class Take(Base):
         UniqueConstraint("archive_id", "archive_entry"),
         CheckConstraint("master_bytes >= 0", name="master_size_known"),
         CheckConstraint("(cue_id is null) = (number is null)", name="numbered_when_matched"),
+        CheckConstraint(
+            "(split_of_id is null) = (split_first_frame is null) and (split_of_id is null) = (split_end_frame is null)",
+            name="split_has_range",
+        ),
         # What waits is read in order of waiting, in one project or in all of a studio's.
         Index(
             "ix_deliveries_takes_project_waiting",
@@ -81,6 +85,9 @@ class Take(Base):
     archive_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_archives.id"))  # the ZIP that it came in
     archive_entry: Mapped[int | None]  # its place in there
     fix_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # made from it by us
+    split_of_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_takes.id"), index=True)  # cut from it by us
+    split_first_frame: Mapped[int | None] = mapped_column(BigInteger)  # of the range that was cut
+    split_end_frame: Mapped[int | None] = mapped_column(BigInteger)  # the first one after it
     cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))  # None: unmatched
     variation: Mapped[int] = mapped_column(default=1)  # 1 for a single file
     number: Mapped[int | None]  # 1 for the first take of a cue and variation; alternates count on

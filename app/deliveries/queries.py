@@ -345,6 +345,11 @@ def takes_by_id(session: Session, project_id: UUID, take_ids: Collection[UUID], 
     return list(session.scalars(_locked(query.options(*_WITH_CUE_AND_DESIGNER).order_by(Take.id))))
 
 
+def master_of(session: Session, take_id: UUID) -> str | None:
+    """Return the hash of a take's master."""
+    return session.scalar(select(Take.master_sha256).where(Take.id == take_id))
+
+
 def tray_action_by_id(session: Session, action_id: UUID) -> TrayAction | None:
     """Return an action on many takes, locked."""
     return session.scalar(select(TrayAction).where(TrayAction.id == action_id).with_for_update())

@@ -71,6 +71,7 @@ class TrayActionKind(StrEnum):
     MOVED = "moved"
     DISCARDED = "discarded"
     RESTORED = "restored"
+    SPLIT = "split"
 
 
 S = TakeState

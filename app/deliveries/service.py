@@ -40,12 +40,15 @@ from app.sound_lists import rules as list_rules
 
 @dataclass(frozen=True)
 class Origin:
-    """The origin of a take's bytes: an upload, a place in a ZIP, or a fix of another take."""
+    """The origin of a take's bytes: an upload, a place in a ZIP, a fix of another take, or a range of its frames."""
 
     upload_id: UUID | None = None
     archive_id: UUID | None = None
     archive_entry: int | None = None
     fix_of_id: UUID | None = None
+    split_of_id: UUID | None = None
+    split_first_frame: int | None = None
+    split_end_frame: int | None = None
 
 
 def delivery_for(session: Session, actor: Actor, delivery_id: UUID) -> tuple[Delivery, ProjectAccess]:
@@ -207,6 +210,9 @@ def add_take(
         number=number,
         alternate=slot.alternate if slot else alternate_of(name),
         fix_of_id=origin.fix_of_id,
+        split_of_id=origin.split_of_id,
+        split_first_frame=origin.split_first_frame,
+        split_end_frame=origin.split_end_frame,
         late=delivery.closed_at is not None if late is None else late,
         file_name=name,
         note=note,

@@ -42,7 +42,10 @@ def note_moved_away(session: Session, take: Take, *, by: UUID) -> None:
 
 def note_delivered(session: Session, take: Take, *, by: UUID) -> None:
     """Record that a take is delivered for its cue."""
-    facts = {"file": take.file_name, "sha256": take.master_sha256}
+    facts: dict[str, object] = {"file": take.file_name, "sha256": take.master_sha256}
+    if take.split_of_id is not None:
+        facts["cut_from"] = queries.master_of(session, take.split_of_id)
+        facts |= {"first_frame": take.split_first_frame, "end_frame": take.split_end_frame}
     rows = RowChanges().add(take)
     note_take(session, take, "delivered", facts, by=by, on_behalf_of=take.designer_id, rows=rows)
 

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Studio
 from app.agreements.models import ContractVersion, Seal
 from app.builds.models import PackedFile, PlaceholderFile
-from app.conformance.models import Fix
+from app.conformance.models import Fix, Split, SplitPart
 from app.core.db import Base
 from app.deliveries.models import Archive, DryStem, SourceFile, Take
 from app.hiring.models import ReelSound, Sample
@@ -42,6 +42,7 @@ KEPT = (
     Source(KeptKind.ARCHIVES, Archive.studio_id, Archive.sha256, Archive.archive_bytes),
     Source(KeptKind.GAME_FILES, Render.studio_id, Render.sha256, Render.file_bytes),
     Source(KeptKind.FIXES, Fix.studio_id, Fix.sha256, Fix.fixed_bytes),
+    Source(KeptKind.FIXES, SplitPart.studio_id, SplitPart.sha256, SplitPart.part_bytes),
     Source(KeptKind.REELS, Reel.studio_id, Reel.sha256, Reel.file_bytes),
     Source(KeptKind.EXPORTS, MasterExport.studio_id, MasterExport.sha256, MasterExport.file_bytes),
     Source(KeptKind.PLACEHOLDER_FILES, PlaceholderFile.studio_id, PlaceholderFile.sha256, PlaceholderFile.file_bytes),
@@ -65,6 +66,7 @@ KEPT = (
 )
 ONLY: dict[type[Base], ColumnElement[bool]] = {
     Fix: Fix.new_take_id.is_(None),  # the others are masters
+    SplitPart: SplitPart.split_id.in_(select(Split.id).where(Split.tray_action_id.is_(None))),  # as above
     Take: Take.master_deleted_at.is_(None),
     PackedFile: literal_column(
         "kind = 'key'", Boolean

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 SEVERITY = "warning"
 LABEL = "Internal silence"
-NOT_FIXED = "Which part is which variation, a person says: split the file in the session, and deliver each as its own."
+NOT_FIXED = "Which part is which variation, a person says: split it on the desk, or in the session."
 FIGURES = ("pauses",)
 PAUSING_KINDS = frozenset({"ambience", "music", "voice"})
 PLACES_NAMED = 3

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_6c23baa4"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_90f59dd4"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -852,7 +852,7 @@ def upgrade() -> None:
         sa.Column("id", sa.Uuid(), nullable=False),
         sa.Column("studio_id", sa.Uuid(), nullable=False),
         sa.Column("project_id", sa.Uuid(), nullable=False),
-        sa.Column("kind", sa.Enum("matched", "moved", "discarded", "restored", name="trayactionkind", native_enum=False, length=32), nullable=False),
+        sa.Column("kind", sa.Enum("matched", "moved", "discarded", "restored", "split", name="trayactionkind", native_enum=False, length=32), nullable=False),
         sa.Column("done_by", sa.Uuid(), nullable=False),
         sa.Column("done_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("undone_at", sa.DateTime(timezone=True)),
@@ -2482,6 +2482,9 @@ def upgrade() -> None:
         sa.Column("archive_id", sa.Uuid()),
         sa.Column("archive_entry", sa.Integer()),
         sa.Column("fix_of_id", sa.Uuid()),
+        sa.Column("split_of_id", sa.Uuid()),
+        sa.Column("split_first_frame", sa.BigInteger()),
+        sa.Column("split_end_frame", sa.BigInteger()),
         sa.Column("cue_id", sa.Uuid()),
         sa.Column("variation", sa.Integer(), nullable=False),
         sa.Column("number", sa.Integer()),
@@ -2505,6 +2508,7 @@ def upgrade() -> None:
         sa.Column("labelled_at", sa.DateTime(timezone=True)),
         sa.Column("verdict_reasons", JSON, nullable=False),
         sa.CheckConstraint("(cue_id is null) = (number is null)", name=op.f("ck_deliveries_takes_numbered_when_matched")),
+        sa.CheckConstraint("(split_of_id is null) = (split_first_frame is null) and (split_of_id is null) = (split_end_frame is null)", name=op.f("ck_deliveries_takes_split_has_range")),
         sa.CheckConstraint("master_bytes >= 0", name=op.f("ck_deliveries_takes_master_size_known")),
         sa.ForeignKeyConstraint(["archive_id"], ["deliveries_archives.id"], name=op.f("fk_deliveries_takes_archive_id")),
         sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_deliveries_takes_cue_id")),
@@ -2514,6 +2518,7 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(["labelled_by"], ["accounts_people.id"], name=op.f("fk_deliveries_takes_labelled_by")),
         sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_takes_project_id")),
         sa.ForeignKeyConstraint(["rechecked_by"], ["accounts_people.id"], name=op.f("fk_deliveries_takes_rechecked_by")),
+        sa.ForeignKeyConstraint(["split_of_id"], ["deliveries_takes.id"], name=op.f("fk_deliveries_takes_split_of_id")),
         sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_takes_studio_id")),
         sa.ForeignKeyConstraint(["upload_id"], ["core_uploads.id"], name=op.f("fk_deliveries_takes_upload_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_deliveries_takes")),
@@ -2528,6 +2533,7 @@ def upgrade() -> None:
     op.create_index("ix_deliveries_takes_labelled", "deliveries_takes", ["project_id", "id", "label", "designer_id", "studio_id"], sqlite_where=sa.text("label is not null"), postgresql_where=sa.text("label is not null"))
     op.create_index(op.f("ix_deliveries_takes_master_sha256"), "deliveries_takes", ["master_sha256"])
     op.create_index("ix_deliveries_takes_project_waiting", "deliveries_takes", ["project_id", "state", "state_since", "cue_id", "designer_id", "studio_id"])
+    op.create_index(op.f("ix_deliveries_takes_split_of_id"), "deliveries_takes", ["split_of_id"])
     op.create_index("ix_deliveries_takes_studio_waiting", "deliveries_takes", ["studio_id", "state", "state_since", "cue_id"])
     op.create_index("ix_deliveries_takes_sums", "deliveries_takes", ["project_id", "cue_id", "variation", "state", "number", "designer_id", "studio_id"])
     op.create_index("uq_reviews_one_approved", "deliveries_takes", ["cue_id", "variation"], unique=True, sqlite_where=sa.text("state = 'approved'"), postgresql_where=sa.text("state = 'approved'"))
@@ -2842,6 +2848,33 @@ def upgrade() -> None:
     op.create_index(op.f("ix_conformance_fixes_project_id"), "conformance_fixes", ["project_id"])
     op.create_index(op.f("ix_conformance_fixes_sha256"), "conformance_fixes", ["sha256"])
     op.create_index(op.f("ix_conformance_fixes_studio_id"), "conformance_fixes", ["studio_id"])
+    op.create_table(
+        "conformance_splits",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("take_id", sa.Uuid(), nullable=False),
+        sa.Column("shortest_pause_s", sa.Double(), nullable=False),
+        sa.Column("state", sa.Enum("making", "made", "refused", name="fixstate", native_enum=False, length=32), nullable=False),
+        sa.Column("asked_by", sa.Uuid(), nullable=False),
+        sa.Column("asked_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("refusal", sa.String()),
+        sa.Column("found_by", sa.String()),
+        sa.Column("sample_rate_hz", sa.Integer()),
+        sa.Column("tray_action_id", sa.Uuid()),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.CheckConstraint("(state = 'made') = (found_by is not null)", name=op.f("ck_conformance_splits_made_has_parts")),
+        sa.CheckConstraint("(found_by is null) = (sample_rate_hz is null)", name=op.f("ck_conformance_splits_rate_with_parts")),
+        sa.ForeignKeyConstraint(["asked_by"], ["accounts_people.id"], name=op.f("fk_conformance_splits_asked_by")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_conformance_splits_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_conformance_splits_studio_id")),
+        sa.ForeignKeyConstraint(["take_id"], ["deliveries_takes.id"], name=op.f("fk_conformance_splits_take_id")),
+        sa.ForeignKeyConstraint(["tray_action_id"], ["deliveries_tray_actions.id"], name=op.f("fk_conformance_splits_tray_action_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_conformance_splits")),
+        sa.UniqueConstraint("take_id", "shortest_pause_s", name=op.f("uq_conformance_splits_take_id_shortest_pause_s")),
+    )
+    op.create_index(op.f("ix_conformance_splits_project_id"), "conformance_splits", ["project_id"])
+    op.create_index(op.f("ix_conformance_splits_studio_id"), "conformance_splits", ["studio_id"])
     op.create_table(
         "contracts_acceptances",
         sa.Column("id", sa.Uuid(), nullable=False),
@@ -3448,6 +3481,26 @@ def upgrade() -> None:
     )
     op.create_index("ix_builds_packed_files_keys", "builds_packed_files", ["studio_id", "sha256", "size_bytes"], sqlite_where=sa.text("kind = 'key'"), postgresql_where=sa.text("kind = 'key'"))
     op.create_index(op.f("ix_builds_packed_files_studio_id"), "builds_packed_files", ["studio_id"])
+    op.create_table(
+        "conformance_split_parts",
+        sa.Column("split_id", sa.Uuid(), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=False),
+        sa.Column("first_frame", sa.BigInteger(), nullable=False),
+        sa.Column("end_frame", sa.BigInteger(), nullable=False),
+        sa.Column("label", sa.String(), nullable=False),
+        sa.Column("sha256", sa.String(), nullable=False),
+        sa.Column("part_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.CheckConstraint("first_frame < end_frame", name=op.f("ck_conformance_split_parts_holds_frames")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_conformance_split_parts_project_id")),
+        sa.ForeignKeyConstraint(["split_id"], ["conformance_splits.id"], name=op.f("fk_conformance_split_parts_split_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_conformance_split_parts_studio_id")),
+        sa.PrimaryKeyConstraint("split_id", "number", name=op.f("pk_conformance_split_parts")),
+    )
+    op.create_index(op.f("ix_conformance_split_parts_project_id"), "conformance_split_parts", ["project_id"])
+    op.create_index(op.f("ix_conformance_split_parts_sha256"), "conformance_split_parts", ["sha256"])
+    op.create_index(op.f("ix_conformance_split_parts_studio_id"), "conformance_split_parts", ["studio_id"])
     op.create_table(
         "conformance_waivers",
         sa.Column("id", sa.Uuid(), nullable=False),

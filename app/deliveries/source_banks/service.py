@@ -97,17 +97,17 @@ def visible_source_file(session: Session, actor: Actor, source_file_id: UUID) ->
     return file
 
 
-def copy_bank_to_fix(session: Session, take: Take, fixed: Take) -> None:
-    """Give the fixed copy of a take its source bank, which made both."""
-    there = {file.upload_id for file in queries.source_files(session, [fixed.id])[fixed.id]}
+def copy_bank(session: Session, take: Take, copy: Take) -> None:
+    """Give a take that was made from another, fixed or cut, the source bank that made both."""
+    there = {file.upload_id for file in queries.source_files(session, [copy.id])[copy.id]}
     copied = ("studio_id", "project_id", "upload_id", "kind", "file_name", "sha256", "file_bytes")
     for file in queries.source_files(session, [take.id])[take.id]:
         if file.upload_id not in there:
-            session.add(SourceFile(**{name: getattr(file, name) for name in copied}, take_id=fixed.id))
+            session.add(SourceFile(**{name: getattr(file, name) for name in copied}, take_id=copy.id))
     bank = session.get(SourceBank, take.id)
-    if bank is not None and session.get(SourceBank, fixed.id) is None:
+    if bank is not None and session.get(SourceBank, copy.id) is None:
         copied_facts = {name: getattr(bank, name) for name in ("studio_id", "project_id", "plug_ins", "recipe")}
-        session.add(SourceBank(**copied_facts, take_id=fixed.id))
+        session.add(SourceBank(**copied_facts, take_id=copy.id))
     session.flush()
 
 
@@ -157,8 +157,9 @@ def _of_studio(session: Session, takes: Sequence[Take]) -> list[Take]:
 
 def _is_made_since(session: Session, take: Take, employed_since: Mapping[tuple[UUID, UUID], datetime]) -> bool:
     since = employed_since.get((take.project_id, take.designer_id))
-    while since is not None and take.fix_of_id is not None:  # what the designer made is as old as what a fix is of
-        take = session.get_one(Take, take.fix_of_id)
+    # What the designer made is as old as what a fix or a part is of.
+    while since is not None and (made_from_id := take.fix_of_id or take.split_of_id) is not None:
+        take = session.get_one(Take, made_from_id)
     return since is not None and take.received_at >= since
 
 

@@ -9,7 +9,7 @@ from app.accounts.rules import Actor, Audience
 from app.accounts.web.policies import allows
 from app.core.web.http import DbSession, problems
 from app.deliveries.errors import AlreadyUndone, TakeNotFound, TrayActionNotFound, VariationUnknown, WrongState
-from app.deliveries.models import Take, TrayAction
+from app.deliveries.models import Take
 from app.deliveries.schemas import (
     CueBrief,
     SureAccept,
@@ -22,7 +22,7 @@ from app.deliveries.schemas import (
     UndecidedTake,
 )
 from app.deliveries.tray import service as tray
-from app.deliveries.tray.service import Move
+from app.deliveries.tray.service import Move, tray_action_read
 from app.projects.errors import ProjectNotFound, TeamNeeded
 from app.projects.models import Project
 from app.projects.service import project_access
@@ -41,7 +41,7 @@ def accept_sure_matches(
     project_id: UUID, body: SureAccept, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> TrayActionRead:
     """Match the files of the tray whose names are sure; a designer's own. Guesses stay where they are."""
-    return _tray_action_read(tray.accept_sure(session, actor, project_id, body.take_ids))
+    return tray_action_read(tray.accept_sure(session, actor, project_id, body.take_ids))
 
 
 @router.post(
@@ -53,7 +53,7 @@ def move_takes(
     project_id: UUID, body: TakesMove, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> TrayActionRead:
     """Move takes to other cues or variations, all or none, before any verdict; each is checked again there."""
-    return _tray_action_read(tray.move_takes(session, actor, project_id, _moves(body)))
+    return tray_action_read(tray.move_takes(session, actor, project_id, _moves(body)))
 
 
 @router.get(
@@ -94,7 +94,7 @@ def discard_takes(
     project_id: UUID, body: TakesNamed, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> TrayActionRead:
     """Take files out of the list and the tray, all or none, before any verdict; their masters are kept."""
-    return _tray_action_read(tray.discard_takes(session, actor, project_id, body.take_ids))
+    return tray_action_read(tray.discard_takes(session, actor, project_id, body.take_ids))
 
 
 @router.post(
@@ -106,7 +106,7 @@ def restore_takes(
     project_id: UUID, body: TakesNamed, session: DbSession, actor: Actor = allows(Audience.PROJECT)
 ) -> TrayActionRead:
     """Put discarded takes back into the tray."""
-    return _tray_action_read(tray.restore_takes(session, actor, project_id, body.take_ids))
+    return tray_action_read(tray.restore_takes(session, actor, project_id, body.take_ids))
 
 
 @router.post(
@@ -119,7 +119,7 @@ def undo_tray_action(
 ) -> TrayActionUndone:
     """Put takes back where they were before an action; those that were touched since stay."""
     action, moved_back, left = tray.undo(session, actor, tray_action_id)
-    return TrayActionUndone(**_tray_action_read(action).model_dump(), moved_back=moved_back, left=left)
+    return TrayActionUndone(**tray_action_read(action).model_dump(), moved_back=moved_back, left=left)
 
 
 def _moves(body: TakesMove) -> list[Move]:
@@ -136,14 +136,4 @@ def _undecided_read(project: Project, takes: Sequence[Take]) -> UndecidedPlace:
         variation=first.variation,
         alternate=first.alternate,
         takes=[UndecidedTake.model_validate(take) for take in takes],
-    )
-
-
-def _tray_action_read(action: TrayAction) -> TrayActionRead:
-    return TrayActionRead(
-        id=action.id,
-        kind=action.kind,
-        done_at=action.done_at,
-        undone_at=action.undone_at,
-        take_ids=[UUID(previous["take_id"]) for previous in action.takes],
     )

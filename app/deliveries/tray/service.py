@@ -21,9 +21,13 @@ from app.deliveries.rules import (
     ensure_kept,
     ensure_no_verdict,
     named_for,
+    stem_of,
     undecided_groups,
 )
+from app.deliveries.schemas import TrayActionRead
+from app.deliveries.service import Origin, add_take
 from app.deliveries.slots import Slot, matching_for, slot_given, stems_of_slots
+from app.deliveries.source_banks.service import copy_bank
 from app.projects.errors import ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.models import Cue
@@ -148,6 +152,53 @@ def restore_takes(session: Session, actor: Actor, project_id: UUID, take_ids: Se
     return _record(session, access, TrayActionKind.RESTORED, takes, before)
 
 
+@dataclass(frozen=True)
+class PartGiven:
+    """A part of a take's master, and the variation that it becomes."""
+
+    sha256: str
+    size_bytes: int
+    first_frame: int
+    end_frame: int
+    variation: int
+
+
+def split_take(
+    session: Session, access: ProjectAccess, take: Take, cue_id: UUID, parts: Sequence[PartGiven]
+) -> TrayAction:
+    """Make parts of a take's master versions of a cue's variations, and discard the take; its master is kept."""
+    ensure_no_verdict(take.state)
+    ensure_kept(take.discarded_at)
+    delivery = queries.delivery_by_id(session, take.delivery_id)
+    if delivery is None:
+        raise LookupError(f"take {take.id} has no delivery")
+    slots = [slot_given(session, access, cue_id, part.variation, "") for part in parts]
+    stems = stems_of_slots(session, slots)
+    takes, before = [take], [_place_of(take)]
+    for part, slot, stem in zip(parts, slots, stems, strict=True):
+        name = named_for(take.file_name, stem or f"{stem_of(take.file_name)}_{part.variation:02}")
+        made, already_here = add_take(
+            session,
+            delivery,
+            part.sha256,
+            part.size_bytes,
+            name,
+            Origin(split_of_id=take.id, split_first_frame=part.first_frame, split_end_frame=part.end_frame),
+            slot=slot,
+            note=take.note,
+            late=take.late,
+            sender_id=access.actor.person,
+        )
+        if not already_here:
+            copy_bank(session, take, made)
+            takes.append(made)
+            before.append({**_place_of(made), "cue_id": None, "variation": 1, "is_discarded": True})
+    _leave_cue(session, take, by=access.actor.person)
+    take.discarded_at = clock.now()
+    session.flush()
+    return _record(session, access, TrayActionKind.SPLIT, takes, before)
+
+
 def undo(session: Session, actor: Actor, action_id: UUID) -> tuple[TrayAction, int, int]:
     """Put takes back where they were before an action; those changed or decided since stay.
 
@@ -255,3 +306,14 @@ def _record(
     session.add(action)
     session.flush()
     return action
+
+
+def tray_action_read(action: TrayAction) -> TrayActionRead:
+    """Return an action as it is shown."""
+    return TrayActionRead(
+        id=action.id,
+        kind=action.kind,
+        done_at=action.done_at,
+        undone_at=action.undone_at,
+        take_ids=[UUID(previous["take_id"]) for previous in action.takes],
+    )

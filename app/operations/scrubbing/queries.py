@@ -8,7 +8,7 @@ from sqlalchemy import ColumnElement, Select, String, exists, func, literal, sel
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
-from app.conformance.models import Fix
+from app.conformance.models import Fix, Split, SplitPart
 from app.core import clock
 from app.core.db import Base
 from app.core.uploads.model import FINISHED_KEPT_FOR, Upload
@@ -47,6 +47,7 @@ REMOVED: dict[type[Base], ColumnElement[bool]] = {  # rows that stay as history,
     SourceFile: SourceFile.take_id.in_(MASTERLESS),
     Archive: _came_with_deleted_masters(Archive.delivery_id, Archive.received_at),
     Fix: Fix.take_id.in_(MASTERLESS),
+    SplitPart: SplitPart.split_id.in_(select(Split.id).where(Split.take_id.in_(MASTERLESS))),
     MasterExport: MasterExport.take_id.in_(MASTERLESS),
 }
 

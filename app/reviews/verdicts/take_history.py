@@ -34,6 +34,9 @@ def _receipt(session: Session, take: Take) -> HistoryEntry:
         master = session.get_one(Take, fix.take_id)
         words = ", ".join(repair["words"] for repair in fix.made.get("repairs", []))
         text = f"{text}: a fix of version {master.number}, with its designer's consent; {words}"
+    if take.split_of_id is not None:
+        whole = session.get_one(Take, take.split_of_id)
+        text = f"{text}: frames {take.split_first_frame} to {take.split_end_frame} of {whole.file_name}"
     return HistoryEntry(at=take.received_at, kind=HistoryKind.RECEIVED, by=designer, text=text)
 
 

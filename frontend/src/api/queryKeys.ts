@@ -117,6 +117,8 @@ export const queryKeys = {
   sources: family<[of: 'take' | 'delivery', id: string]>('sources'),
   fix: family<[takeId: string]>('fix'),
   fixes: family<[projectId: string]>('fixes'),
+  split: family<[takeId: string]>('split'),
+  splits: family<[projectId: string]>('splits'),
 
   // renders
   targets: family<[projectId: string]>('targets'),

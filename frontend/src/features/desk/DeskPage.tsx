@@ -27,6 +27,7 @@ import classes from './Desk.module.css'
 import { OtherSoundsCard } from './OtherSoundsCard'
 import { useCameBack, useToMake } from './pages'
 import { labelsOf } from './rows'
+import { SeveralSounds } from './SeveralSounds'
 import { AskedCard, FixesCard, ToMakeCard, WithApproverCard } from './SideCards'
 import { UndecidedFiles } from './UndecidedFiles'
 import { UnmatchedTray } from './UnmatchedTray'
@@ -177,6 +178,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
             problem={problem}
             held={precheck && HeldFiles && <HeldFiles precheck={precheck} />}
           >
+            <SeveralSounds projectId={projectId} player={player} />
             <UndecidedFiles projectId={projectId} />
             <UnmatchedTray
               projectId={projectId}

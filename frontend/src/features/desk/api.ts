@@ -252,6 +252,7 @@ export const refresh = (client: QueryClient, projectId: string) =>
     queryKeys.deliveries(projectId),
     queryKeys.unmatched(projectId),
     queryKeys.undecidedFiles(projectId),
+    queryKeys.splits(projectId),
     queryKeys.delivery.all,
     queryKeys.progress(projectId),
     queryKeys.soundList(projectId),

@@ -74,6 +74,7 @@ const DONE: Record<TrayAction['kind'], string> = {
   moved: 'moved',
   discarded: 'discarded; their masters are kept',
   restored: 'back in the tray',
+  split: 'changed by the split',
 }
 
 export const actionLine = ({ kind, take_ids }: TrayAction): string => `${files(take_ids.length)} ${DONE[kind]}.`

@@ -12,10 +12,11 @@ import { type FindingMark, spotOf as playFrom } from '@/audio'
 import { useTakePlayer } from '@/heard/useTakePlayer'
 import { ended, wordsOf, worstFirst } from '@/judging/findings'
 import { FixPanel, useFixing, useSounds } from '@/fixing'
+import { type Split, SplitPanel, useSplit } from '@/splitting'
 import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
-import { ago, bytes, day } from '@/ui/format'
+import { ago, bytes, day, figure, range } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { StatusBadge } from '@/ui/StatusBadge'
@@ -122,6 +123,9 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
     number: take.number,
     previewUrl: master?.preview_url ?? null,
   }
+  const { data: split } = useSplit(take.id)
+  const [isSplitOpen, setSplitOpen] = useState(false)
+  const isSplitShown = isSplitOpen || (split !== undefined && split.state !== 'none')
   const fixing = useFixing(fixed, player, playing, { mayUse: isMaker, group: 'Version' })
 
   const { at: placeS } = useSearch({ from: '/shell/takes/$takeId' })
@@ -169,7 +173,19 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
   const { fix } = fixing
   return (
     <div className="page">
-      <Head take={take} check={check} isTeam={project?.part === 'team'} fix={fixing} />
+      <Head
+        take={take}
+        check={check}
+        isTeam={project?.part === 'team'}
+        fix={fixing}
+        cutFrom={split?.split_from ?? null}
+      >
+        {isMaker && split?.may_split && !isSplitShown && (
+          <button type="button" className="link" onClick={() => setSplitOpen(true)}>
+            Split into variations
+          </button>
+        )}
+      </Head>
       {children}
       <div className="columns side-356">
         <div className="stack">
@@ -196,6 +212,27 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
                   findings={NO_MARKS}
                   limitDbfs={peakLimit(findings)}
                   mayUse={isMaker}
+                />
+              </div>
+            </Card>
+          )}
+          {split && isMaker && isSplitShown && (
+            <Card aria-labelledby="split">
+              <CardHead id="split" title="Split into variations" />
+              <div className={classes.fix}>
+                <SplitPanel
+                  projectId={take.project_id}
+                  takeId={take.id}
+                  fileName={take.file_name}
+                  cueId={take.cue?.id ?? null}
+                  onHear={
+                    fixed.previewUrl === null
+                      ? undefined
+                      : (fromS) => {
+                          void player.select({ id: take.id, takeId: take.id, url: fixed.previewUrl ?? '' })
+                          void player.play(fromS)
+                        }
+                  }
                 />
               </div>
             </Card>
@@ -246,9 +283,13 @@ interface HeadProps {
   check: Check | null | undefined
   isTeam: boolean
   fix: ReturnType<typeof useFixing>
+  /** The file that it was cut from. */
+  cutFrom: Split['split_from']
+  /** Further ways to go. */
+  children: ReactNode
 }
 
-function Head({ take, check, isTeam, fix }: HeadProps) {
+function Head({ take, check, isTeam, fix, cutFrom, children }: HeadProps) {
   const { cue, state, project_id: projectId } = take
   const origin = fix.fix?.fixed_from
   const waiver = check?.waiver
@@ -292,6 +333,16 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
             , with the consent of {origin.used_by.name}: {origin.repairs.map(({ words }) => words).join(', ')}.
           </p>
         )}
+        {cutFrom && (
+          <p className="mid">
+            Cut from{' '}
+            <Link className="link" to="/takes/$takeId" params={{ takeId: cutFrom.take_id }}>
+              <span className="mono">{cutFrom.file_name}</span>
+            </Link>
+            {cutFrom.start_s !== null && cutFrom.end_s !== null && `, ${range(cutFrom.start_s, cutFrom.end_s)}`}: frames{' '}
+            {figure(cutFrom.first_frame)} to {figure(cutFrom.end_frame)}.
+          </p>
+        )}
         {take.note && <p className="mid">“{take.note}”</p>}
         {cue && <LabelLine take={take} />}
         <p className={`flex wrap ${classes.ways}`}>
@@ -319,6 +370,7 @@ function Head({ take, check, isTeam, fix }: HeadProps) {
               Your desk
             </Link>
           )}
+          {children}
         </p>
       </div>
       <div className="wide-only">

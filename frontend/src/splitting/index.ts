@@ -1,0 +1,2 @@
+export { type Split, splitQuery, splitsQuery, useSplit } from './api'
+export { SplitPanel } from './SplitPanel'
