@@ -1,2 +1,3 @@
 export { type Split, splitQuery, splitsQuery, useSplit } from './api'
-export { SplitPanel } from './SplitPanel'
+
+export const loadSplitPanel = () => import('./SplitPanel').then(({ SplitPanel }) => SplitPanel)

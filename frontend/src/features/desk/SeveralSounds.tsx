@@ -2,10 +2,11 @@ import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import type { Player } from '@/audio'
-import { SplitPanel, splitsQuery } from '@/splitting'
+import { loadSplitPanel, splitsQuery } from '@/splitting'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
 import { StatusBadge } from '@/ui/StatusBadge'
+import { useLazy } from '@/ui/useLazy'
 
 import { useSounds } from './api'
 import { hear } from './ReturnedTakesCard'
@@ -31,7 +32,7 @@ export function SeveralSounds({ projectId, player }: { projectId: string; player
                 <span className="mono dim">{cue.label}</span> {cue.name}
               </span>
             )}
-            <span className="small mid grow">{says}</span>
+            <span className="grow" />
             <Button
               pressed={openId === id}
               aria-label={`Split ${name} into variations`}
@@ -40,6 +41,7 @@ export function SeveralSounds({ projectId, player }: { projectId: string; player
               Split into variations…
             </Button>
           </div>
+          <p className="small mid">{says}</p>
           {openId === id && (
             <OpenFile projectId={projectId} takeId={id} name={name} cueId={cue?.id ?? null} player={player} />
           )}
@@ -60,6 +62,8 @@ interface OpenFileProps {
 function OpenFile({ projectId, takeId, name, cueId, player }: OpenFileProps) {
   const { data: sounds } = useSounds({ id: takeId, state: 'conforming' })
   const url = sounds?.master.preview_url ?? null
+  const SplitPanel = useLazy(loadSplitPanel, true)
+  if (SplitPanel === null) return null
   return (
     <SplitPanel
       projectId={projectId}

@@ -12,7 +12,7 @@ import { type FindingMark, spotOf as playFrom } from '@/audio'
 import { useTakePlayer } from '@/heard/useTakePlayer'
 import { ended, wordsOf, worstFirst } from '@/judging/findings'
 import { FixPanel, useFixing, useSounds } from '@/fixing'
-import { type Split, SplitPanel, useSplit } from '@/splitting'
+import { loadSplitPanel, type Split, useSplit } from '@/splitting'
 import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
@@ -20,6 +20,7 @@ import { ago, bytes, day, figure, range } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { StatusBadge } from '@/ui/StatusBadge'
+import { useLazy } from '@/ui/useLazy'
 
 import { type Check, checkQuery, type Finding, type Sounds, type Take, takeQuery } from './api'
 import { FindingsCard } from './FindingsCard'
@@ -126,6 +127,8 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
   const { data: split } = useSplit(take.id)
   const [isSplitOpen, setSplitOpen] = useState(false)
   const isSplitShown = isSplitOpen || (split !== undefined && split.state !== 'none')
+  const isSplitCard = isMaker && isSplitShown
+  const SplitPanel = useLazy(loadSplitPanel, isSplitCard)
   const fixing = useFixing(fixed, player, playing, { mayUse: isMaker, group: 'Version' })
 
   const { at: placeS } = useSearch({ from: '/shell/takes/$takeId' })
@@ -216,7 +219,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
               </div>
             </Card>
           )}
-          {split && isMaker && isSplitShown && (
+          {SplitPanel && isSplitCard && (
             <Card aria-labelledby="split">
               <CardHead id="split" title="Split into variations" />
               <div className={classes.fix}>
