@@ -18,7 +18,7 @@ export function SeveralSounds({ projectId, player }: { projectId: string; player
   const [openId, setOpenId] = useState<string | null>(null)
   if (offers.length === 0) return null
   return (
-    <section aria-label="Files of several sounds">
+    <section aria-label="Files with several sounds">
       <div className={classes.bar}>
         <StatusBadge kind="question">{plural(offers.length, 'file')} with several sounds</StatusBadge>
         <span className="small mid">Nothing is split until you say so.</span>
