@@ -14,7 +14,10 @@ export function usePending(): [isWaiting: boolean, run: <T>(act: () => T) => T] 
     if (begun.length === 0) return
     const look = () => setBegun((mutations) => (mutations.every(isPending) ? mutations : mutations.filter(isPending)))
     look()
-    return cache?.subscribe(look)
+    // Of other events some are told while a page is rendered, when no state may be set.
+    return cache?.subscribe(({ type }) => {
+      if (type === 'updated' || type === 'removed') look()
+    })
   }, [begun, cache])
   const run = useCallback(
     <T>(act: () => T): T => {
