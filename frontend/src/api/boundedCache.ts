@@ -16,7 +16,7 @@ export function boundCache(client: QueryClient, mostUnseen = MOST_UNSEEN): void 
       const unseen = cache
         .findAll({ fetchStatus: 'idle', predicate: (query) => familyOf(query) === family })
         .filter((query) => query.getObserversCount() === 0)
-        .sort((one, other) => other.state.dataUpdatedAt - one.state.dataUpdatedAt)
+        .sort((a, b) => b.state.dataUpdatedAt - a.state.dataUpdatedAt)
       for (const query of unseen.slice(mostUnseen)) cache.remove(query)
     }
     grown.clear()

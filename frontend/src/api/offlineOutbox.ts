@@ -69,7 +69,7 @@ export class OfflineOutbox {
    * undoes another is given that one's key.
    */
   fetch =
-    (what: string, onKept: () => void, undoes?: string) =>
+    (label: string, onKept: () => void, undoes?: string) =>
     async (request: Request): Promise<Response> => {
       this.begin()
       const { pathname, search } = new URL(request.url)
@@ -79,7 +79,7 @@ export class OfflineOutbox {
         method: request.method,
         path: pathname + search,
         body: await request.text(),
-        what,
+        what: label,
         undoes,
       }
       if (undoes !== undefined && this.#refusedKeys.has(undoes)) throw dropped()
@@ -97,7 +97,7 @@ export class OfflineOutbox {
 
   /** Forget a write that was not sent: its caller sees an AbortError. False where the server has it, or may have it. */
   drop(key: string): boolean {
-    const write = this.#writes.find((one) => one.key === key)
+    const write = this.#writes.find((kept) => kept.key === key)
     if (write === undefined || this.#tried.has(write) || !this.#isStored(write)) return false
     this.#forget(write)?.drop()
     this.#showWaiting()
@@ -106,7 +106,7 @@ export class OfflineOutbox {
 
   forgetRefused(place: string): void {
     this.#unstore(REFUSED, place)
-    outbox.show({ refused: outbox.getState().refused.filter((one) => one.place !== place) })
+    outbox.show({ refused: outbox.getState().refused.filter((write) => write.place !== place) })
   }
 
   async #sendAtOnce(write: KeptWrite): Promise<void> {
@@ -197,7 +197,7 @@ export class OfflineOutbox {
     const asked = this.#asked.get(write.place)
     this.#asked.delete(write.place)
     this.#unstore(WAITING, write.place)
-    this.#writes = this.#writes.filter((one) => one !== write)
+    this.#writes = this.#writes.filter((kept) => kept !== write)
     return asked
   }
 

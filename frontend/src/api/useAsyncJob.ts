@@ -14,7 +14,7 @@ interface Made {
 /** Ask for something that a worker makes; it is read again until it is made or refused. */
 export function useAsyncJob<Wanted, T extends Made>(
   kind: string,
-  askFor: (wanted: Wanted) => Promise<T>,
+  askFor: (request: Wanted) => Promise<T>,
   read: (id: string) => Promise<T>,
 ) {
   const ask = useMutation({ mutationFn: askFor })

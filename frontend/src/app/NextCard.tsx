@@ -60,13 +60,13 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
 /** Who else is to do something, and since when. */
 export function AwaitedRows({ awaited, projectId }: { awaited: readonly Awaited[]; projectId: string }) {
   const roleOf = useRoles(projectId)
-  return awaited.map((one) => (
-    <Row key={`${one.kind} ${one.who} ${one.subject}`}>
+  return awaited.map((row) => (
+    <Row key={`${row.kind} ${row.who} ${row.subject}`}>
       <span className="grow">
-        <Person name={one.who || 'Designers'} picture={one.picture} role={roleOf(one.person_id)} />{' '}
-        <span className="mid">{awaitedWords(one)}</span>
+        <Person name={row.who || 'Designers'} picture={row.picture} role={roleOf(row.person_id)} />{' '}
+        <span className="mid">{awaitedWords(row)}</span>
       </span>
-      {one.since && <span className="dim num small nowrap">{age(one.since)}</span>}
+      {row.since && <span className="dim num small nowrap">{age(row.since)}</span>}
     </Row>
   ))
 }

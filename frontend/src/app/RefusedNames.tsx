@@ -29,7 +29,7 @@ const refusedNamesQuery = queryById(
 export function RefusedNamesList({ refused, children }: { refused: RefusedNames; children?: ReactNode }): ReactNode {
   const { names } = refused
   if (names.length === 0) return null
-  const one = names.length === 1
+  const isSingle = names.length === 1
   return (
     <section className={`grid gap-2 ${classes.note}`} aria-label="File names that the spec refuses">
       <p className="row wrap">
@@ -37,7 +37,7 @@ export function RefusedNamesList({ refused, children }: { refused: RefusedNames;
           <Icon name="triangle" />
         </span>
         <span className="strong">
-          {`The delivery spec refuses ${plural(names.length, 'file name')} of the list: ${one ? 'it' : 'they'} would be delivered under ${one ? 'a name' : 'names'} that the spec does not allow.`}
+          {`The delivery spec refuses ${plural(names.length, 'file name')} of the list: ${isSingle ? 'it' : 'they'} would be delivered under ${isSingle ? 'a name' : 'names'} that the spec does not allow.`}
         </span>
       </p>
       <ul className="grid gap-2px wrap-anywhere small">

@@ -88,12 +88,12 @@ function useValues(given: SpectrumStripProps['spectrogram']): Spectrogram | null
   const [read, setRead] = useState<{ src: string; values: Spectrogram } | null>(null)
   useEffect(() => {
     if (src === null) return
-    let wanted = true
+    let isCurrent = true
     const picture = new Image()
     picture.onload = () => {
       const canvas = new OffscreenCanvas(picture.naturalWidth, picture.naturalHeight)
       const context = canvas.getContext('2d')
-      if (!wanted || context === null) return
+      if (!isCurrent || context === null) return
       context.drawImage(picture, 0, 0)
       const { data } = context.getImageData(0, 0, canvas.width, canvas.height)
       const values = new Uint8Array(canvas.width * canvas.height)
@@ -102,7 +102,7 @@ function useValues(given: SpectrumStripProps['spectrogram']): Spectrogram | null
     }
     picture.src = src
     return () => {
-      wanted = false
+      isCurrent = false
     }
   }, [src])
   if (given === null) return null

@@ -65,8 +65,8 @@ function transform(re: Float64Array, im: Float64Array): void {
   }
 }
 
-function swap(values: Float64Array, one: number, other: number): void {
-  const held = values[one] as number
-  values[one] = values[other] as number
-  values[other] = held
+function swap(values: Float64Array, a: number, b: number): void {
+  const held = values[a] as number
+  values[a] = values[b] as number
+  values[b] = held
 }

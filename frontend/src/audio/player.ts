@@ -89,8 +89,8 @@ export class Player implements Clock {
     const isAsked = fromS !== undefined || this.#positionS === 0 // else it goes on from where it was paused
     if (isAsked) this.#notify({ fromStart: !fromS })
     if (!this.previews.has(source.url)) this.#notify({ status: 'loading', error: null })
-    const wanted = wantedOf(source, this.#store.state, fromS ?? this.#positionS)
-    const buffer = await this.#read(source, asked, 'first', wanted)
+    const excerpt = wantedOf(source, this.#store.state, fromS ?? this.#positionS)
+    const buffer = await this.#read(source, asked, 'first', excerpt)
     if (buffer === null) return
     this.#notify({ durationS: buffer.duration })
     this.#sound(buffer, source, fromS ?? startOf(this.#store.state, this.#positionS, buffer.duration))
@@ -240,10 +240,10 @@ export class Player implements Clock {
     { url, place }: Source,
     asked: number,
     how: 'first' | 'select' | 'get',
-    wanted: Wanted | null = null,
+    excerpt: Wanted | null = null,
   ): Promise<AudioBuffer | null> {
     try {
-      const buffer = await (wanted ? this.previews.beginning(url, wanted) : this.previews[how](url))
+      const buffer = await (excerpt ? this.previews.beginning(url, excerpt) : this.previews[how](url))
       if (asked !== this.#asked) return null
       this.#notify({ isLight: !this.previews.has(url) })
       return place?.(buffer, this.#contextNow()) ?? buffer

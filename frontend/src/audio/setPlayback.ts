@@ -88,6 +88,6 @@ export class SetPlayback {
   #forget(): void {
     const now = this.#played.context.currentTime
     const last = this.current()
-    this.#started = this.#started.filter((one) => one === last || one.startsAtS + one.buffer.duration / one.speed > now)
+    this.#started = this.#started.filter((hit) => hit === last || hit.startsAtS + hit.buffer.duration / hit.speed > now)
   }
 }

@@ -8,10 +8,10 @@ type Levels = readonly (number | null)[]
 export function marksOf(hz: readonly number[]) {
   const from = hz[0] ?? 20
   const to = hz.at(-1) ?? 20_000
-  return LINES_HZ.filter((one) => one > from && one < to).map((one) => ({
-    hz: one,
-    at: Math.log(one / from) / Math.log(to / from),
-    label: one >= 1000 ? `${one / 1000} kHz` : `${one} Hz`,
+  return LINES_HZ.filter((lineHz) => lineHz > from && lineHz < to).map((lineHz) => ({
+    hz: lineHz,
+    at: Math.log(lineHz / from) / Math.log(to / from),
+    label: lineHz >= 1000 ? `${lineHz / 1000} kHz` : `${lineHz} Hz`,
   }))
 }
 

@@ -100,7 +100,7 @@ const SPOT_WORDS = { head: 'Start', tail: 'End', gain: 'Loudest part', offset: '
 /** The sound around each repair, before and fixed, large enough to see what changes. */
 function Spots({ name, spots, headS, limitDbfs, fixing }: SpotsProps) {
   const [kind, setKind] = useState<Spot['kind'] | null>(null)
-  const spot = spots.find((each) => each.kind === kind) ?? spots.at(-1)
+  const spot = spots.find((candidate) => candidate.kind === kind) ?? spots.at(-1)
   if (spot === undefined) return null
   const wholeS = spot.end_s - spot.start_s
   const limit = spot.kind === 'gain' ? limitDbfs : undefined
@@ -116,7 +116,7 @@ function Spots({ name, spots, headS, limitDbfs, fixing }: SpotsProps) {
         {spots.length > 1 && (
           <Segmented
             label="Choose position"
-            options={spots.map((each) => ({ value: each.kind, label: SPOT_WORDS[each.kind] }))}
+            options={spots.map((option) => ({ value: option.kind, label: SPOT_WORDS[option.kind] }))}
             value={spot.kind}
             onChange={setKind}
           />

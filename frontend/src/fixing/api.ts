@@ -58,7 +58,7 @@ export function useAskForFix(takeId: string) {
 }
 
 /** Make the fixed copy a version; the result is shown even if the desk no longer shows its origin. */
-export function useUseFix(takeId: string, onUsed: (made: Schemas['TakeRead']) => void) {
+export function useUseFix(takeId: string, onUsed: (take: Schemas['TakeRead']) => void) {
   const client = useQueryClient()
   return useMutation({
     mutationFn: () => post('/v1/takes/{take_id}/fix/use', { take_id: takeId }),

@@ -59,16 +59,16 @@ export function useFixing(
   const cutHeadS = fix?.cut_head_s ?? 0
 
   const sourceOf = useCallback(
-    (wanted: 'before' | 'fixed') => {
-      const url = wanted === 'fixed' ? sound?.preview_url : take.previewUrl
+    (version: 'before' | 'fixed') => {
+      const url = version === 'fixed' ? sound?.preview_url : take.previewUrl
       if (!url) return null
-      return wanted === 'fixed' ? { id: fixedId, url } : { id: take.id, takeId: take.id, url }
+      return version === 'fixed' ? { id: fixedId, url } : { id: take.id, takeId: take.id, url }
     },
     [sound, take.previewUrl, take.id, fixedId],
   )
   const hear = useCallback(
-    (wanted: 'before' | 'fixed', fromS?: number) => {
-      const source = sourceOf(wanted)
+    (version: 'before' | 'fixed', fromS?: number) => {
+      const source = sourceOf(version)
       if (source === null) return
       void player.select(source)
       void player.play(fromS)
@@ -76,22 +76,22 @@ export function useFixing(
     [player, sourceOf],
   )
   const flip = () => {
-    const other = side === 'fixed' ? 'before' : 'fixed'
-    const source = sourceOf(other)
+    const otherSide = side === 'fixed' ? 'before' : 'fixed'
+    const source = sourceOf(otherSide)
     if (source === null) return
-    const laterS = other === 'fixed' ? -cutHeadS : cutHeadS
+    const laterS = otherSide === 'fixed' ? -cutHeadS : cutHeadS
     if (player.isPlaying()) void player.select(source, laterS)
-    else hear(other, Math.max(0, player.positionS() + laterS))
+    else hear(otherSide, Math.max(0, player.positionS() + laterS))
   }
-  const made = fix?.state === 'made'
+  const isMade = fix?.state === 'made'
   const canAsk = mayUse && (fix?.state === 'offered' || fix?.is_our_fault === true)
   useHotkeys([
     {
       keys: 't',
-      label: made ? 'Use auto-fix' : 'Make auto-fix',
+      label: isMade ? 'Use auto-fix' : 'Make auto-fix',
       group,
-      run: made ? use : () => asking.mutate(),
-      disabled: !mayUse || using.isPending || asking.isPending || !(made || canAsk),
+      run: isMade ? use : () => asking.mutate(),
+      disabled: !mayUse || using.isPending || asking.isPending || !(isMade || canAsk),
     },
     { keys: 'b', label: 'Original, fixed', group, run: flip, disabled: sound === null },
   ])

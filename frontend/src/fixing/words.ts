@@ -20,13 +20,13 @@ const numberOf = (value: unknown): number | null => (typeof value === 'number' ?
 
 /** What stands otherwise in the fixed copy: levels with their units, then the length. */
 export function movedFigures({ before, after, duration_s: afterS, cut_head_s: head, cut_tail_s: tail }: Fix): Moved[] {
-  const moved = LEVELS.flatMap(([name, what, unit]): Moved[] => {
+  const moved = LEVELS.flatMap(([name, label, unit]): Moved[] => {
     const was = numberOf(before[name])
     const is = numberOf(after[name])
     if (was === null || is === null || Math.abs(is - was) < 0.005) return []
     // A hundredth more than elsewhere: the limit itself has one decimal.
     const decimals = figure(was, 1) === figure(is, 1) ? 2 : 1
-    return [{ what, before: `${figure(was, decimals)} ${unit}`, after: `${figure(is, decimals)} ${unit}` }]
+    return [{ what: label, before: `${figure(was, decimals)} ${unit}`, after: `${figure(is, decimals)} ${unit}` }]
   })
   if (afterS !== null && head + tail > 0) {
     moved.push({ what: 'Length', before: length(afterS + head + tail), after: length(afterS) })

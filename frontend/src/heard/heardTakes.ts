@@ -81,7 +81,7 @@ export class HeardTakes {
   #read(): string[] {
     try {
       const kept: unknown = JSON.parse(localStorage.getItem(this.#key) ?? '[]')
-      const ids = Array.isArray(kept) ? kept.filter((one): one is string => typeof one === 'string') : []
+      const ids = Array.isArray(kept) ? kept.filter((id): id is string => typeof id === 'string') : []
       return ids.length > 0 ? ids : this.#unsent
     } catch {
       return this.#unsent
@@ -111,7 +111,7 @@ export function markHeard(client: QueryClient, projectId: string, takeIds: reado
     playlist && 'takes' in playlist
       ? {
           ...playlist,
-          takes: playlist.takes.map((one) => (takeIds.includes(one.take_id) ? { ...one, is_heard: true } : one)),
+          takes: playlist.takes.map((take) => (takeIds.includes(take.take_id) ? { ...take, is_heard: true } : take)),
         }
       : playlist,
   )

@@ -72,7 +72,7 @@ export function octavesOf({ hz, master_dbfs, render_dbfs }: Loss['spectra']): Lo
   }))
 }
 
-function louder(one: number | null, other: number | null): number | null {
-  if (one === null) return other
-  return other === null ? one : Math.max(one, other)
+function louder(a: number | null, b: number | null): number | null {
+  if (a === null) return b
+  return b === null ? a : Math.max(a, b)
 }

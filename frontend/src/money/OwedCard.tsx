@@ -40,11 +40,11 @@ function sumsOf({ milestones, kill_fee_in_work_bp: inWorkBp }: ContractMoney): S
     .map(({ name, owed_minor, paid_minor }) => ({ text: name, minor: owed_minor - paid_minor }))
   if (accepted.length > 0) {
     const text = accepted.map(({ cue }) => cue.name).join(', ')
-    sums.push({ text, minor: accepted.reduce((sum, one) => sum + one.owed_minor - one.paid_minor, 0) })
+    sums.push({ text, minor: accepted.reduce((sum, row) => sum + row.owed_minor - row.paid_minor, 0) })
   }
-  for (const one of unpaid.filter(({ cut_in }) => cut_in !== null)) {
-    const how = one.cut_in === 'in_work' ? `cut in progress, ${percent(inWorkBp)}` : 'cut'
-    sums.push({ text: `${one.cue.name}, ${how}`, minor: one.owed_minor - one.paid_minor })
+  for (const row of unpaid.filter(({ cut_in }) => cut_in !== null)) {
+    const how = row.cut_in === 'in_work' ? `cut in progress, ${percent(inWorkBp)}` : 'cut'
+    sums.push({ text: `${row.cue.name}, ${how}`, minor: row.owed_minor - row.paid_minor })
   }
   return sums
 }

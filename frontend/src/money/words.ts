@@ -25,10 +25,10 @@ export const amount = (amountMinor: number, currency: string): string => written
 /** A typed amount in whole minor units; null if it is none. */
 export function minorOf(typed: string, currency: string): number | null {
   const { digits } = formatOf(currency, 'decimal')
-  const found = /^([−-]?)(\d{1,10})(?:\.(\d+))?$/.exec(typed.replaceAll(/[,\s]/g, ''))
-  if (!found || (found[3] ?? '').length > digits) return null
-  const minor = Number(found[2]) * 10 ** digits + Number((found[3] ?? '').padEnd(digits, '0') || '0')
-  return found[1] ? -minor : minor
+  const match = /^([−-]?)(\d{1,10})(?:\.(\d+))?$/.exec(typed.replaceAll(/[,\s]/g, ''))
+  if (!match || (match[3] ?? '').length > digits) return null
+  const minor = Number(match[2]) * 10 ** digits + Number((match[3] ?? '').padEnd(digits, '0') || '0')
+  return match[1] ? -minor : minor
 }
 
 /** "3 h", "2 h 30 min", "45 min". */

@@ -27,6 +27,6 @@ const ACTS: Record<Awaited['act'], (count: number) => string> = {
 export function gateWords({ cues, accepted, awaited }: PhaseRead): string {
   const missing = cues - accepted
   const acts = awaited.map(({ who, act, count }) => `${who ?? 'a designer'} ${ACTS[act](count)}`)
-  const what = missing > 0 ? `${plural(missing, 'cue')} without an accepted version` : 'Every sound is accepted'
-  return acts.length > 0 ? `${what}: ${acts.join(', ')}.` : `${what}.`
+  const summary = missing > 0 ? `${plural(missing, 'cue')} without an accepted version` : 'Every sound is accepted'
+  return acts.length > 0 ? `${summary}: ${acts.join(', ')}.` : `${summary}.`
 }

@@ -44,7 +44,7 @@ const ORDER = ['container', 'structure', 'sample-peak', 'encoding', 'bit-depth',
 /** What one fix does about all findings, as in "writes it as WAV and lowers the level by 1.70 dB". */
 export function fixInWords(findings: readonly Finding[]): string {
   const rank = ({ code }: Finding) => ORDER.findIndex((check) => code.startsWith(`${check}:`))
-  const ordered = findings.toSorted((one, other) => rank(one) - rank(other))
+  const ordered = findings.toSorted((a, b) => rank(a) - rank(b))
   const words = [...new Set(ordered.flatMap(({ auto_fix }) => auto_fix ?? []))]
   const last = words.pop() ?? ''
   return words.length > 0 ? `${words.join(', ')} and ${last}` : last

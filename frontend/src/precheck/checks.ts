@@ -7,28 +7,28 @@ import type { Layout } from './wav'
 
 type Found = Partial<Finding> & Pick<Finding, 'code' | 'message' | 'fix'>
 
-const byNearness = (wanted: readonly number[], found: number, isLarger = false): number => {
-  const ordered = wanted.toSorted((one, other) => (isLarger ? other - one : one - other))
-  return ordered.reduce((best, one) => (Math.abs(one - found) < Math.abs(best - found) ? one : best))
+const byNearness = (accepted: readonly number[], value: number, isLarger = false): number => {
+  const ordered = accepted.toSorted((a, b) => (isLarger ? b - a : a - b))
+  return ordered.reduce((best, candidate) => (Math.abs(candidate - value) < Math.abs(best - value) ? candidate : best))
 }
-const ascending = (values: readonly number[]) => values.toSorted((one, other) => one - other)
+const ascending = (values: readonly number[]) => values.toSorted((a, b) => a - b)
 const decibels = (ratio: number) => (ratio > 0 ? 20 * Math.log10(ratio) : -Infinity)
-const peakOf = ({ channels }: Peaks) => decibels(channels.reduce((most, one) => Math.max(most, one), 0))
+const peakOf = ({ channels }: Peaks) => decibels(channels.reduce((most, peak) => Math.max(most, peak), 0))
 const durationOf = ({ frames, sampleRateHz }: Layout) => frames / sampleRateHz
 
 /** A container that the spec does not list. */
-export function otherThanAccepted(found: string, wanted: readonly string[], code: string): Found {
+export function otherThanAccepted(containerName: string, accepted: readonly string[], code: string): Found {
   return {
     code,
-    message: `container ${found.toUpperCase()}, accepted ${wanted.join(', ').toUpperCase()}`,
-    fix: `export the sound as ${(wanted[0] ?? '').toUpperCase()}`,
+    message: `container ${containerName.toUpperCase()}, accepted ${accepted.join(', ').toUpperCase()}`,
+    fix: `export the sound as ${(accepted[0] ?? '').toUpperCase()}`,
   }
 }
 
 function* container({ layout, spec }: Subject): Iterable<Found> {
-  const wanted = spec.accept.containers
-  if (wanted === null || wanted.includes(layout.container)) return
-  yield otherThanAccepted(layout.container, wanted, 'container:not-accepted')
+  const accepted = spec.accept.containers
+  if (accepted === null || accepted.includes(layout.container)) return
+  yield otherThanAccepted(layout.container, accepted, 'container:not-accepted')
 }
 
 const ENCODINGS: Record<string, string> = {
@@ -41,26 +41,26 @@ const ENCODINGS: Record<string, string> = {
 const wordOf = (encoding: string) => ENCODINGS[encoding] ?? encoding
 
 function* encoding({ layout, spec }: Subject): Iterable<Found> {
-  const wanted = spec.accept.encodings ?? []
-  const [first] = wanted
-  if (first === undefined || wanted.includes(layout.encoding)) return
+  const accepted = spec.accept.encodings ?? []
+  const [first] = accepted
+  if (first === undefined || accepted.includes(layout.encoding)) return
   const isCodec = first !== 'pcm' && first !== 'float'
   yield {
     code: 'encoding:not-accepted',
-    message: `${wordOf(layout.encoding)} samples, accepted ${wanted.map(wordOf).join(' or ')}`,
+    message: `${wordOf(layout.encoding)} samples, accepted ${accepted.map(wordOf).join(' or ')}`,
     fix: isCodec ? `encode it again as ${wordOf(first)}` : `export with ${wordOf(first)} samples`,
   }
 }
 
 function* sampleRate({ layout: { sampleRateHz: rate }, spec }: Subject): Iterable<Found> {
   if (spec.accept.sample_rates_hz === null) return
-  const wanted = ascending(spec.accept.sample_rates_hz)
-  const [lowest = 0] = wanted
-  if (wanted.includes(rate)) return
-  const nearest = byNearness(wanted, rate)
+  const accepted = ascending(spec.accept.sample_rates_hz)
+  const [lowest = 0] = accepted
+  if (accepted.includes(rate)) return
+  const nearest = byNearness(accepted, rate)
   yield {
     code: 'sample-rate:not-accepted',
-    message: `sample rate ${rate} Hz, accepted ${wanted.join(', ')} Hz`,
+    message: `sample rate ${rate} Hz, accepted ${accepted.join(', ')} Hz`,
     fix:
       rate < lowest
         ? `export the session at ${lowest} Hz; do not convert this file up, which adds no quality`
@@ -73,13 +73,13 @@ function* sampleRate({ layout: { sampleRateHz: rate }, spec }: Subject): Iterabl
 
 function* bitDepth({ layout: { bitDepth: depth }, spec }: Subject): Iterable<Found> {
   if (spec.accept.bit_depths === null) return
-  const wanted = ascending(spec.accept.bit_depths)
-  const [lowest = 0] = wanted
-  if (wanted.includes(depth)) return
-  const nearest = byNearness(wanted, depth, true)
+  const accepted = ascending(spec.accept.bit_depths)
+  const [lowest = 0] = accepted
+  if (accepted.includes(depth)) return
+  const nearest = byNearness(accepted, depth, true)
   yield {
     code: 'bit-depth:not-accepted',
-    message: `bit depth ${depth} bit, accepted ${wanted.join(', ')} bit`,
+    message: `bit depth ${depth} bit, accepted ${accepted.join(', ')} bit`,
     fix:
       depth < lowest
         ? `export the session at ${lowest} bit; padding this file with zeros adds no quality`
@@ -114,7 +114,7 @@ const channelWords = (channels: number) =>
 
 /** The layouts that a header can mean. */
 function layoutsOf({ channels, channelMask: mask, isAmbisonic }: Layout): string[] {
-  const named = (holds: (one: Speakers) => boolean) =>
+  const named = (holds: (speakers: Speakers) => boolean) =>
     Object.keys(LAYOUTS).filter((name) => LAYOUTS[name]!.channels === channels && holds(LAYOUTS[name]!))
   if (isAmbisonic) return named(({ masks }) => masks.length === 0)
   if (channels === 1) return ['mono']
@@ -138,17 +138,17 @@ function* channels({ layout, spec, length: asked }: Subject): Iterable<Found> {
       unit: 'channels',
     }
   } else if (counts !== null && !counts.includes(layout.channels)) {
-    const wanted = ascending(counts)
-    const nearest = byNearness(wanted, layout.channels)
+    const accepted = ascending(counts)
+    const nearest = byNearness(accepted, layout.channels)
     yield {
       code: 'channels:not-accepted',
-      message: `${channelWords(layout.channels)}, accepted ${wanted.map(channelWords).join(' or ')}`,
+      message: `${channelWords(layout.channels)}, accepted ${accepted.map(channelWords).join(' or ')}`,
       fix: `export it from the session as ${channelWords(nearest)}`,
       measured: layout.channels,
       limit: nearest,
       unit: 'channels',
     }
-  } else if (layouts !== null && !layoutsOf(layout).some((one) => layouts.includes(one))) {
+  } else if (layouts !== null && !layoutsOf(layout).some((name) => layouts.includes(name))) {
     yield otherLayout(layout, layouts)
   }
 }
@@ -158,12 +158,12 @@ function otherLayout(layout: Layout, layouts: readonly string[]): Found {
   const means = layoutsOf(layout)
   const masked = mask ? ` with the channel mask 0x${mask.toString(16)}` : ''
   const named = means.length > 0 ? ` as ${means.join(' or ')}` : masked
-  const found = count > 2 ? `${named}${mask || isAmbisonic ? '' : ' without a channel mask'}` : masked
+  const actual = count > 2 ? `${named}${mask || isAmbisonic ? '' : ' without a channel mask'}` : masked
   const same = layouts.filter((name) => LAYOUTS[name]?.channels === count)
   const words = (same.length > 0 ? same : layouts).map((name) => LAYOUTS[name]?.words ?? name).join(' or ')
   return {
     code: 'channels:layout',
-    message: `${channelWords(count)}${found}, accepted ${layouts.join(' or ')}`,
+    message: `${channelWords(count)}${actual}, accepted ${layouts.join(' or ')}`,
     fix: `export it as ${words}, with the layout written to the header`,
   }
 }
@@ -316,7 +316,7 @@ const CHECKS: Record<string, (subject: Subject) => Iterable<Found>> = {
 }
 export const CHECKED_HERE: readonly string[] = Object.keys(CHECKS)
 
-export const whole = (found: Found): Finding => ({
+export const whole = (partial: Found): Finding => ({
   severity: 'error',
   measured: null,
   limit: null,
@@ -324,17 +324,17 @@ export const whole = (found: Found): Finding => ({
   start_s: null,
   end_s: null,
   auto_fix: null,
-  ...found,
+  ...partial,
 })
 
 /** What the checks find, errors first. */
 export function check(subject: Subject): Finding[] {
-  const found = Object.entries(CHECKS).flatMap(([name, run]) => {
+  const findings = Object.entries(CHECKS).flatMap(([name, run]) => {
     const level = subject.spec.levels[name]
     if (level === 'off') return []
     return [...run(subject)]
-      .map((one) => whole(level === undefined ? one : { ...one, severity: level }))
+      .map((partial) => whole(level === undefined ? partial : { ...partial, severity: level }))
       .map((finding) => ({ ...finding, auto_fix: autoFix(finding, subject) }))
   })
-  return found.toSorted((one, other) => Number(other.severity === 'error') - Number(one.severity === 'error'))
+  return findings.toSorted((a, b) => Number(b.severity === 'error') - Number(a.severity === 'error'))
 }

@@ -43,8 +43,8 @@ export async function judgeFile(judgeable: Judgeable): Promise<Judgement | null>
   try {
     if (!(await isFlac(file, read))) return { isUnreadable: false, findings: await findingsOfWav(judgeable, read) }
     if (readsFlac(spec)) return { isUnreadable: false, findings: await findingsOfFlac(judgeable, read) }
-    const other = otherThanAccepted('flac', spec.accept.containers ?? [], 'container:flac')
-    return { isUnreadable: true, findings: [whole(other)] }
+    const finding = otherThanAccepted('flac', spec.accept.containers ?? [], 'container:flac')
+    return { isUnreadable: true, findings: [whole(finding)] }
   } catch (refusal) {
     if (refusal instanceof LeftToServer) return null
     if (!(refusal instanceof Unreadable)) throw refusal

@@ -42,12 +42,12 @@ export function exactly(value: number): Fraction {
   return shift >= 0 ? { over: over * 10n ** BigInt(shift), under: 1n } : { over, under: 10n ** BigInt(-shift) }
 }
 
-export const minus = (one: Fraction, other: Fraction): Fraction => ({
-  over: one.over * other.under - other.over * one.under,
-  under: one.under * other.under,
+export const minus = (a: Fraction, b: Fraction): Fraction => ({
+  over: a.over * b.under - b.over * a.under,
+  under: a.under * b.under,
 })
 
-export const isMore = (one: Fraction, other: Fraction): boolean => minus(one, other).over > 0n
+export const isMore = (a: Fraction, b: Fraction): boolean => minus(a, b).over > 0n
 
 export const size = ({ over, under }: Fraction): Fraction => ({ over: over < 0n ? -over : over, under })
 

@@ -51,9 +51,9 @@ export async function* wavSlices(layout: Layout, read: Read): Slices {
   const frameBytes = (channels * containerBits) / 8
   const atOnce = Math.max(1, Math.floor(SLICE_BYTES / frameBytes))
   for (let first = 0; first < frames; first += atOnce) {
-    const wanted = Math.min(atOnce, frames - first) * frameBytes
-    const bytes = await read(dataOffset + first * frameBytes, wanted)
-    if (bytes.length < wanted) throw new LeftToServer()
+    const sliceBytes = Math.min(atOnce, frames - first) * frameBytes
+    const bytes = await read(dataOffset + first * frameBytes, sliceBytes)
+    if (bytes.length < sliceBytes) throw new LeftToServer()
     yield bytes
   }
 }

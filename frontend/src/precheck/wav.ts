@@ -89,11 +89,11 @@ interface Sizes64 {
 function container(start: Uint8Array, size: number): 'wav' | 'rf64' {
   const magic = text(start.subarray(0, 4))
   if (magic !== 'RIFF' && magic !== 'RF64') {
-    const other = otherContainer(start)
-    if (other !== null) {
-      const message = `the file is ${other.name}, not WAV, whatever its name ends in`
-      const fix = other.code === 'git-lfs-pointer' ? FETCH_FROM_LFS : EXPORT_WAV
-      throw new Unreadable(message, 'R11', `container:${other.code}`, fix)
+    const otherFormat = otherContainer(start)
+    if (otherFormat !== null) {
+      const message = `the file is ${otherFormat.name}, not WAV, whatever its name ends in`
+      const fix = otherFormat.code === 'git-lfs-pointer' ? FETCH_FROM_LFS : EXPORT_WAV
+      throw new Unreadable(message, 'R11', `container:${otherFormat.code}`, fix)
     }
     if (start.every((byte) => byte === 0)) {
       throw new Unreadable(
@@ -171,12 +171,12 @@ const openSizes = () =>
 
 /** The one chunk of a name. */
 function only(chunks: readonly Chunk[], name: string, role: string): Chunk {
-  const found = chunks.filter(({ id }) => id === name)
-  const [first] = found
-  if (first !== undefined && found.length === 1) return first
-  const count = found.length === 0 ? 'no' : String(found.length)
-  const message = `the file has ${count} "${name}" chunk${found.length > 1 ? 's' : ''}, which ${role}; exactly one is wanted`
-  const code = `structure:${found.length === 0 ? 'no' : 'several'}-${name.trim()}`
+  const matches = chunks.filter(({ id }) => id === name)
+  const [first] = matches
+  if (first !== undefined && matches.length === 1) return first
+  const count = matches.length === 0 ? 'no' : String(matches.length)
+  const message = `the file has ${count} "${name}" chunk${matches.length > 1 ? 's' : ''}, which ${role}; exactly one is wanted`
+  const code = `structure:${matches.length === 0 ? 'no' : 'several'}-${name.trim()}`
   throw new Unreadable(message, 'R3', code, EXPORT_AGAIN)
 }
 
@@ -226,18 +226,18 @@ function formatOf(content: Uint8Array, size: number): Format {
   containerBits = Math.ceil(containerBits / 8) * 8
   const lawful = tag === PCM ? [8, 16, 24, 32] : [32, 64]
   if (!lawful.includes(containerBits) || (tag === FLOAT && bitDepth !== containerBits)) {
-    const [kind, wanted] = tag === PCM ? ['PCM', '8, 16, 24 or 32'] : ['float', '32 or 64']
-    throw inconsistent(`the header says ${kind} of ${bitDepth} bits; ${wanted} bits are wanted`, 'bit-depth')
+    const [kind, allowed] = tag === PCM ? ['PCM', '8, 16, 24 or 32'] : ['float', '32 or 64']
+    throw inconsistent(`the header says ${kind} of ${bitDepth} bits; ${allowed} bits are wanted`, 'bit-depth')
   }
   const frameBytes = (channels * containerBits) / 8
   if (word(12) !== frameBytes) {
-    const made = `${channels} × ${containerBits} bits make ${frameBytes}`
-    throw inconsistent(`the header says ${word(12)} bytes a frame, but ${made}`, 'block-align')
+    const expected = `${channels} × ${containerBits} bits make ${frameBytes}`
+    throw inconsistent(`the header says ${word(12)} bytes a frame, but ${expected}`, 'block-align')
   }
   const byteRate = view.getUint32(8, true)
   if (byteRate !== (sampleRateHz * frameBytes) % 2 ** 32) {
-    const made = `${sampleRateHz} frames of ${frameBytes} bytes make ${sampleRateHz * frameBytes}`
-    throw inconsistent(`the header says ${byteRate} bytes a second, but ${made}`, 'byte-rate')
+    const expected = `${sampleRateHz} frames of ${frameBytes} bytes make ${sampleRateHz * frameBytes}`
+    throw inconsistent(`the header says ${byteRate} bytes a second, but ${expected}`, 'byte-rate')
   }
   const encoding = tag === PCM ? 'pcm' : 'float'
   return { encoding, sampleRateHz, bitDepth, containerBits, channels, channelMask, isAmbisonic }

@@ -26,7 +26,7 @@ function wordsIn(list: readonly Reference[]): Words {
   for (const reference of list) {
     for (const word of wordsOf(reference)) if (!byWord.has(word)) byWord.set(word, reference)
   }
-  const longest = [...byWord.keys()].toSorted((one, other) => other.length - one.length)
+  const longest = [...byWord.keys()].toSorted((a, b) => b.length - a.length)
   const pattern =
     longest.length > 0
       ? new RegExp(`(?<![\\p{L}\\p{N}])(${longest.map(escaped).join('|')})(?![\\p{L}\\p{N}])`, 'giu')

@@ -9,19 +9,19 @@ export function SameSounds({ takeId }: { takeId: string }) {
   if (!read) return null
   return (
     <>
-      <LibraryFiles found={read.libraries} />
+      <LibraryFiles files={read.libraries} />
       <OtherProjects read={read} />
     </>
   )
 }
 
-function LibraryFiles({ found }: { found: Read['libraries'] }) {
-  if (found.length === 0) return null
+function LibraryFiles({ files }: { files: Read['libraries'] }) {
+  if (files.length === 0) return null
   return (
     <div>
       <p className="small">Equals files of sound libraries:</p>
       <ul className="small" aria-label="Same sound in libraries">
-        {found.map(({ library, licence, file, words, is_declared: isDeclared }) => (
+        {files.map(({ library, licence, file, words, is_declared: isDeclared }) => (
           <li key={`${library}/${file}`}>
             <span className="mono">{file}</span>
             {` of ${library}${licence === '' ? '' : ` (${licence})`}. This version is ${words}. `}

@@ -59,7 +59,7 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
       </div>
       <SourceRows
         title="Sound libraries"
-        one="library"
+        rowName="library"
         fields={[
           ['name', 'Library'],
           ['licence', 'Licence'],
@@ -79,7 +79,7 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
       )}
       <SourceRows
         title="Generated parts"
-        one="generated part"
+        rowName="generated part"
         fields={[
           ['tool', 'Tool and version'],
           ['part', 'Part of the sound'],
@@ -90,7 +90,7 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
       />
       <SourceRows
         title="Performers"
-        one="performer"
+        rowName="performer"
         fields={[
           ['name', 'Performer'],
           ['release', 'Release: its date or place'],
@@ -120,7 +120,7 @@ export function SourcesForm({ initial, error, isPending, onSave, onCancel }: Sou
 interface SourceRowsProps<Row extends Record<string, string>> {
   title: string
   /** What one row is called. */
-  one: string
+  rowName: string
   fields: readonly (readonly [keyof Row & string, string])[]
   rows: readonly Row[]
   empty: Row
@@ -129,7 +129,7 @@ interface SourceRowsProps<Row extends Record<string, string>> {
 
 function SourceRows<Row extends Record<string, string>>({
   title,
-  one,
+  rowName,
   fields,
   rows,
   empty,
@@ -149,20 +149,20 @@ function SourceRows<Row extends Record<string, string>>({
               label={label}
               value={row[name]}
               onChange={({ currentTarget: { value } }) =>
-                onChange(rows.map((each, at) => (at === place ? { ...each, [name]: value } : each)))
+                onChange(rows.map((item, at) => (at === place ? { ...item, [name]: value } : item)))
               }
             />
           ))}
           <Button
             variant="quiet"
             icon="cross"
-            aria-label={`Remove ${one} ${place + 1}`}
+            aria-label={`Remove ${rowName} ${place + 1}`}
             onClick={() => onChange(rows.filter((_, at) => at !== place))}
           />
         </div>
       ))}
       <Button variant="quiet" icon="plus" onClick={() => onChange([...rows, empty])}>
-        Add {one}
+        Add {rowName}
       </Button>
     </div>
   )

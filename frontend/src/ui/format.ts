@@ -6,8 +6,8 @@ const MINUS = '−'
 const FORMATS = new Map<number, Intl.NumberFormat>()
 
 function formatOf(decimals: number): Intl.NumberFormat {
-  const made = FORMATS.get(decimals)
-  if (made) return made
+  const cached = FORMATS.get(decimals)
+  if (cached) return cached
   const format = new Intl.NumberFormat('en-GB', { minimumFractionDigits: decimals, maximumFractionDigits: decimals })
   FORMATS.set(decimals, format)
   return format

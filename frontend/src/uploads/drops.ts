@@ -38,11 +38,11 @@ async function walk(entry: FileSystemEntry): Promise<Picked[]> {
     return [{ file, path }]
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader()
-  const found: Picked[] = []
+  const picked: Picked[] = []
   for (;;) {
     // A reader answers a hundred at a time, and an empty list at the end.
     const some = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject))
-    if (some.length === 0) return found
-    found.push(...(await Promise.all(some.map(walk))).flat())
+    if (some.length === 0) return picked
+    picked.push(...(await Promise.all(some.map(walk))).flat())
   }
 }

@@ -49,7 +49,7 @@ const either = (items: readonly string[]) =>
   items.length < 2 ? (items[0] ?? '') : `${items.slice(0, -1).join(', ')} or ${items.at(-1)}`
 
 /** "a WAV or FLAC, 44.1 or 48 kHz, 16 bit". */
-function wanted({ kinds, sampleRatesHz, bitDepths }: Accepts): string {
+function acceptedFormats({ kinds, sampleRatesHz, bitDepths }: Accepts): string {
   const containers = kinds.filter((kind) => kind !== 'rf64').map((kind) => kind.toUpperCase())
   const kilohertz = sampleRatesHz?.map((hz) => `${hz / 1000}`)
   return [
@@ -83,7 +83,7 @@ export function judge(name: string, size: number, kind: FileKind, accepts: Accep
   if (accepts.kinds.includes(kind)) return { send: 'sound' }
   if (kind !== 'unknown') {
     const named = kind === ending || (kind === 'aiff' && ending === 'aif') ? '' : ` named .${ending}`
-    return { refused: `This is ${NAMES[kind]}${named}. Export ${wanted(accepts)}. Nothing was uploaded.` }
+    return { refused: `This is ${NAMES[kind]}${named}. Export ${acceptedFormats(accepts)}. Nothing was uploaded.` }
   }
   if (SOUND_ENDINGS.test(name)) return { send: 'sound' }
   return { refused: 'Not an audio file or ZIP. Nothing was uploaded.' }

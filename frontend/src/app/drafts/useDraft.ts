@@ -18,7 +18,7 @@ interface Held<T> {
   isRestored: boolean
 }
 
-const same = (one: unknown, other: unknown) => JSON.stringify(one) === JSON.stringify(other)
+const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b)
 
 function opened<T>(key: string, initial: T | (() => T)): Held<T> {
   const begun = typeof initial === 'function' ? (initial as () => T)() : initial

@@ -28,9 +28,9 @@ const Scope = createContext<number | undefined>(undefined)
 /** Listens for hotkeys; everything that registers one stands inside. */
 export function KeysProvider({ children }: { children: ReactNode }) {
   const [registry] = useState(() => {
-    const made = new KeyRegistry()
-    made.setOn(keptOn())
-    return made
+    const keyRegistry = new KeyRegistry()
+    keyRegistry.setOn(keptOn())
+    return keyRegistry
   })
   useEffect(() => registry.listen(window), [registry])
   useLayoutEffect(() => {
@@ -88,11 +88,11 @@ export function useKeysSwitch(): [boolean, (on: boolean) => void] {
   const registry = useRegistry()
   const on = useSyncExternalStore(registry.subscribe, () => registry.on)
   const set = useCallback(
-    (wanted: boolean) => {
-      registry.setOn(wanted)
-      document.documentElement.dataset.keys = wanted ? 'on' : 'off'
+    (isOn: boolean) => {
+      registry.setOn(isOn)
+      document.documentElement.dataset.keys = isOn ? 'on' : 'off'
       try {
-        localStorage.setItem(KEPT, wanted ? 'on' : 'off')
+        localStorage.setItem(KEPT, isOn ? 'on' : 'off')
       } catch {
         // A browser that keeps nothing still switches for this page.
       }

@@ -48,21 +48,21 @@ function useFound(query: string, providers: SearchProvider[]): { asking: boolean
     found: new Map(),
   })
   useEffect(() => {
-    const wanted = query.trim()
-    if (wanted === '') {
+    const term = query.trim()
+    if (term === '') {
       setAnswered({ query: '', found: new Map() })
       return
     }
     const ending = new AbortController()
     const timer = setTimeout(() => {
-      const found = new Map<string, Found[]>()
+      const results = new Map<string, Found[]>()
       void Promise.allSettled(
         providers.map(async (provider) => {
-          found.set(provider.id, await provider.search(wanted, ending.signal))
-          if (!ending.signal.aborted) setAnswered({ query: '', found: new Map(found) })
+          results.set(provider.id, await provider.search(term, ending.signal))
+          if (!ending.signal.aborted) setAnswered({ query: '', found: new Map(results) })
         }),
       ).then(() => {
-        if (!ending.signal.aborted) setAnswered({ query: wanted, found })
+        if (!ending.signal.aborted) setAnswered({ query: term, found: results })
       })
     }, ASK_AFTER_MS)
     return () => {

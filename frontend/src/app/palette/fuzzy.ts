@@ -6,16 +6,16 @@ const isWordStart = (text: string, at: number): boolean => at === 0 || /[\s_\-./
  * Runs of letters and letters that begin a word count most, so that "fdw" finds foot_deck_walk.
  */
 export function fit(query: string, text: string): number | null {
-  const wanted = query.toLowerCase().replaceAll(' ', '')
+  const needle = query.toLowerCase().replaceAll(' ', '')
   const given = text.toLowerCase()
-  if (wanted === '') return 0
+  if (needle === '') return 0
   const whole = given.indexOf(query.toLowerCase().trim())
   if (whole >= 0) return 1000 - whole - given.length / 100 + (isWordStart(given, whole) ? 100 : 0)
 
   let score = 0
   let at = -1
   let run = 0
-  for (const letter of wanted) {
+  for (const letter of needle) {
     let next = given.indexOf(letter, at + 1)
     if (next < 0) return null
     if (next !== at + 1) {

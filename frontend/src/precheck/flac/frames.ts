@@ -129,12 +129,12 @@ function linear(bits: Bits, samples: Float64Array, order: number, width: number)
 function residual(bits: Bits, samples: Float64Array, order: number): void {
   const method = bits.read(2)
   const partitions = 2 ** bits.read(4)
-  const each = samples.length / partitions
-  if (method > 1 || !Number.isInteger(each) || each < order) throw new Damaged()
+  const partitionSize = samples.length / partitions
+  if (method > 1 || !Number.isInteger(partitionSize) || partitionSize < order) throw new Damaged()
   const parameterBits = method === 0 ? 4 : 5
   for (let partition = 0; partition < partitions; partition++) {
-    const from = partition === 0 ? order : partition * each
-    const to = (partition + 1) * each
+    const from = partition === 0 ? order : partition * partitionSize
+    const to = (partition + 1) * partitionSize
     const parameter = bits.read(parameterBits)
     if (parameter < 2 ** parameterBits - 1) bits.rice(samples, from, to, parameter)
     else {
@@ -159,14 +159,14 @@ function predict(samples: Float64Array, coefficients: readonly number[], shift: 
 /** Left and right of what was kept as one of them, or their mean, and their difference (4.2). */
 function decorrelate(first: Float64Array, second: Float64Array, size: number, assignment: number): void {
   for (let index = 0; index < size; index++) {
-    const one = first[index]!
-    const other = second[index]!
-    if (assignment === LEFT_SIDE) second[index] = one - other
-    else if (assignment === SIDE_RIGHT) first[index] = one + other
+    const a = first[index]!
+    const b = second[index]!
+    if (assignment === LEFT_SIDE) second[index] = a - b
+    else if (assignment === SIDE_RIGHT) first[index] = a + b
     else {
-      const sum = 2 * one + (other & 1)
-      first[index] = (sum + other) / 2
-      second[index] = (sum - other) / 2
+      const sum = 2 * a + (b & 1)
+      first[index] = (sum + b) / 2
+      second[index] = (sum - b) / 2
     }
   }
 }

@@ -91,10 +91,10 @@ function layoutOf(info: Uint8Array, comments: ReadonlyMap<string, string>, dataO
 
 function maskOf(channels: number, comments: ReadonlyMap<string, string>): number | null {
   if (channels <= 2) return null
-  const said = comments.get(MASK_COMMENT)
-  if (said === undefined) return MASKS[channels] ?? null
-  if (!/^(0x)?[0-9a-f]{1,8}$/i.test(said)) throw new LeftToServer()
-  const mask = parseInt(said, 16)
+  const comment = comments.get(MASK_COMMENT)
+  if (comment === undefined) return MASKS[channels] ?? null
+  if (!/^(0x)?[0-9a-f]{1,8}$/i.test(comment)) throw new LeftToServer()
+  const mask = parseInt(comment, 16)
   const speakers = mask.toString(2).replaceAll('0', '').length
   return speakers === channels ? mask : (MASKS[channels] ?? null)
 }
