@@ -39,7 +39,7 @@ interface ChangeFormProps {
   /** What it counts: "Round 1 of 2 begins with it." */
   counts?: string
   /** `done` ends the form's draft, once the change is requested. */
-  onSave: (said: ChangeSaid, done: () => void) => void
+  onSave: (change: ChangeSaid, done: () => void) => void
   onClose: () => void
 }
 
@@ -77,7 +77,9 @@ export function ChangeForm({
     setEmpty(false)
     setSaid((now) => ({
       ...now,
-      reasons: now.reasons.includes(reason) ? now.reasons.filter((one) => one !== reason) : [...now.reasons, reason],
+      reasons: now.reasons.includes(reason)
+        ? now.reasons.filter((other) => other !== reason)
+        : [...now.reasons, reason],
     }))
   }
   const save = () => {

@@ -70,8 +70,8 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
               <p className="small mid">{roundsOf(drafts)} You can’t undo sending.</p>
               {drafts
                 .filter(({ reverses }) => reverses)
-                .map((each) => (
-                  <ReversalNote key={each.id} cueId={each.cue_id} what={`${nameOf(each)} version ${each.number}`} />
+                .map((item) => (
+                  <ReversalNote key={item.id} cueId={item.cue_id} what={`${nameOf(item)} version ${item.number}`} />
                 ))}
               <SendField
                 ref={field}

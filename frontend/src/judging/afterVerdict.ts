@@ -35,7 +35,7 @@ export function withVerdictBack(
   const newest = new Map(there?.takes.map((take) => [take.id, take]))
   const takes = item.takes.flatMap((take) => newest.get(take.id) ?? (stayed.includes(take.id) ? [] : [take]))
   const back = { ...item, ...there, takes }
-  if (there) return inPages(now, (items) => items.map((one) => (one === there ? back : one)))
+  if (there) return inPages(now, (items) => items.map((queued) => (queued === there ? back : queued)))
   const ahead = was
     .slice(0, at)
     .reverse()
@@ -43,7 +43,7 @@ export function withVerdictBack(
   const ids = new Set(now.flatMap(({ items }) => items.map(({ cue }) => cue.id)))
   const previous = ahead.find((id) => ids.has(id))
   if (previous === undefined) return now.map((page, n) => (n === 0 ? { ...page, items: [back, ...page.items] } : page))
-  return inPages(now, (items) => items.flatMap((one) => (one.cue.id === previous ? [one, back] : [one])))
+  return inPages(now, (items) => items.flatMap((queued) => (queued.cue.id === previous ? [queued, back] : [queued])))
 }
 
 const inPages = (pages: readonly QueuePage[], change: (items: QueueItem[]) => QueueItem[]): QueuePage[] =>

@@ -18,14 +18,14 @@ export const ended = (text: string): string =>
 
 /** What a finding says, taken apart: up to the first comma or bracket it is the figure, after it the limit. */
 export function wordsOf({ message, fix, start_s, end_s }: ReviewFinding): FindingWords {
-  const said = sentence(message)
-  const cut = said.search(/, | \(/)
-  const head = cut < 0 ? said : said.slice(0, cut)
+  const text = sentence(message)
+  const cut = text.search(/, | \(/)
+  const head = cut < 0 ? text : text.slice(0, cut)
   // Its position is shown next to it; a bracket with only times adds nothing.
   const limit =
     cut < 0
       ? ''
-      : said
+      : text
           .slice(cut)
           .replace(/^ \([\d.,s …]+\)/, '')
           .replace(/^,\s*/, '')

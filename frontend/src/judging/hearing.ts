@@ -40,7 +40,7 @@ export const playsAsDelivered = ({ container, encoding, bit_depth, channels }: R
 export const masterUrl = (takeId: string): string => `/v1/takes/${takeId}/master`
 
 export function soundOf(take: ReviewTake, target: string): Sound {
-  const render = take.renders.find((one) => one.target === target)
+  const render = take.renders.find((file) => file.target === target)
   const { duration_s, preview_url, peaks_url, spectrum_url, loudness_lufs, true_peak_dbtp } = render ?? take
   return {
     durationS: duration_s ?? take.duration_s ?? secondsOf(take.facts.duration_s),

@@ -20,15 +20,15 @@ const MAX_LIFT_DB = 24
  */
 export function matchedGainsDb(levels: readonly Level[]): number[] {
   const measured = levels.flatMap(({ loudnessLufs }) => loudnessLufs ?? [])
-  const [wanted] = measured
-  if (wanted === undefined || measured.length < 2) return levels.map(() => 0)
+  const [targetLufs] = measured
+  if (targetLufs === undefined || measured.length < 2) return levels.map(() => 0)
   let downDb = 0
   for (const { loudnessLufs, truePeakDbtp } of levels) {
     if (loudnessLufs === null) continue
-    const liftDb = wanted - loudnessLufs
+    const liftDb = targetLufs - loudnessLufs
     downDb = Math.max(downDb, liftDb + (truePeakDbtp ?? PEAK_LIMIT_DBTP) - PEAK_LIMIT_DBTP, liftDb - MAX_LIFT_DB)
   }
-  return levels.map(({ loudnessLufs }) => (loudnessLufs === null ? 0 : wanted - loudnessLufs - downDb))
+  return levels.map(({ loudnessLufs }) => (loudnessLufs === null ? 0 : targetLufs - loudnessLufs - downDb))
 }
 
 /** How the levels of some sounds were matched, in a few words. */

@@ -23,14 +23,14 @@ export const mentionableQuery = queryById('/v1/takes/{take_id}/people', queryKey
 
 /** The people whose names stand in a text after an @; of names that begin alike the longer one is meant. */
 export function mentionedIn(text: string, people: readonly Mentionable[]): string[] {
-  const found: string[] = []
+  const ids: string[] = []
   let left = text
   for (const { id, name } of people.toSorted((a, b) => b.name.length - a.name.length)) {
     if (!left.includes(`@${name}`)) continue
-    found.push(id)
+    ids.push(id)
     left = left.replaceAll(`@${name}`, ' ')
   }
-  return found
+  return ids
 }
 
 /** Whom a text mentions, before it is sent. */
@@ -39,13 +39,13 @@ export const mentionsOf = async (client: QueryClient, takeId: string, text: stri
 
 /** What is typed after the @ before the caret; null where no name is being typed. */
 export function typedName(text: string, caret: number): { from: number; query: string } | null {
-  const found = /(?:^|[\s(])@([^@\n]{0,40})$/u.exec(text.slice(0, caret))
-  return found ? { from: caret - (found[1] ?? '').length - 1, query: found[1] ?? '' } : null
+  const match = /(?:^|[\s(])@([^@\n]{0,40})$/u.exec(text.slice(0, caret))
+  return match ? { from: caret - (match[1] ?? '').length - 1, query: match[1] ?? '' } : null
 }
 
 /** The people whose name, or a word of it, begins with what is typed. */
 export function offered(people: readonly Mentionable[], query: string): Mentionable[] {
-  const wanted = query.toLocaleLowerCase()
-  const begins = (name: string) => name.toLocaleLowerCase().startsWith(wanted)
+  const prefix = query.toLocaleLowerCase()
+  const begins = (name: string) => name.toLocaleLowerCase().startsWith(prefix)
   return people.filter(({ name }) => [name, ...name.split(' ')].some(begins)).slice(0, 6)
 }

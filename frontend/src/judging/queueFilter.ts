@@ -20,12 +20,12 @@ const NAMES = ['category', 'designer', 'due', 'need', 'kind', 'version', 'heard'
 
 /** The filter in an address; anything else there is left out. */
 export function filterOf(search: object): QueueFilter {
-  const found = NAMES.flatMap((name) => {
+  const entries = NAMES.flatMap((name) => {
     const value: unknown = (search as Record<string, unknown>)[name]
     const isKnown = name !== 'heard' || value === 'no'
     return typeof value === 'string' && value !== '' && isKnown ? [[name, value]] : []
   })
-  return Object.fromEntries(found) as QueueFilter
+  return Object.fromEntries(entries) as QueueFilter
 }
 
 export const isFiltered = (filter: QueueFilter): boolean => Object.keys(filter).length > 0

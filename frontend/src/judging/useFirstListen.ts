@@ -43,17 +43,17 @@ export function useFirstListen({ player, playing, takes, play }: Listened): Firs
   /** What is to be played because an approval was asked for. */
   const [wantedIds, setWantedIds] = useState<readonly string[]>([])
   const unheard = takes.filter(({ is_heard: isHeard }) => !isHeard)
-  const wanted = takes.filter(({ id }) => wantedIds.includes(id))
+  const wantedTakes = takes.filter(({ id }) => wantedIds.includes(id))
   const isSounding = playing.status === 'playing' || playing.status === 'loading'
-  const sounding = wanted.find(({ id }) => isSounding && id === playing.takeId)
+  const sounding = wantedTakes.find(({ id }) => isSounding && id === playing.takeId)
 
   const goOn = useEffectEvent(() => {
-    const next = wanted.find(({ is_heard: isHeard }) => !isHeard)
+    const next = wantedTakes.find(({ is_heard: isHeard }) => !isHeard)
     if (next) play(next)
   })
   // A sound is heard to its end; one that does not end, or not soon, until it counts as heard.
   const isEndless = playing.looping || playing.durationS > ENOUGH_S
-  const last = wanted.find(({ id }) => id === playing.takeId)
+  const last = wantedTakes.find(({ id }) => id === playing.takeId)
   const isDone = last?.is_heard === true && (playing.status === 'paused' || isEndless)
   useEffect(() => {
     if (isDone) goOn()
@@ -62,7 +62,7 @@ export function useFirstListen({ player, playing, takes, play }: Listened): Firs
   return {
     unheard,
     listening: sounding && !sounding.is_heard ? sounding : null,
-    isOver: wanted.length > 0 && unheard.length === 0,
+    isOver: wantedTakes.length > 0 && unheard.length === 0,
     approveHeard: (asked, approve) => {
       const left = asked.filter(({ is_heard }) => !is_heard)
       if (left.length === 0) {

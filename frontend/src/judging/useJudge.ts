@@ -44,7 +44,7 @@ const giveVerdict = (
   take: ReviewTake,
   kind: 'approve' | 'request_change',
   { note, reasons, startS, endS }: ChangeSaid,
-  what: string,
+  label: string,
   onKept: () => void,
   { mentions = [], key = newIdempotencyKey() }: { mentions?: string[]; key?: string } = {},
 ) =>
@@ -63,7 +63,7 @@ const giveVerdict = (
         heard: take.is_heard,
         send: kind === 'request_change',
       },
-      fetch: offlineOutbox.fetch(what, onKept),
+      fetch: offlineOutbox.fetch(label, onKept),
     }),
   )
 
@@ -76,11 +76,11 @@ interface Undoable {
   key: string
 }
 
-const takeBack = ({ takeId, key }: Undoable, what: string, onKept: () => void) =>
+const takeBack = ({ takeId, key }: Undoable, label: string, onKept: () => void) =>
   unwrap(
     api.DELETE('/v1/takes/{take_id}/verdict', {
       params: { path: { take_id: takeId } },
-      fetch: offlineOutbox.fetch(what, onKept, key),
+      fetch: offlineOutbox.fetch(label, onKept, key),
     }),
   )
 
@@ -164,8 +164,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   ) => {
     setRefusal(null)
     underWay(client).count += 1
-    const what = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
-    const withoutIt = (items: QueueItem[]) => withoutVerdict(items, what)
+    const verdict = { cueId: decided.cue.id, takeIds: decided.takes.map(({ id }) => id), picked: true }
+    const withoutIt = (items: QueueItem[]) => withoutVerdict(items, verdict)
     underWay(client).decisions.add(withoutIt)
     const before = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
     const pages = before?.pages.map((page) => ({ ...page, items: withoutIt(page.items) }))
@@ -189,7 +189,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
     const putBack = () => {
       underWay(client).decisions.delete(withoutIt)
       const now = client.getQueryData<InfiniteData<QueuePage>>(queueKey)
-      const again = now && withVerdictBack(now.pages, before?.pages ?? [], what)
+      const again = now && withVerdictBack(now.pages, before?.pages ?? [], verdict)
       if (now && again) client.setQueryData(queueKey, { ...now, pages: again })
       if (reviewBefore) {
         client.setQueryData<CueReview>(reviewKey, (review) => review && withoutPicks(review, reviewBefore, pickedIds))
@@ -209,7 +209,7 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
           isUndoKept = true
           onKept()
         }
-        const sent = Promise.all(atServer.map((one) => takeBack(one, `undo of “${decided.done}”`, noteKept)))
+        const sent = Promise.all(atServer.map((undoable) => takeBack(undoable, `undo of “${decided.done}”`, noteKept)))
         void end(sent, (error) => {
           if (!isUndoKept) setRefusal({ what: `${decided.done} It stays so.`, problem: asProblem(error) })
         })
@@ -230,19 +230,19 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   }
 
   const approve = (cue: ReviewCue, takes: readonly ReviewTake[], name: string, reasons: readonly string[] = []) => {
-    const what = `${cue.name} ${name} approved`
+    const label = `${cue.name} ${name} approved`
     const keyed = takes.map((take) => ({ take, key: newIdempotencyKey() }))
     // All are kept before the first is sent: they are sent in this order.
     const send = (onKept: () => void) =>
       Promise.all(
-        keyed.map(({ take, key }) => giveVerdict(take, 'approve', { note: '', reasons }, what, onKept, { key })),
+        keyed.map(({ take, key }) => giveVerdict(take, 'approve', { note: '', reasons }, label, onKept, { key })),
       )
     return decide(
       {
         cue,
         takes,
         picked: takes,
-        done: `${what}${because(reasons)}.`,
+        done: `${label}${because(reasons)}.`,
         refused: `${cue.name} ${name} is not approved.`,
       },
       send,
@@ -298,13 +298,13 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   }
   const change = useMutation({
     mutationFn: async ({ cue, takes, said }: ChangeAsked) => {
-      const what = `change request “${said.note}”`
+      const label = `change request “${said.note}”`
       const sent: Undoable[] = []
       for (const take of takes) {
         const key = newIdempotencyKey()
         const mentions = await mentionsOf(client, take.id, said.note)
         const draft = await answerOrOptimistic(
-          async (onKept) => (await giveVerdict(take, 'request_change', said, what, onKept, { mentions, key })).draft,
+          async (onKept) => (await giveVerdict(take, 'request_change', said, label, onKept, { mentions, key })).draft,
           () => waitingDraft(client, cue, take, said),
         )
         sent.push({ takeId: take.id, key })
@@ -317,7 +317,8 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
       const undo = async () => {
         const atServer = sent.filter(({ key }) => !offlineOutbox.drop(key))
         await answerOrOptimistic(
-          (onKept) => Promise.all(atServer.map((one) => takeBack(one, `undo of the change of ${cue.name}`, onKept))),
+          (onKept) =>
+            Promise.all(atServer.map((undoable) => takeBack(undoable, `undo of the change of ${cue.name}`, onKept))),
           () => undefined,
         ).then(
           () => {

@@ -25,9 +25,9 @@ export const historyText = ({
 
 /** What a finding measured: up to the comma that begins its limit. */
 export function measuredPart(finding: ReviewFinding): [measured: string, rest: string] {
-  const said = sentence(finding.message)
-  const comma = said.indexOf(', ')
-  return comma < 0 ? [said, ''] : [said.slice(0, comma), said.slice(comma)]
+  const message = sentence(finding.message)
+  const comma = message.indexOf(', ')
+  return comma < 0 ? [message, ''] : [message.slice(0, comma), message.slice(comma)]
 }
 
 export interface Waits {

@@ -24,9 +24,9 @@ interface CarriedNotesProps {
 /** What was said of earlier versions, each asked of this one: is it done? */
 export function CarriedNotes({ carried, hand, cueId, projectId, areBlocking, onSpot }: CarriedNotesProps) {
   const answer = useAnswerNote(projectId, cueId)
-  const next = carried.find((one) => !isAnswered(one, hand))
+  const next = carried.find((item) => !isAnswered(item, hand))
   const done = carried.filter(({ note }) => note.answer?.is_done).length
-  const say = (one: Carried, isDone: boolean) => answer.mutate({ takeId: hand.id, note: one.note, isDone })
+  const say = (item: Carried, isDone: boolean) => answer.mutate({ takeId: hand.id, note: item.note, isDone })
   const sayOfNext = (isDone: boolean) => {
     if (next && !answer.isPending) say(next, isDone)
   }
@@ -56,14 +56,14 @@ export function CarriedNotes({ carried, hand, cueId, projectId, areBlocking, onS
         </span>
       </p>
       <ul>
-        {carried.map((one) => (
+        {carried.map((item) => (
           <Line
-            key={one.note.id}
-            carried={one}
+            key={item.note.id}
+            carried={item}
             hand={hand}
-            isNext={one === next}
+            isNext={item === next}
             onSpot={onSpot}
-            onSay={(isDone) => say(one, isDone)}
+            onSay={(isDone) => say(item, isDone)}
           />
         ))}
       </ul>

@@ -17,7 +17,7 @@ interface ChecklistProps {
 /** What is checked of a version before it is approved: all items, the next one with its key. */
 export function Checklist({ checklist, hand, cueId, onClose }: ChecklistProps) {
   const check = useCheckItem(cueId)
-  const checks = new Map(checklist.checks.filter(({ take_id }) => take_id === hand.id).map((one) => [one.item_id, one]))
+  const checks = new Map(checklist.checks.filter(({ take_id }) => take_id === hand.id).map((row) => [row.item_id, row]))
   const next = checklist.items.find(({ id }) => !checks.has(id))
   const set = (itemId: string, isChecked: boolean) => {
     if (!check.isPending) check.mutate({ takeId: hand.id, itemId, isChecked })

@@ -42,14 +42,14 @@ export function Composer({ review, hand, writing, onWriting, comment }: Composer
   const send = () => {
     if (text.trim() === '' || comment.isPending) return
     const isPoint = writing.startS > 0 || writing.endS !== undefined
-    const said = {
+    const body = {
       takeId: hand.id,
       text: text.trim(),
       startS: isPoint ? writing.startS : undefined,
       endS: writing.endS,
     }
     // The next cue may be open by the time it is sent.
-    comment.mutateAsync(said).then(
+    comment.mutateAsync(body).then(
       () => {
         keepDraft(draftKey, null)
         onWriting((now) => (now === writing ? null : now))

@@ -130,9 +130,9 @@ export function CueRoom(props: CueRoomProps) {
     if (startS !== undefined) player.seek(startS)
   }, [player, startS])
 
-  const said = toFeedback(review, hand && heard.includes(hand) ? heard : hand ? [hand] : [])
+  const feedback = toFeedback(review, hand && heard.includes(hand) ? heard : hand ? [hand] : [])
 
-  const numbered = said.filter(({ number }) => number !== null).length
+  const numbered = feedback.filter(({ number }) => number !== null).length
   const carried = hand ? carriedTo(review.carried_notes, hand, soundOf(hand, target).durationS, numbered) : []
 
   const meant = picked.size > 0 ? heard.filter(({ id }) => picked.has(id)) : hand ? [hand] : []
@@ -236,11 +236,11 @@ export function CueRoom(props: CueRoomProps) {
       { onSuccess: () => showToast(`Comment sent: I prefer ${realName(hand)}.`) },
     )
   }
-  const goTo = (one: FeedbackItem) => {
-    setOpenSaid(one.id)
-    const take = review.takes.find(({ id }) => id === one.takeId)
+  const goTo = (item: FeedbackItem) => {
+    setOpenSaid(item.id)
+    const take = review.takes.find(({ id }) => id === item.takeId)
     if (take && take.id !== hand?.id) choose(take)
-    if (one.startS !== null) playFrom(one.startS)
+    if (item.startS !== null) playFrom(item.startS)
   }
   const playFrom = (startAtS: number) => {
     const atS = firstS + spotOf(startAtS)
@@ -282,10 +282,10 @@ export function CueRoom(props: CueRoomProps) {
     targets.length > 1 && {
       title: 'Listen to',
       isChoice: true,
-      items: targets.map((each) => ({
-        label: each === AS_DELIVERED ? 'Master as delivered' : capital(each),
-        checked: each === target,
-        run: () => onTarget(each),
+      items: targets.map((name) => ({
+        label: name === AS_DELIVERED ? 'Master as delivered' : capital(name),
+        checked: name === target,
+        run: () => onTarget(name),
       })),
     },
     {
@@ -350,11 +350,11 @@ export function CueRoom(props: CueRoomProps) {
       isFolded: true,
       items: [
         { label: 'Full range', note: 'as delivered', checked: condition === null, run: () => hearAs(null) },
-        ...CONDITIONS.map((each) => ({
-          label: capital(each.name),
-          note: each.figures,
-          checked: each.id === condition?.id,
-          run: () => hearAs(each),
+        ...CONDITIONS.map((option) => ({
+          label: capital(option.name),
+          note: option.figures,
+          checked: option.id === condition?.id,
+          run: () => hearAs(option),
         })),
       ],
     },
@@ -491,7 +491,7 @@ export function CueRoom(props: CueRoomProps) {
             target={target}
             player={player}
             range={playing.range}
-            comments={blind ? [] : [...marksOf(said, hand.id), ...carriedMarks(carried)]}
+            comments={blind ? [] : [...marksOf(feedback, hand.id), ...carriedMarks(carried)]}
             openComment={openSaid}
             hidden={blind !== null}
             hasStrips={hasStrips}
@@ -499,7 +499,7 @@ export function CueRoom(props: CueRoomProps) {
             onMark={(startAtS, id) => {
               player.seek(startAtS)
               if (!player.isPlaying()) void player.play(startAtS)
-              if (said.some((one) => one.id === id)) setOpenSaid(id)
+              if (feedback.some((item) => item.id === id)) setOpenSaid(id)
             }}
           />
         )}
@@ -620,7 +620,7 @@ export function CueRoom(props: CueRoomProps) {
         hand={hand}
         heard={heard}
         nameOf={nameOf}
-        said={said}
+        said={feedback}
         carried={carried}
         openSaid={openSaid}
         onOpen={goTo}

@@ -22,9 +22,9 @@ export function CutForm({ cueId, name, projectId, onClose, onCut }: CutFormProps
   const cut = useCut(projectId, cueId)
   const field = useFocusOnMount<HTMLTextAreaElement>()
   const submit = () => {
-    const said = reason.trim()
-    if (said === '' || cut.isPending) return
-    cut.mutate(said, {
+    const trimmed = reason.trim()
+    if (trimmed === '' || cut.isPending) return
+    cut.mutate(trimmed, {
       onSuccess: () => {
         draft.discard()
         showToast(`${name} cut. Its versions are kept.`)

@@ -19,9 +19,9 @@ export function Figures({ take }: { take: ReviewTake }) {
   const head = numberOf(measurements.head_silence_ms)
   const tail = numberOf(measurements.tail_silence_ms)
   const bandwidth = numberOf(measurements.bandwidth_hz)
-  const found = new Set(take.findings.map(({ check }) => check))
+  const flagged = new Set(take.findings.map(({ check }) => check))
   const marked = (check: string, text: string): ReactNode =>
-    found.has(check) ? (
+    flagged.has(check) ? (
       <span className="tone-warn toned">
         <Icon name="triangle" size={14} /> {text}
       </span>

@@ -83,12 +83,12 @@ interface Own extends Point {
 /** Each one above those that it would cover. */
 function stacked(own: readonly Own[], share: (lufs: number) => number): (Own & { storey: number })[] {
   const placed: (Own & { storey: number })[] = []
-  for (const one of own.toSorted((a, b) => a.lufs - b.lufs)) {
-    const near = placed.filter((each) => share(one.lufs) - share(each.lufs) < LETTERS_APART)
-    const taken = new Set(near.map((each) => each.storey))
+  for (const sound of own.toSorted((a, b) => a.lufs - b.lufs)) {
+    const near = placed.filter((other) => share(sound.lufs) - share(other.lufs) < LETTERS_APART)
+    const taken = new Set(near.map((other) => other.storey))
     let storey = 0
     while (taken.has(storey)) storey += 1
-    placed.push({ ...one, storey })
+    placed.push({ ...sound, storey })
   }
   return placed
 }

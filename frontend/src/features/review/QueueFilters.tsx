@@ -77,7 +77,7 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
       {choice(
         'category',
         'Category',
-        Object.fromEntries(categories.filter((one) => one.category).map((one) => [one.category, one.category])),
+        Object.fromEntries(categories.filter((row) => row.category).map((row) => [row.category, row.category])),
       )}
       {choice(
         'designer',

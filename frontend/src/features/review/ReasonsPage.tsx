@@ -193,9 +193,9 @@ function Versions({ kind, reason, search }: VersionsProps) {
       <Refusal error={error} />
       {data?.length === 0 && <p className="small mid p-10px-inset">No version here</p>}
       <ul>
-        {data?.map((found) => (
-          <li key={found.verdict_id}>
-            <Version found={found} />
+        {data?.map((version) => (
+          <li key={version.verdict_id}>
+            <Version version={version} />
           </li>
         ))}
       </ul>
@@ -208,15 +208,15 @@ function Versions({ kind, reason, search }: VersionsProps) {
   )
 }
 
-function Version({ found }: { found: Found }) {
-  const { cue_label, cue_name, variation, number, label, start_s: startS } = found
-  const said = found.text || found.reasons.join('. ')
+function Version({ version }: { version: Found }) {
+  const { cue_label, cue_name, variation, number, label, start_s: startS } = version
+  const text = version.text || version.reasons.join('. ')
   return (
     <Link
       data-row
       className={`flex-col wrap-anywhere hover ${classes.version}`}
       to="/takes/$takeId"
-      params={{ takeId: found.take_id }}
+      params={{ takeId: version.take_id }}
       search={{ at: startS ?? undefined }}
     >
       <span className="row">
@@ -227,17 +227,17 @@ function Version({ found }: { found: Found }) {
           version {number}
           {label !== null && `, ${label}`}
         </span>
-        <time className="small dim end nowrap" dateTime={found.given_at} title={day(found.given_at)}>
-          {ago(found.given_at)}
+        <time className="small dim end nowrap" dateTime={version.given_at} title={day(version.given_at)}>
+          {ago(version.given_at)}
         </time>
       </span>
       <span>
         {startS !== null && <span className="mono dim small">{place(startS)} </span>}
-        {said}
+        {text}
       </span>
       <span className="row small mid">
-        {found.given_by && <Person name={found.given_by.name} picture={found.given_by.picture} />}
-        <span>on a version by {found.designer.name}</span>
+        {version.given_by && <Person name={version.given_by.name} picture={version.given_by.picture} />}
+        <span>on a version by {version.designer.name}</span>
       </span>
     </Link>
   )

@@ -35,7 +35,7 @@ export function OpenedPanel({ way, setWay, setOpen, isPlaying, onPlay, onStop }:
         label="Rate"
         options={RATES}
         value={rate}
-        onChange={(value) => choose({ intervalS: RATES.find((one) => one.value === value)?.intervalS ?? null })}
+        onChange={(value) => choose({ intervalS: RATES.find((option) => option.value === value)?.intervalS ?? null })}
       />
       <Select
         label="Pitch"

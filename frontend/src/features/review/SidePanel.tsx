@@ -38,7 +38,7 @@ interface SidePanelProps {
   said: readonly FeedbackItem[]
   carried: readonly Carried[]
   openSaid: string | undefined
-  onOpen: (said: FeedbackItem) => void
+  onOpen: (item: FeedbackItem) => void
   onSpot: (startS: number) => void
   writing: Writing | null
   onWriting: Dispatch<SetStateAction<Writing | null>>
@@ -137,15 +137,15 @@ function Comments({ review, projectId, hand, heard, nameOf, said, carried, openS
       )}
       {said.length === 0 && <p className={`${classes.quiet} mid`}>No comments yet</p>}
       <ul aria-label="Comments">
-        {said.map((one) => (
+        {said.map((item) => (
           <SaidLine
-            key={one.id}
-            said={one}
+            key={item.id}
+            item={item}
             roleOf={roleOf}
-            open={one.id === openSaid}
-            on={aboutAnother(one, hand, heard, nameOf)}
-            onOpen={() => onOpen(one)}
-            onReply={one.draft || isWaitingId(one.id) ? undefined : (text) => reply(one, text)}
+            open={item.id === openSaid}
+            on={aboutAnother(item, hand, heard, nameOf)}
+            onOpen={() => onOpen(item)}
+            onReply={item.draft || isWaitingId(item.id) ? undefined : (text) => reply(item, text)}
             myId={me?.person.id}
             onMark={(id, as) => mark.mutate({ id, as })}
           />
@@ -196,17 +196,17 @@ function Details({ review, projectId, hand, heard, nameOf, onSpot }: SidePanelPr
 }
 
 function aboutAnother(
-  said: FeedbackItem,
+  item: FeedbackItem,
   hand: ReviewTake | undefined,
   heard: readonly ReviewTake[],
   nameOf: (take: ReviewTake) => string,
 ): string | null {
-  const take = heard.find(({ id }) => id === said.takeId)
+  const take = heard.find(({ id }) => id === item.takeId)
   return take && take.id !== hand?.id ? nameOf(take) : null
 }
 
 interface SaidLineProps {
-  said: FeedbackItem
+  item: FeedbackItem
   roleOf: ReturnType<typeof useRoles>
   open: boolean
   /** Which other version it is said of. */
@@ -219,52 +219,52 @@ interface SaidLineProps {
   onReply?: (text: string) => Promise<void>
 }
 
-function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: SaidLineProps) {
+function SaidLine({ item, roleOf, open, on, onOpen, myId, onMark, onReply }: SaidLineProps) {
   const [replying, setReplying] = useState(false)
-  const where = spot(said.startS, said.endS)
-  const { comment } = said
+  const where = spot(item.startS, item.endS)
+  const { comment } = item
   const resolved = Boolean(comment?.resolved_at)
-  const role = roleOfSaid(said)
+  const role = roleOfSaid(item)
   return (
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <button
         type="button"
         className={`row ${classes.saidHead}`}
         aria-expanded={open}
-        aria-label={['Comment', said.number, 'by', said.who, where].filter((word) => word != null).join(' ')}
+        aria-label={['Comment', item.number, 'by', item.who, where].filter((word) => word != null).join(' ')}
         onClick={onOpen}
       >
-        {said.number !== null && <span className={classes.saidNumber}>{said.number}</span>}
-        <Avatar name={said.who} picture={said.picture} />
-        <span className="strong cut-text">{said.who}</span>
-        <span className={said.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
+        {item.number !== null && <span className={classes.saidNumber}>{item.number}</span>}
+        <Avatar name={item.who} picture={item.picture} />
+        <span className="strong cut-text">{item.who}</span>
+        <span className={item.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
         <span className="small mono dim end nowrap">{where}</span>
       </button>
       <p className={classes.saidText}>
         {on && <span className="dim">On {on}: </span>}
-        <MentionedText text={said.text} mentions={said.mentions} />
+        <MentionedText text={item.text} mentions={item.mentions} />
         {resolved && <span className="dim"> Resolved.</span>}
       </p>
       {comment && <SeenLine comment={comment} myId={myId} onSeen={() => onMark(comment.id, 'acknowledgement')} />}
-      {said.replies.length > 0 && (
-        <ul className={`grid gap-6px ${classes.replies}`} aria-label={`Replies to ${said.who}`}>
-          {said.replies.map((one) => (
-            <li key={one.id}>
-              <Person name={one.author.name} picture={one.author.picture} role={roleOf(one.author.id)} />{' '}
-              <span className="small dim">{age(one.created_at)}</span>
+      {item.replies.length > 0 && (
+        <ul className={`grid gap-6px ${classes.replies}`} aria-label={`Replies to ${item.who}`}>
+          {item.replies.map((reply) => (
+            <li key={reply.id}>
+              <Person name={reply.author.name} picture={reply.author.picture} role={roleOf(reply.author.id)} />{' '}
+              <span className="small dim">{age(reply.created_at)}</span>
               <p>
-                <MentionedText text={one.text} mentions={one.mentions} />
+                <MentionedText text={reply.text} mentions={reply.mentions} />
               </p>
-              <SeenLine comment={one} myId={myId} onSeen={() => onMark(one.id, 'acknowledgement')} />
+              <SeenLine comment={reply} myId={myId} onSeen={() => onMark(reply.id, 'acknowledgement')} />
             </li>
           ))}
         </ul>
       )}
       {replying && onReply && (
         <ReplyField
-          takeId={said.takeId}
-          to={said.who}
-          draftKey={`reply:${said.id}`}
+          takeId={item.takeId}
+          to={item.who}
+          draftKey={`reply:${item.id}`}
           onSend={onReply}
           onClose={() => setReplying(false)}
         />
@@ -273,7 +273,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
         <p className={classes.saidActs}>
           {onReply && !replying && (
             <Button variant="quiet" className="small" onClick={() => setReplying(true)}>
-              Reply<span className="visually-hidden"> to {said.who}</span>
+              Reply<span className="visually-hidden"> to {item.who}</span>
             </Button>
           )}
           {comment && (
@@ -283,7 +283,7 @@ function SaidLine({ said, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
               onClick={() => onMark(comment.id, resolved ? 'reopen' : 'resolve')}
             >
               {resolved ? 'Reopen' : 'Resolve'}
-              <span className="visually-hidden"> what {said.who} said</span>
+              <span className="visually-hidden"> what {item.who} said</span>
             </Button>
           )}
         </p>

@@ -89,10 +89,10 @@ export function Verdict(props: VerdictProps) {
   const { cue } = review
   const { refusal } = judge
   const asking = changing ? null : props.asking
-  const what = `${cue.name} ${name}`
+  const label = `${cue.name} ${name}`
   const isOpen = changing !== null || asking !== null
 
-  const reversal = meant.some((take) => take.state === 'approved') && <ReversalNote cueId={cue.id} what={what} />
+  const reversal = meant.some((take) => take.state === 'approved') && <ReversalNote cueId={cue.id} what={label} />
   const above = (isOpen || refusal || props.checklist) && (
     <>
       {!isOpen && props.checklist}
@@ -100,7 +100,7 @@ export function Verdict(props: VerdictProps) {
       {asking === 'pick' && (
         <ReasonRow
           reasons={props.reasons.pick}
-          title={`Approve ${whole ? `the set of ${cue.variations}` : what} because`}
+          title={`Approve ${whole ? `the set of ${cue.variations}` : label} because`}
           onReason={(reason) => props.onApprove([reason])}
           onClose={() => props.onAsking(null)}
         />
@@ -109,7 +109,7 @@ export function Verdict(props: VerdictProps) {
         <>
           <ReasonRow
             reasons={props.reasons.change}
-            title={`Request a change of ${what} because`}
+            title={`Request a change of ${label} because`}
             onReason={props.onChangeBecause}
             onClose={() => props.onAsking(null)}
           />
@@ -130,7 +130,7 @@ export function Verdict(props: VerdictProps) {
         <ChangeForm
           takeId={meant[0]?.id ?? cue.id}
           projectId={props.projectId}
-          what={what}
+          what={label}
           to={hand?.designer.name}
           counts={roundWords(review, props.money, meant)}
           listed={props.reasons.change}
@@ -140,9 +140,9 @@ export function Verdict(props: VerdictProps) {
           problem={judge.changeProblem}
           onClose={props.onCloseChange}
           reversal={reversal}
-          onSave={(said, done) =>
+          onSave={(change, done) =>
             judge.change.mutate(
-              { cue, takes: meant, name, said },
+              { cue, takes: meant, name, said: change },
               {
                 onSuccess: () => {
                   done()

@@ -19,11 +19,11 @@ interface WaiverProps {
 export function Waiver({ take, cueId, projectId }: WaiverProps) {
   const [reason, setReason, draft] = useDraft(`waiver:${take.id}`, '')
   const waive = useWaive(projectId, cueId)
-  const said = reason.trim()
+  const trimmed = reason.trim()
   const submit = () => {
-    if (said === '' || waive.isPending) return
+    if (trimmed === '' || waive.isPending) return
     waive.mutate(
-      { takeId: take.id, reason: said },
+      { takeId: take.id, reason: trimmed },
       {
         onSuccess: () => {
           draft.discard()
@@ -46,7 +46,7 @@ export function Waiver({ take, cueId, projectId }: WaiverProps) {
         value={reason}
         onChange={(event) => setReason(event.currentTarget.value)}
       />
-      <Button type="submit" disabled={said === '' || waive.isPending}>
+      <Button type="submit" disabled={trimmed === '' || waive.isPending}>
         Waive version {take.number}
       </Button>
       <DraftNote draft={draft} />

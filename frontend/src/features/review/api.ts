@@ -35,8 +35,8 @@ export interface CommentSaid {
 export function useComment(cueId: string) {
   const client = useQueryClient()
   return useMutation({
-    mutationFn: async (said: CommentSaid) => {
-      const { takeId, text, startS, endS, answers } = said
+    mutationFn: async (comment: CommentSaid) => {
+      const { takeId, text, startS, endS, answers } = comment
       const mentions = await mentionsOf(client, takeId, text)
       const send = (onKept: () => void) =>
         unwrap(
@@ -46,7 +46,7 @@ export function useComment(cueId: string) {
             fetch: offlineOutbox.fetch(`Comment “${text}”`, onKept),
           }),
         )
-      return answerOrOptimistic(send, () => waitingComment(client, said))
+      return answerOrOptimistic(send, () => waitingComment(client, comment))
     },
     onSuccess: (comment) => {
       client.setQueryData<CueReview>(
@@ -89,7 +89,10 @@ export function useAnswerNote(projectId: string, cueId: string) {
       client.setQueryData<CueReview>(
         queryKeys.cueReview(cueId),
         (review) =>
-          review && { ...review, carried_notes: review.carried_notes.map((one) => (one.id === note.id ? note : one)) },
+          review && {
+            ...review,
+            carried_notes: review.carried_notes.map((item) => (item.id === note.id ? note : item)),
+          },
       )
     },
     onSettled: () => invalidate(client, queryKeys.cueReview(cueId), queryKeys.reviewQueue(projectId)),

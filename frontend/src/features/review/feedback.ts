@@ -72,12 +72,12 @@ export function toFeedback(review: CueReview, takes: readonly ReviewTake[]): Fee
   let number = 0
   return all
     .sort((a, b) => a.at.localeCompare(b.at))
-    .map((one) => ({ ...one, number: one.startS === null ? null : (number += 1) }))
+    .map((item) => ({ ...item, number: item.startS === null ? null : (number += 1) }))
 }
 
 /** The markers in the waveform of one take. */
-export function marksOf(said: readonly FeedbackItem[], takeId: string): CommentMark[] {
-  return said.flatMap(({ id, number, startS, endS, takeId: of }) =>
+export function marksOf(items: readonly FeedbackItem[], takeId: string): CommentMark[] {
+  return items.flatMap(({ id, number, startS, endS, takeId: of }) =>
     number === null || startS === null || of !== takeId
       ? []
       : [{ id, number, startS, endS: endS !== null && endS > startS ? endS : undefined }],

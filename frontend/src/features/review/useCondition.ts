@@ -61,11 +61,11 @@ export function useCondition(player: Player): Conditions {
   }, [player, condition])
   useHotkeys([
     { keys: 'shift+1', label: 'Hear it at full range', group: 'Review', run: () => choose(null) },
-    ...CONDITIONS.map((one, index) => ({
+    ...CONDITIONS.map((option, index) => ({
       keys: `shift+${index + 2}`,
-      label: `Hear it as it will be played: ${one.name}`,
+      label: `Hear it as it will be played: ${option.name}`,
       group: 'Review',
-      run: () => choose(one),
+      run: () => choose(option),
     })),
   ])
   return { condition, choose, trouble }

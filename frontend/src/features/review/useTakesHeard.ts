@@ -8,9 +8,9 @@ import { takeName } from '@/judging/words'
 import { shuffled } from './blind'
 
 /** The version that is heard first: the one asked for, then what waits, then what was approved, then the newest. */
-function firstInHand(review: CueReview, waiting: readonly ReviewTake[], wanted?: string): string | undefined {
+function firstInHand(review: CueReview, waiting: readonly ReviewTake[], takeId?: string): string | undefined {
   const newest = review.takes.find(({ state }) => state === 'approved') ?? review.takes[0]
-  const asked = review.takes.find(({ id }) => id === wanted)
+  const asked = review.takes.find(({ id }) => id === takeId)
   return (asked ?? waiting.find(({ draft_change }) => draft_change === null) ?? waiting[0] ?? newest)?.id
 }
 

@@ -20,8 +20,8 @@ export function AddBed({ projectId, category, onDone }: AddBedProps) {
   const [role, setRole] = useState<BedRole>('ambience')
   const [chosen, setChosen] = useState('')
   const [isWide, setWide] = useState(true)
-  const found = sources.data ?? []
-  const source = found.find((one) => idOf(one) === chosen) ?? found[0]
+  const options = sources.data ?? []
+  const source = options.find((option) => idOf(option) === chosen) ?? options[0]
   const problem = set.error ?? sources.error
   if (sources.data?.length === 0) {
     return (
@@ -52,10 +52,10 @@ export function AddBed({ projectId, category, onDone }: AddBedProps) {
         value={source ? idOf(source) : ''}
         onChange={(event) => setChosen(event.currentTarget.value)}
       >
-        {found.map((one) => (
-          <option key={idOf(one)} value={idOf(one)}>
-            {one.name}
-            {one.reference_id ? ' (reference)' : one.loops ? ' (loop)' : ''}
+        {options.map((option) => (
+          <option key={idOf(option)} value={idOf(option)}>
+            {option.name}
+            {option.reference_id ? ' (reference)' : option.loops ? ' (loop)' : ''}
           </option>
         ))}
       </Select>

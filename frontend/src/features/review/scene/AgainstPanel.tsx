@@ -49,13 +49,13 @@ export function AgainstPanel({ review, projectId, hand, nameOf, source, player, 
     ]
   }, [review.takes, hand, nameOf, approved.data])
   const [key, setKey] = useState('')
-  const chosen = choices.find((one) => one.key === key) ?? choices[0]
+  const chosen = choices.find((choice) => choice.key === key) ?? choices[0]
   const otherId = chosen?.against.against_take_id ?? hand.id
   const { data: sounds } = useSounds(otherId)
   const { data: comparison, error } = useQuery(comparisonQuery(hand.id, chosen?.against ?? null))
   const target = chosen?.against.target
-  const other = target ? sounds?.renders.find((one) => one.target === target) : sounds?.master
-  const url = other?.preview_url ?? null
+  const otherSound = target ? sounds?.renders.find((render) => render.target === target) : sounds?.master
+  const url = otherSound?.preview_url ?? null
   const heardId = playing.sourceId ?? ''
   const hear = (id: string, from: string | null, gainDb = 0) => {
     if (source === null || from === null) return
@@ -77,9 +77,9 @@ export function AgainstPanel({ review, projectId, hand, nameOf, source, player, 
     <section className={`grid gap-2 ${classes.against}`} aria-label="Against">
       <div className="flex wrap items-end gap-2">
         <Select label="Against" value={chosen.key} onChange={(event) => setKey(event.currentTarget.value)}>
-          {choices.map((one) => (
-            <option key={one.key} value={one.key}>
-              {one.words}
+          {choices.map((choice) => (
+            <option key={choice.key} value={choice.key}>
+              {choice.words}
             </option>
           ))}
         </Select>

@@ -34,9 +34,9 @@ export function ClipView({ clips, projectId, player }: ClipViewProps) {
       <Picture key={clip.reference_version_id} clip={clip} player={player} />
       {clips.length > 1 && (
         <Select aria-label="Clip" value={at} onChange={(event) => setAt(Number(event.currentTarget.value))}>
-          {clips.map((one, index) => (
-            <option key={one.reference_id} value={index}>
-              {nameOf(one)}
+          {clips.map((item, index) => (
+            <option key={item.reference_id} value={index}>
+              {nameOf(item)}
             </option>
           ))}
         </Select>
@@ -70,7 +70,7 @@ function Picture({ clip, player }: { clip: SceneClip; player: Player }) {
     }
     step()
     const leave = [player.subscribe(step), player.subscribeState(step)]
-    return () => leave.forEach((one) => one())
+    return () => leave.forEach((stop) => stop())
   }, [player, start_s, state])
   return (
     <>

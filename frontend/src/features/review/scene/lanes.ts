@@ -71,9 +71,9 @@ export class SceneLanes implements Company {
     this.#lanes = lanes
     if (this.#start === null) return
     const { context } = this.#start
-    const wanted = new Map(lanes.map((lane) => [lane.id, lane]))
+    const lanesById = new Map(lanes.map((lane) => [lane.id, lane]))
     for (const [id, { lane, node, gain }] of this.#sounding) {
-      if (wanted.get(id)?.buffer === lane.buffer) continue
+      if (lanesById.get(id)?.buffer === lane.buffer) continue
       ramp(gain, 0, context)
       node.stop(context.currentTime + FADE_S)
       this.#sounding.delete(id)

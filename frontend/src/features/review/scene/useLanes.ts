@@ -26,7 +26,7 @@ function useBuffers(player: Player, scene: Scene | undefined): [ReadonlyMap<stri
   const [buffers, setBuffers] = useState<ReadonlyMap<string, AudioBuffer>>(new Map())
   const [trouble, setTrouble] = useState<string | null>(null)
   const beside = scene?.lanes.filter(({ id }) => id !== SOUND) ?? []
-  const wanted = JSON.stringify(
+  const lanesJson = JSON.stringify(
     beside.map(({ id, name, preview_url, reference_version_id, starts_s, loops }) => ({
       ...{ id, name, url: preview_url, versionId: reference_version_id },
       places: { startsS: starts_s, loops, lengthS: scene?.length_s ?? 0 },
@@ -34,7 +34,7 @@ function useBuffers(player: Player, scene: Scene | undefined): [ReadonlyMap<stri
   )
   useEffect(() => {
     let isWanted = true
-    const lanes = JSON.parse(wanted) as {
+    const lanes = JSON.parse(lanesJson) as {
       id: string
       name: string
       url: string | null
@@ -57,7 +57,7 @@ function useBuffers(player: Player, scene: Scene | undefined): [ReadonlyMap<stri
     return () => {
       isWanted = false
     }
-  }, [player, wanted])
+  }, [player, lanesJson])
   return [buffers, trouble]
 }
 
