@@ -72,11 +72,11 @@ function LineCues({ line, cues }: { line: AskedLine; cues: readonly AskedCue[] }
 
 /** "4 files, 2.50 s each, loop". */
 function factsOf({ variations, loop, is_concept: isConcept, ...lengths }: AskedCue): string {
-  const each = variations > 1 ? ' each' : ''
+  const suffix = variations > 1 ? ' each' : ''
   const asked = lengthAsked(lengths)
   const facts = [
     plural(variations, 'file'),
-    asked === '' ? 'no length yet' : `${asked}${each}`,
+    asked === '' ? 'no length yet' : `${asked}${suffix}`,
     loop ? 'loop' : '',
     isConcept ? 'concept' : '',
   ]

@@ -50,7 +50,7 @@ function Compared({ comparison, projectId }: { comparison: Comparison; projectId
     shortlist.mutate({ id: bid.id, on: !bid.is_shortlisted })
   }
   const player = useSamplePlayer()
-  const hasSamples = bids.some(({ samples }) => samples.some((one) => one.is_open))
+  const hasSamples = bids.some(({ samples }) => samples.some((sample) => sample.is_open))
   const playSame = () => {
     const next = matchingSampleOfNextBid(bids, player.playingId)
     if (next === null) return

@@ -38,12 +38,12 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
       ))}
     </tr>
   )
-  const offered = (bid: ComparedBid, wanted: (line: ComparedBid['content']['lines'][number]) => boolean) => {
-    const found = bid.content.lines
+  const offered = (bid: ComparedBid, matches: (line: ComparedBid['content']['lines'][number]) => boolean) => {
+    const priced = bid.content.lines
       .map((line, at) => ({ line, minor: bid.amounts_minor[at] ?? 0 }))
-      .filter(({ line }) => wanted(line))
-    if (found.length === 0) return <span className="mid">not offered</span>
-    return found.map(({ line, minor }, at) => (
+      .filter(({ line }) => matches(line))
+    if (priced.length === 0) return <span className="mid">not offered</span>
+    return priced.map(({ line, minor }, at) => (
       <span key={at} className="flex between gap-3">
         <span className="num">{money(minor, currency)}</span>
         <span className="mid">
@@ -135,13 +135,13 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
           {bids.some((bid) => bid.roster_entry_id) && row('Busy, by the roster', (bid) => <BusyCell bid={bid} />)}
           {bids.some(({ samples }) => samples.length > 0) &&
             lines
-              .filter(({ key }) => bids.some(({ samples }) => samples.some((one) => one.line_key === key)))
+              .filter(({ key }) => bids.some(({ samples }) => samples.some((sample) => sample.line_key === key)))
               .map(({ key, label }) =>
                 row(`Samples, ${label}`, (bid) => {
-                  const ofLine = bid.samples.filter((one) => one.line_key === key)
+                  const ofLine = bid.samples.filter((sample) => sample.line_key === key)
                   if (ofLine.length === 0) return <span className="mid">none</span>
-                  return ofLine.map((one) => (
-                    <SampleLine key={one.id} sample={one} {...player} onToggle={player.toggle} />
+                  return ofLine.map((sample) => (
+                    <SampleLine key={sample.id} sample={sample} {...player} onToggle={player.toggle} />
                   ))
                 }),
               )}

@@ -27,8 +27,8 @@ export interface TypedBid {
 
 /** "7.5" in hundredths; null where it is not a figure with at most two decimals. */
 export function hundredthsOf(typed: string): number | null {
-  const found = /^(\d{1,4})(?:\.(\d{1,2}))?$/.exec(typed.trim())
-  return found ? Number(found[1]) * 100 + Number((found[2] ?? '').padEnd(2, '0')) : null
+  const match = /^(\d{1,4})(?:\.(\d{1,2}))?$/.exec(typed.trim())
+  return match ? Number(match[1]) * 100 + Number((match[2] ?? '').padEnd(2, '0')) : null
 }
 
 const shown = (hundredths: number): string => String(hundredths / 100)
@@ -45,14 +45,14 @@ export function typedBid(asked: readonly AskedLine[], bid: BidContent | null, cu
     isOffered: true,
   })
   const lines = bid?.lines ?? []
-  const rows = asked.map((one): TypedLine => {
-    const offered = lines.find(({ kind, key }) => kind === 'asked' && key === one.key)
+  const rows = asked.map((line): TypedLine => {
+    const offered = lines.find(({ kind, key }) => kind === 'asked' && key === line.key)
     if (offered) return typed(offered)
     return {
-      key: one.key,
+      key: line.key,
       kind: 'asked',
       unit: 'per_cue',
-      quantity: String(one.cues),
+      quantity: String(line.cues),
       price: '',
       note: '',
       isOffered: bid === null,

@@ -16,7 +16,7 @@ export const hiringRoutes = [
       studio: text(search.studio),
       q: text(search.q),
       speciality: text(search.speciality),
-      service: SERVICES.find((one) => one === search.service),
+      service: SERVICES.find((service) => service === search.service),
       language: text(search.language),
       from: text(search.from),
       to: text(search.to),

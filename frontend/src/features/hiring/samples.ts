@@ -26,7 +26,7 @@ export function matchingSampleOfNextBid(
   bids: readonly ComparedBid[],
   playingId: string | null,
 ): { bid: ComparedBid; id: string } | null {
-  const open = bids.map((bid) => ({ bid, samples: bid.samples.filter((one) => one.is_open) }))
+  const open = bids.map((bid) => ({ bid, samples: bid.samples.filter((sample) => sample.is_open) }))
   const at = open.findIndex(({ samples }) => samples.some(({ id }) => id === playingId))
   const playing = open[at]?.samples.find(({ id }) => id === playingId)
   if (playing === undefined) {
@@ -38,8 +38,8 @@ export function matchingSampleOfNextBid(
   for (let step = 1; step < open.length; step += 1) {
     const next = open[(at + step) % open.length]
     const same = next && ofLine(next.samples)
-    const found = same?.[place] ?? same?.[0]
-    if (next && found) return { bid: next.bid, id: found.id }
+    const sample = same?.[place] ?? same?.[0]
+    if (next && sample) return { bid: next.bid, id: sample.id }
   }
   return null
 }

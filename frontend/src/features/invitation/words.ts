@@ -27,8 +27,12 @@ function loudnessOf({ min, max }: Spec['limits']['loudness_lufs']): string | nul
 /** How sounds must come, in lines; what the spec leaves open is left out. */
 export function factsOf({ accept, limits, naming, required_metadata, engine, categories }: Spec): Fact[] {
   const level = (value: number | null, unit: string) => (value === null ? null : `at most ${figure(value, 1)} ${unit}`)
-  const said: [string, string | null][] = [
-    ['Container', accept.containers && listed(accept.containers.map((one) => CONTAINERS[one] ?? one.toUpperCase()))],
+  const facts: [string, string | null][] = [
+    [
+      'Container',
+      accept.containers &&
+        listed(accept.containers.map((container) => CONTAINERS[container] ?? container.toUpperCase())),
+    ],
     ['Sample rate', accept.sample_rates_hz && listed(accept.sample_rates_hz.map(rate))],
     ['Bit depth', accept.bit_depths && `${listed(accept.bit_depths.map(String))} bit`],
     ['Channels', accept.channels && listed(accept.channels.map(channels))],
@@ -43,7 +47,7 @@ export function factsOf({ accept, limits, naming, required_metadata, engine, cat
     ['Applied in engine', engine.adds.length > 0 ? `${engine.adds.join(', ')}; deliver dry` : null],
     ['Special rules for', categories.length > 0 ? categories.join(', ') : null],
   ]
-  return said.flatMap(([term, text]) => (text ? [{ term, text }] : []))
+  return facts.flatMap(([term, text]) => (text ? [{ term, text }] : []))
 }
 
 export const KIND_WORDS: Record<Invitation['kind'], string> = {

@@ -49,11 +49,11 @@ export function DaysCard({ contract, side, isProducer }: DaysCardProps) {
         </div>
       )}
       <Rows>
-        {days.toReversed().map((one) => (
+        {days.toReversed().map((entry) => (
           <WorkRow
-            key={one.id}
-            work={one}
-            length={QUARTERS[(one.quarters ?? 1) - 1]?.toLowerCase() ?? ''}
+            key={entry.id}
+            work={entry}
+            length={QUARTERS[(entry.quarters ?? 1) - 1]?.toLowerCase() ?? ''}
             currency={currency}
             side={side}
             isProducer={isProducer}

@@ -46,15 +46,15 @@ export function HoursCard({ contract, projectId, side, isProducer }: HoursCardPr
         </div>
       )}
       <Rows>
-        {entries.toReversed().map((one) => (
+        {entries.toReversed().map((entry) => (
           <WorkRow
-            key={one.id}
-            work={one}
-            length={hours(one.minutes ?? 0)}
+            key={entry.id}
+            work={entry}
+            length={hours(entry.minutes ?? 0)}
             currency={currency}
             side={side}
             isProducer={isProducer}
-            onCorrect={() => setCorrecting(one.id)}
+            onCorrect={() => setCorrecting(entry.id)}
           />
         ))}
       </Rows>

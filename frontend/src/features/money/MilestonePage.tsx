@@ -134,34 +134,34 @@ function CuesCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
         </div>
       )}
       <Rows>
-        {cues.map((one) => (
-          <Row key={one.cue.id} className={classes.cue}>
+        {cues.map((row) => (
+          <Row key={row.cue.id} className={classes.cue}>
             <span className="grow">
               <Link
                 className="link"
                 to="/projects/$projectId/sound-list/cues/$cueId"
-                params={{ projectId, cueId: one.cue.id }}
+                params={{ projectId, cueId: row.cue.id }}
               >
-                <span className="mono dim">{one.cue.label}</span>
-                <span className={`${classes.name} ${one.cut_in === null ? '' : 'struck'}`}>{one.cue.name}</span>
+                <span className="mono dim">{row.cue.label}</span>
+                <span className={`${classes.name} ${row.cut_in === null ? '' : 'struck'}`}>{row.cue.name}</span>
               </Link>
             </span>
-            {side === 'team' && one.status === 'to_review' ? (
+            {side === 'team' && row.status === 'to_review' ? (
               <Link
                 className="link"
                 to="/projects/$projectId/review/$cueId"
-                params={{ projectId, cueId: one.cue.id }}
+                params={{ projectId, cueId: row.cue.id }}
                 search={{}}
-                aria-label={`Review ${one.cue.name}`}
+                aria-label={`Review ${row.cue.name}`}
               >
                 <StatusBadge kind="to_review" />
               </Link>
             ) : (
-              <StatusBadge kind={kindOf(one.status)}>
-                {one.status === 'partly_accepted' ? 'Partly accepted' : undefined}
+              <StatusBadge kind={kindOf(row.status)}>
+                {row.status === 'partly_accepted' ? 'Partly accepted' : undefined}
               </StatusBadge>
             )}
-            <span className={`small mid ${classes.share}`}>{shareInWords(one, currency)}</span>
+            <span className={`small mid ${classes.share}`}>{shareInWords(row, currency)}</span>
           </Row>
         ))}
       </Rows>
@@ -265,8 +265,8 @@ function SlipCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
             columns={[
               { head: 'Milestone', rowHead: true, cell: ({ name }) => name },
               { head: 'Late', cell: ({ days }) => plural(days, 'day') },
-              { head: side === 'designer' ? 'with you' : 'with the designer', cell: (each) => each.designer_days },
-              { head: side === 'designer' ? 'with the studio' : 'with you', cell: (each) => each.studio_days },
+              { head: side === 'designer' ? 'with you' : 'with the designer', cell: (row) => row.designer_days },
+              { head: side === 'designer' ? 'with the studio' : 'with you', cell: (row) => row.studio_days },
             ]}
           />
         )}
@@ -307,12 +307,12 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
             </span>
           </p>
         )}
-        {ofCues.map((one) => (
-          <p key={one.about_id} className={`small ${classes.line}`}>
-            <span className="mid">{one.name}</span>
+        {ofCues.map((row) => (
+          <p key={row.about_id} className={`small ${classes.line}`}>
+            <span className="mid">{row.name}</span>
             <span>
-              {hours(one.estimate)}, {one.so_far > 0 ? `logged ${hours(one.so_far)}` : 'no time logged'}
-              {error(one.error_percent)}
+              {hours(row.estimate)}, {row.so_far > 0 ? `logged ${hours(row.so_far)}` : 'no time logged'}
+              {error(row.error_percent)}
             </span>
           </p>
         ))}

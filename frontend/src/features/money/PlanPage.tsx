@@ -92,7 +92,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
   const begun = useMemo(() => typedOf(plan), [plan])
   const [typed, setTyped, draft] = useDraft<TypedPlan>(`plan:${contract.id}`, begun)
   const { currency } = contract
-  const { plan: wanted, faults: unread } = planOf(typed, cues, currency)
+  const { plan: typedPlan, faults: unread } = planOf(typed, cues, currency)
   const settled = useDebounced(typed)
   const looked = useQuery({
     ...planCheckQuery(
@@ -125,7 +125,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
   const params = { projectId, contractId: contract.id }
   const keep = () => {
     if (save.isPending || unread.length > 0) return
-    save.mutate(wanted, {
+    save.mutate(typedPlan, {
       onSuccess: () => {
         draft.discard()
         showToast('Plan saved. The contract text is updated.')
@@ -165,7 +165,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
         <div className="stack">
           <PlannedMilestones
             milestones={typed.milestones}
-            pays={wanted.milestones.map(paysMinor)}
+            pays={typedPlan.milestones.map(paysMinor)}
             faults={faults}
             currency={currency}
             onChange={(milestones) => setTyped((now) => ({ ...now, milestones }))}
@@ -184,10 +184,10 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
         <aside className="stack" aria-label="Plan total">
           <Sums
             contract={contract}
-            pays={wanted.milestones}
+            pays={typedPlan.milestones}
             bid={looked.data?.price}
             concepts={looked.data?.concepts}
-            onDeposit={() => setTyped((now) => withDeposit(now, wanted.milestones.map(paysMinor), currency))}
+            onDeposit={() => setTyped((now) => withDeposit(now, typedPlan.milestones.map(paysMinor), currency))}
           />
           <Advice
             faults={faults.filter(({ where }) => where === 'milestones')}
@@ -214,7 +214,7 @@ function modeInWords({ version, currency }: Contract): string {
 
 /** What the clauses on hours and a retainer pay beside the plan; empty where neither is included. */
 function timeInWords({ version, currency }: Contract): string {
-  const includes = (wanted: string) => version.clauses.some(({ key, stands }) => key === wanted && stands)
+  const includes = (clause: string) => version.clauses.some(({ key, stands }) => key === clause && stands)
   const of = (name: string) => Number(version.terms[name] ?? 0)
   const parts = []
   if (includes('retainer')) {
@@ -245,8 +245,10 @@ interface SumsProps {
 
 /** The price, with the deposit in it, beside the bid that the contract began from. */
 function Sums({ contract, pays, bid, concepts, onDeposit }: SumsProps) {
-  const sum = (wanted: boolean) =>
-    pays.filter(({ is_deposit }) => (is_deposit ?? false) === wanted).reduce((all, one) => all + paysMinor(one), 0)
+  const sum = (isDeposit: boolean) =>
+    pays
+      .filter(({ is_deposit }) => (is_deposit ?? false) === isDeposit)
+      .reduce((all, milestone) => all + paysMinor(milestone), 0)
   const [deposit, milestones] = [sum(true), sum(false)]
   const price = deposit + milestones
   const bidMinor = bid?.bid_minor ?? null

@@ -78,8 +78,8 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
       {shown.length === 0 && <p className="mid p-3-inset">{`No cue matches “${filter}”.`}</p>}
       <ul>
         {shown.map((cue) => {
-          const said = typed.cues[cue.id] ?? NO_CUE
-          const isIn = keys.has(said.milestone) && said.milestone !== ''
+          const typedCue = typed.cues[cue.id] ?? NO_CUE
+          const isIn = keys.has(typedCue.milestone) && typedCue.milestone !== ''
           return (
             <li key={cue.id} className={`grid items-center ${classes.cue}`}>
               <span className={isIn ? 'cut-text' : 'cut-text mid'}>
@@ -90,14 +90,14 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
                 size="xs"
                 aria-label={`Milestone of ${cue.name}`}
                 data={choices}
-                value={isIn ? said.milestone : ''}
+                value={isIn ? typedCue.milestone : ''}
                 onChange={({ currentTarget: { value } }) => onChange([cue.id], { milestone: value })}
               />
               <TextInput
                 aria-label={`Price of ${cue.name}, ${currency}`}
                 placeholder="price"
                 inputMode="decimal"
-                value={said.price}
+                value={typedCue.price}
                 disabled={!isIn}
                 onChange={({ currentTarget: { value } }) => onChange([cue.id], { price: value })}
               />
@@ -105,7 +105,7 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
                 aria-label={`Hours estimated for ${cue.name}`}
                 placeholder="hours"
                 inputMode="decimal"
-                value={said.hours}
+                value={typedCue.hours}
                 disabled={!isIn}
                 onChange={({ currentTarget: { value } }) => onChange([cue.id], { hours: value })}
               />

@@ -44,20 +44,20 @@ export function PlannedMilestones({
         }
       />
       {milestones.length === 0 && begin}
-      {milestones.map((one, place) => (
+      {milestones.map((milestone, place) => (
         <Milestone
-          key={one.key}
-          one={one}
+          key={milestone.key}
+          milestone={milestone}
           place={place}
           last={milestones.length - 1}
           paysMinor={pays[place] ?? 0}
           faults={faults.filter(({ where }) => where === `milestones.${place}`)}
           currency={currency}
           onChange={(changes) =>
-            onChange(milestones.map((each) => (each.key === one.key ? { ...each, ...changes } : each)))
+            onChange(milestones.map((item) => (item.key === milestone.key ? { ...item, ...changes } : item)))
           }
           onMove={(by) => onChange(moved(milestones, place, by))}
-          onRemove={() => onChange(milestones.filter(({ key }) => key !== one.key))}
+          onRemove={() => onChange(milestones.filter(({ key }) => key !== milestone.key))}
         />
       ))}
     </Card>
@@ -65,7 +65,7 @@ export function PlannedMilestones({
 }
 
 interface MilestoneProps {
-  one: TypedMilestone
+  milestone: TypedMilestone
   place: number
   last: number
   paysMinor: number
@@ -76,34 +76,44 @@ interface MilestoneProps {
   onRemove: () => void
 }
 
-function Milestone({ one, place, last, paysMinor, faults, currency, onChange, onMove, onRemove }: MilestoneProps) {
-  const called = one.name.trim() || `milestone ${place + 1}`
+function Milestone({
+  milestone,
+  place,
+  last,
+  paysMinor,
+  faults,
+  currency,
+  onChange,
+  onMove,
+  onRemove,
+}: MilestoneProps) {
+  const called = milestone.name.trim() || `milestone ${place + 1}`
   return (
     <fieldset className={`grid items-start gap-2-3 ${classes.milestone}`}>
       <legend className="visually-hidden">{called}</legend>
       <TextInput
         label="Name"
-        value={one.name}
+        value={milestone.name}
         maxLength={200}
         onChange={({ currentTarget: { value } }) => onChange({ name: value })}
       />
       <TextInput
         label="Date"
         type="date"
-        value={one.isDeposit ? '' : one.dueOn}
-        disabled={one.isDeposit}
+        value={milestone.isDeposit ? '' : milestone.dueOn}
+        disabled={milestone.isDeposit}
         onChange={({ currentTarget: { value } }) => onChange({ dueOn: value })}
       />
       <TextInput
         label={`Amount, ${currency}`}
-        value={one.amount}
+        value={milestone.amount}
         inputMode="decimal"
-        placeholder={one.isDeposit ? undefined : money(paysMinor, currency)}
+        placeholder={milestone.isDeposit ? undefined : money(paysMinor, currency)}
         onChange={({ currentTarget: { value } }) => onChange({ amount: value })}
       />
       <TextInput
         label="Tax, %"
-        value={one.tax}
+        value={milestone.tax}
         inputMode="decimal"
         placeholder="as in the contract"
         onChange={({ currentTarget: { value } }) => onChange({ tax: value })}
@@ -111,7 +121,7 @@ function Milestone({ one, place, last, paysMinor, faults, currency, onChange, on
       <div className={classes.tools}>
         <Checkbox
           label="Deposit, due at signing"
-          checked={one.isDeposit}
+          checked={milestone.isDeposit}
           onChange={({ currentTarget: { checked } }) => onChange({ isDeposit: checked })}
         />
         <span className="flex wrap gap-2">

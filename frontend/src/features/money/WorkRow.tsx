@@ -31,7 +31,7 @@ export function WorkRow({ work, length, currency, side, isProducer, onCorrect }:
   const [isRefusing, setIsRefusing] = useState(false)
   const named = day(work.worked_on)
   const sum = amount(work.amount_minor, currency)
-  const what = [length, work.cue?.name, work.note].filter(Boolean).join(', ')
+  const details = [length, work.cue?.name, work.note].filter(Boolean).join(', ')
   const isWaiting = work.state === 'waiting'
   return (
     <Row className={classes.work}>
@@ -39,7 +39,7 @@ export function WorkRow({ work, length, currency, side, isProducer, onCorrect }:
         <span className={work.state === 'agreed' ? undefined : 'strong'}>{named}</span>
         <span className="small mid">
           {' '}
-          {what}, {STATES[work.state]}
+          {details}, {STATES[work.state]}
         </span>
         {work.state === 'refused' && (
           <span className="small block wrap-anywhere">

@@ -45,15 +45,15 @@ export function typedOf({ milestones, currency }: Plan): TypedPlan {
   }
   return {
     cues,
-    milestones: milestones.map((one) => {
-      const isPriced = one.cues.length > 0 && one.cues.every(({ price_minor }) => price_minor !== null)
+    milestones: milestones.map((milestone) => {
+      const isPriced = milestone.cues.length > 0 && milestone.cues.every(({ price_minor }) => price_minor !== null)
       return {
-        key: one.id,
-        name: one.name,
-        dueOn: one.due_on ?? '',
-        amount: isPriced ? '' : amount(one.amount_minor, currency),
-        tax: one.tax_bp === null ? '' : String(one.tax_bp / 100),
-        isDeposit: one.is_deposit,
+        key: milestone.id,
+        name: milestone.name,
+        dueOn: milestone.due_on ?? '',
+        amount: isPriced ? '' : amount(milestone.amount_minor, currency),
+        tax: milestone.tax_bp === null ? '' : String(milestone.tax_bp / 100),
+        isDeposit: milestone.is_deposit,
       }
     }),
   }
@@ -61,7 +61,7 @@ export function typedOf({ milestones, currency }: Plan): TypedPlan {
 
 /** What was proposed, as fields show it; nothing of it is saved yet. */
 export function typedProposal({ milestones }: PlanProposal, currency: string): TypedPlan {
-  const keyed = milestones.map((one) => ({ ...one, key: crypto.randomUUID() }))
+  const keyed = milestones.map((milestone) => ({ ...milestone, key: crypto.randomUUID() }))
   return {
     milestones: keyed.map(({ key, name, due_on: dueOn, amount_minor: minor, is_deposit: isDeposit }) => ({
       key,
@@ -98,44 +98,44 @@ export function planOf(
     const minor = minorOf(text, currency)
     return minor !== null && minor >= 0 ? minor : null
   }
-  const milestones = typed.milestones.map((one, place) => {
+  const milestones = typed.milestones.map((milestone, place) => {
     const where = `milestones.${place}`
-    if (one.name.trim() === '') faults.push({ where, message: 'Enter a name.' })
-    const called = one.name.trim() || `Milestone ${place + 1}`
-    const cues = one.isDeposit
+    if (milestone.name.trim() === '') faults.push({ where, message: 'Enter a name.' })
+    const called = milestone.name.trim() || `Milestone ${place + 1}`
+    const cues = milestone.isDeposit
       ? []
       : list.flatMap((cue) => {
-          const said = typed.cues[cue.id]
-          if (said?.milestone !== one.key) return []
+          const typedCue = typed.cues[cue.id]
+          if (typedCue?.milestone !== milestone.key) return []
           const price = read(
-            said.price,
-            positive(said.price),
+            typedCue.price,
+            positive(typedCue.price),
             where,
-            `${cue.name}: “${said.price}” is not an amount in ${currency}. Write it like 180.00.`,
+            `${cue.name}: “${typedCue.price}” is not an amount in ${currency}. Write it like 180.00.`,
           )
           const minutes = read(
-            said.hours,
-            bounded(said.hours, 60, 10_000),
+            typedCue.hours,
+            bounded(typedCue.hours, 60, 10_000),
             where,
-            `${cue.name}: “${said.hours}” is not a number of hours. Write it like 2 or 1.5.`,
+            `${cue.name}: “${typedCue.hours}” is not a number of hours. Write it like 2 or 1.5.`,
           )
           return [{ cue_id: cue.id, price_minor: price, estimate_min: minutes || null }]
         })
     return {
       name: called,
-      due_on: one.isDeposit || one.dueOn === '' ? null : one.dueOn,
-      is_deposit: one.isDeposit,
+      due_on: milestone.isDeposit || milestone.dueOn === '' ? null : milestone.dueOn,
+      is_deposit: milestone.isDeposit,
       amount_minor: read(
-        one.amount,
-        positive(one.amount),
+        milestone.amount,
+        positive(milestone.amount),
         where,
-        `“${one.amount}” is not an amount in ${currency}. Write it like 1,440.00.`,
+        `“${milestone.amount}” is not an amount in ${currency}. Write it like 1,440.00.`,
       ),
       tax_bp: read(
-        one.tax,
-        bounded(one.tax, 100, 100),
+        milestone.tax,
+        bounded(milestone.tax, 100, 100),
         where,
-        `“${one.tax}” is not a tax rate. Enter 0 to 100, such as 19.`,
+        `“${milestone.tax}” is not a tax rate. Enter 0 to 100, such as 19.`,
       ),
       cues,
     }
@@ -149,32 +149,32 @@ export const paysMinor = ({ amount_minor, cues }: PlanSet['milestones'][number])
 
 /** Whole parts of a sum by their weights; what is left after rounding down goes to the last one. */
 function shares(sum: number, weights: readonly number[]): number[] {
-  const whole = weights.reduce((all, one) => all + one, 0)
-  const parts = weights.map((one) => (whole === 0 ? 0 : Math.floor((one * sum) / whole)))
-  const left = sum - parts.reduce((all, one) => all + one, 0)
-  return parts.map((one, at) => (at === parts.length - 1 ? one + left : one))
+  const whole = weights.reduce((all, weight) => all + weight, 0)
+  const parts = weights.map((weight) => (whole === 0 ? 0 : Math.floor((weight * sum) / whole)))
+  const left = sum - parts.reduce((all, part) => all + part, 0)
+  return parts.map((part, at) => (at === parts.length - 1 ? part + left : part))
 }
 
 /** The plan with a fifth of its price as its deposit: the price stays, and the other amounts are lowered by as much. */
 export function withDeposit(typed: TypedPlan, pays: readonly number[], currency: string): TypedPlan {
-  const total = pays.reduce((all, one) => all + one, 0)
+  const total = pays.reduce((all, minor) => all + minor, 0)
   const deposit = Math.ceil(total / 5)
-  const others = typed.milestones.flatMap((one, at) => (one.isDeposit ? [] : [{ one, minor: pays[at] ?? 0 }]))
+  const others = typed.milestones.flatMap((item, at) => (item.isDeposit ? [] : [{ item, minor: pays[at] ?? 0 }]))
   const lowered = shares(
     total - deposit,
     others.map(({ minor }) => minor),
   )
   const cues: Record<string, TypedCue> = { ...typed.cues }
-  const milestones = others.map(({ one }, at) => {
+  const milestones = others.map(({ item }, at) => {
     const minor = lowered[at] ?? 0
-    if (one.amount.trim() !== '') return { ...one, amount: amount(minor, currency) }
-    const own = Object.entries(typed.cues).filter(([, { milestone }]) => milestone === one.key)
+    if (item.amount.trim() !== '') return { ...item, amount: amount(minor, currency) }
+    const own = Object.entries(typed.cues).filter(([, { milestone }]) => milestone === item.key)
     const prices = shares(
       minor,
       own.map(([, { price }]) => minorOf(price, currency) ?? 0),
     )
     own.forEach(([id, cue], place) => (cues[id] = { ...cue, price: amount(prices[place] ?? 0, currency) }))
-    return one
+    return item
   })
   const first = typed.milestones.find(({ isDeposit }) => isDeposit)
   const kept = first ?? { key: crypto.randomUUID(), name: 'Deposit', dueOn: '', tax: '' }
@@ -184,9 +184,9 @@ export function withDeposit(typed: TypedPlan, pays: readonly number[], currency:
 /** The list with one of its places exchanged with its neighbour; the same list at its ends. */
 export function moved<T>(items: readonly T[], place: number, by: 1 | -1): T[] {
   const result = [...items]
-  const [one, other] = [result[place], result[place + by]]
-  if (one === undefined || other === undefined) return result
-  result[place] = other
-  result[place + by] = one
+  const [item, neighbour] = [result[place], result[place + by]]
+  if (item === undefined || neighbour === undefined) return result
+  result[place] = neighbour
+  result[place + by] = item
   return result
 }

@@ -53,7 +53,7 @@ function BusyForm({ entry }: { entry: Entry }) {
   const kept = typedRanges(entry)
   const isChanged = JSON.stringify(kept) !== JSON.stringify(ranges)
   const put = (at: number, changes: Partial<TypedRange>) =>
-    set((before) => before.map((one, place) => (place === at ? { ...one, ...changes } : one)))
+    set((before) => before.map((range, place) => (place === at ? { ...range, ...changes } : range)))
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (save.isPending) return
@@ -144,18 +144,18 @@ function CalendarPart({ entry }: { entry: Entry }) {
       setUnread(`${file.name} could not be read from your disk. Choose it again.`)
     }
   }
-  const found = entry.busy.filter(({ is_from_calendar: isFromCalendar }) => isFromCalendar)
+  const imported = entry.busy.filter(({ is_from_calendar: isFromCalendar }) => isFromCalendar)
   return (
     <section className="stack" aria-label="Calendar file">
       {entry.calendar_name && entry.calendar_read_at && (
         <div>
           <p>
-            {`${entry.calendar_name}, read ${ago(entry.calendar_read_at)}: ${plural(found.length, 'busy range')}`}
+            {`${entry.calendar_name}, read ${ago(entry.calendar_read_at)}: ${plural(imported.length, 'busy range')}`}
             {entry.calendar_to_on && ` until ${shortDay(entry.calendar_to_on)}`}
           </p>
           <p className="small mid">
-            {found.slice(0, 6).map(busyInWords).join(' · ')}
-            {found.length > 6 && ` · and ${found.length - 6} more`}
+            {imported.slice(0, 6).map(busyInWords).join(' · ')}
+            {imported.length > 6 && ` · and ${imported.length - 6} more`}
           </p>
         </div>
       )}

@@ -41,13 +41,13 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
     placeholderData: keepPreviousData,
   })
   const ask = useAskForBids(posting.id)
-  const found = data?.pages[0]
+  const page = data?.pages[0]
   const asked = new Set(posting.candidates.map(({ email }) => email))
-  const people = found?.items.filter(({ email }) => !asked.has(email)) ?? []
+  const people = page?.items.filter(({ email }) => !asked.has(email)) ?? []
   const hasDays = Boolean(from && to)
   const free = people.filter(({ clashes }) => clashes.length === 0).length
   const put = (id: string, on: boolean) =>
-    setChosen((before) => new Set(on ? [...before, id] : [...before].filter((one) => one !== id)))
+    setChosen((before) => new Set(on ? [...before, id] : [...before].filter((other) => other !== id)))
   const send = () => {
     if (ask.isPending || chosen.size === 0) return
     ask.mutate([...chosen], {
@@ -66,7 +66,7 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
       <CardHead
         id="on-file"
         title="On file"
-        count={found?.total}
+        count={page?.total}
         note={hasDays && people.length > 0 ? `${free} of ${people.length} shown could make these dates` : undefined}
         end={
           <Link className="link" to="/roster" search={{ from: from ?? undefined, to: to ?? undefined }}>
@@ -74,7 +74,7 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
           </Link>
         }
       />
-      {found?.total === 0 ? (
+      {page?.total === 0 ? (
         <p className={`mid grid gap-3 ${forms.body}`}>
           Nobody is on the roster yet. Designers you keep there can be chosen here.
         </p>
@@ -91,20 +91,20 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
             <Refusal error={error ?? ask.error} />
           </div>
           <Rows>
-            {people.slice(0, SHOWN).map((one) => {
-              const clash = one.clashes[0]
+            {people.slice(0, SHOWN).map((person) => {
+              const clash = person.clashes[0]
               return (
-                <Row key={one.id} className={classes.person}>
+                <Row key={person.id} className={classes.person}>
                   <Checkbox
-                    aria-label={`Choose ${one.name}`}
-                    checked={chosen.has(one.id)}
-                    onChange={({ currentTarget: { checked } }) => put(one.id, checked)}
+                    aria-label={`Choose ${person.name}`}
+                    checked={chosen.has(person.id)}
+                    onChange={({ currentTarget: { checked } }) => put(person.id, checked)}
                   />
-                  <Link className="link cut-text" to="/roster/$entryId" params={{ entryId: one.id }}>
-                    {one.name}
+                  <Link className="link cut-text" to="/roster/$entryId" params={{ entryId: person.id }}>
+                    {person.name}
                   </Link>
-                  <span className="small mid">{one.specialities.join(', ')}</span>
-                  <Weeks weeks={one.weeks} firstOn={found?.first_week_on ?? ''} />
+                  <span className="small mid">{person.specialities.join(', ')}</span>
+                  <Weeks weeks={person.weeks} firstOn={page?.first_week_on ?? ''} />
                   <span className={clash ? 'small tone-warn' : 'small mid'}>
                     <span className="toned">
                       {clash ? `busy ${busyInWords(clash)}` : hasDays ? 'free in these days' : ''}

@@ -87,11 +87,11 @@ export function EntryForm({ entry }: { entry: Entry }) {
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (save.isPending) return
-    const found = written(now)
-    setWrong('wrong' in found ? found.wrong : null)
-    if ('wrong' in found) return
+    const result = written(now)
+    setWrong('wrong' in result ? result.wrong : null)
+    if ('wrong' in result) return
     save.mutate(
-      { ...found.body, revision: entry.revision },
+      { ...result.body, revision: entry.revision },
       {
         onSuccess: () => {
           draft.discard()
@@ -140,7 +140,7 @@ export function EntryForm({ entry }: { entry: Entry }) {
                 checked={now.services.includes(service)}
                 onChange={({ currentTarget: { checked } }) =>
                   put({
-                    services: checked ? [...now.services, service] : now.services.filter((one) => one !== service),
+                    services: checked ? [...now.services, service] : now.services.filter((other) => other !== service),
                   })
                 }
               />

@@ -46,13 +46,13 @@ interface SheetFile {
 export function RosterImportPage() {
   useTitle('Import into the roster')
   const studios = useRosterStudios()
-  const { studio: wanted } = useSearch({ from: '/shell/roster/import' })
+  const { studio: studioId } = useSearch({ from: '/shell/roster/import' })
   const navigate = useNavigate()
   useHotkeys([
     { keys: 'Escape', label: 'Back to the roster', group: 'Import', run: () => void navigate({ to: '/roster' }) },
   ])
   if (studios === undefined) return <PageSkeleton />
-  const studio = studios.find(({ id }) => id === wanted) ?? studios[0]
+  const studio = studios.find(({ id }) => id === studioId) ?? studios[0]
   return (
     <div className="page stack">
       <PageHead
@@ -200,7 +200,7 @@ function Sheet({ studioId }: { studioId: string }) {
 /** A field is read from one column: choosing it again elsewhere moves it. */
 function mapped(mapping: Record<string, Field>, name: string, field: Field): Record<string, Field> {
   const others = Object.entries(mapping).filter(
-    ([other, given]) => other !== name && (given !== field || TOGETHER.includes(field)),
+    ([column, given]) => column !== name && (given !== field || TOGETHER.includes(field)),
   )
   return { ...Object.fromEntries(others), [name]: field }
 }

@@ -174,7 +174,7 @@ function Filters({ roster, search }: { roster: Roster; search: RosterSearch }) {
         value={search.service}
         options={SERVICES.map((value) => ({
           value,
-          label: `${SERVICE_WORDS[value]} (${roster.services.find((one) => one.value === value)?.count ?? 0})`,
+          label: `${SERVICE_WORDS[value]} (${roster.services.find((service) => service.value === value)?.count ?? 0})`,
         }))}
         onChoose={(service) => put({ service: service as Service | undefined })}
       />
@@ -227,9 +227,9 @@ function Choice({ label, value, options, onChoose }: ChoiceProps) {
       onChange={({ currentTarget: { value: chosen } }) => onChoose(chosen || undefined)}
     >
       <option value="">Any</option>
-      {options.map((one) => (
-        <option key={one.value} value={one.value}>
-          {one.label}
+      {options.map((option) => (
+        <option key={option.value} value={option.value}>
+          {option.label}
         </option>
       ))}
     </Select>
@@ -283,26 +283,29 @@ function People({ people, roster, search }: PeopleProps) {
   const asksDays = Boolean(search.from && search.to)
   return (
     <Rows ref={list}>
-      {people.map((one) => (
-        <Row key={one.id} data-id={one.id} selected={one.id === selectedId} className={classes.person}>
-          <PlayKey person={one} player={player} />
+      {people.map((person) => (
+        <Row key={person.id} data-id={person.id} selected={person.id === selectedId} className={classes.person}>
+          <PlayKey person={person} player={player} />
           <span className="grid">
             <Link
               className="link strong cut-text"
               to="/roster/$entryId"
-              params={{ entryId: one.id }}
-              onFocus={() => setSelected(one.id)}
+              params={{ entryId: person.id }}
+              onFocus={() => setSelected(person.id)}
             >
-              {one.name}
+              {person.name}
             </Link>
-            <span className="small dim cut-text">{one.works_here ? `${one.email}, worked here` : one.email}</span>
+            <span className="small dim cut-text">
+              {person.works_here ? `${person.email}, worked here` : person.email}
+            </span>
           </span>
           <span className="small mid">
-            {[...one.specialities, ...one.services.map((service) => SERVICE_WORDS[service].toLowerCase())].join(', ') ||
-              'nothing noted yet'}
+            {[...person.specialities, ...person.services.map((service) => SERVICE_WORDS[service].toLowerCase())].join(
+              ', ',
+            ) || 'nothing noted yet'}
           </span>
-          <Weeks weeks={one.weeks} firstOn={roster.first_week_on} />
-          <Free person={one} asksDays={asksDays} />
+          <Weeks weeks={person.weeks} firstOn={roster.first_week_on} />
+          <Free person={person} asksDays={asksDays} />
         </Row>
       ))}
     </Rows>

@@ -75,5 +75,5 @@ export const busyInWords = ({ from_on: from, to_on: to, kind, note }: Busy): str
 export const listed = (typed: string): string[] =>
   typed
     .split(',')
-    .map((one) => one.trim())
+    .map((word) => word.trim())
     .filter(Boolean)
