@@ -23,7 +23,7 @@ export function JobsCard({ scope }: { scope: Scope }) {
   const jobs = useInfiniteQuery(jobsQuery(scope, state))
   const retry = useRetry(scope)
   const counts = sums?.counts ?? []
-  const all = STATES_SHOWN.reduce((sum, one) => sum + jobsIn(counts, one), 0)
+  const all = STATES_SHOWN.reduce((sum, option) => sum + jobsIn(counts, option), 0)
   const rows = jobs.data?.pages.flatMap(({ items }) => items) ?? []
   const again = (job: Job) =>
     retry.mutate(job.id, { onSuccess: () => showToast(`${jobWords(job.job)} is queued again.`) })
@@ -34,15 +34,15 @@ export function JobsCard({ scope }: { scope: Scope }) {
         <FilterChip count={all} pressed={state === undefined} onPress={() => setState(undefined)}>
           All
         </FilterChip>
-        {STATES_SHOWN.filter((one) => one !== 'broken' || jobsIn(counts, one) > 0).map((one) => (
+        {STATES_SHOWN.filter((option) => option !== 'broken' || jobsIn(counts, option) > 0).map((option) => (
           <FilterChip
-            key={one}
-            kind={STATE_FACES[one].kind}
-            count={jobsIn(counts, one)}
-            pressed={state === one}
-            onPress={() => setState(one)}
+            key={option}
+            kind={STATE_FACES[option].kind}
+            count={jobsIn(counts, option)}
+            pressed={state === option}
+            onPress={() => setState(option)}
           >
-            {STATE_FACES[one].word}
+            {STATE_FACES[option].word}
           </FilterChip>
         ))}
       </div>

@@ -51,14 +51,14 @@ export function StorageCard({ scope }: { scope: Scope }) {
         <p className={`${data.scrub && isDamaged(data.scrub) ? 'strong' : 'mid'} p-inset`}>{scrubLine(data.scrub)}</p>
       )}
       <Rows aria-labelledby="storage">
-        {studios.map((one) => (
-          <Row key={one.studio_id} className={classes.kept}>
+        {studios.map((studio) => (
+          <Row key={studio.studio_id} className={classes.kept}>
             <span className="grow">
-              <span className="strong">{one.studio_name}</span>
+              <span className="strong">{studio.studio_name}</span>
               <br />
-              <span className="small dim">{keptWords(one) || 'Nothing stored yet.'}</span>
+              <span className="small dim">{keptWords(studio) || 'Nothing stored yet.'}</span>
             </span>
-            <span className="num">{bytes(one.size_bytes)}</span>
+            <span className="num">{bytes(studio.size_bytes)}</span>
           </Row>
         ))}
       </Rows>

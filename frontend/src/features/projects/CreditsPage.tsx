@@ -73,17 +73,17 @@ function RolesCard({ credits: { credits, left_out: leftOut, is_editor: isEditor 
           <h3 className={`small mid ${classes.role}`}>{role}</h3>
           <Rows aria-label={role}>
             {credits
-              .filter((one) => one.role === role)
-              .map((one) => (
-                <Row key={one.line_id ?? `${one.person_id} ${role}`}>
-                  <Named credit={one} />
-                  {isEditor && one.line_id && (
+              .filter((credit) => credit.role === role)
+              .map((credit) => (
+                <Row key={credit.line_id ?? `${credit.person_id} ${role}`}>
+                  <Named credit={credit} />
+                  {isEditor && credit.line_id && (
                     <Button
                       variant="quiet"
                       icon="cross"
-                      aria-label={`Remove ${one.name}, ${role}`}
+                      aria-label={`Remove ${credit.name}, ${role}`}
                       disabled={remove.isPending}
-                      onClick={() => one.line_id && remove.mutate(one.line_id)}
+                      onClick={() => credit.line_id && remove.mutate(credit.line_id)}
                     />
                   )}
                 </Row>

@@ -23,7 +23,7 @@ const handoversQuery = queryById('/v1/projects/{project_id}/handovers', (project
 export function HandoverCard({ projectId }: { projectId: string }) {
   const { data: handovers, error } = useQuery(handoversQuery(projectId))
   if (error) return <Refusal inset error={error} />
-  return handovers?.map((one) => <Handover key={one.contract_id} handover={one} projectId={projectId} />)
+  return handovers?.map((handover) => <Handover key={handover.contract_id} handover={handover} projectId={projectId} />)
 }
 
 function Handover({ handover, projectId }: { handover: OpenHandover; projectId: string }) {

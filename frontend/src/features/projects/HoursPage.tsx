@@ -99,7 +99,7 @@ function Shown({ data, projectId }: { data: Hours; projectId: string }) {
 function DesignerCard({ designer }: { designer: Designer }) {
   const { designer: person, weeks, weekly_hours: weekly, roster_entry_id: entryId, undated } = designer
   const short = weeks.find(({ is_short: isShort }) => isShort)
-  const most = Math.max(1, ...weeks.map(({ wanted_h: wanted, there_h: there }) => Math.max(wanted, there ?? 0)))
+  const most = Math.max(1, ...weeks.map(({ wanted_h: wantedH, there_h: there }) => Math.max(wantedH, there ?? 0)))
   return (
     <Card aria-labelledby={`hours-${person.id}`}>
       <CardHead id={`hours-${person.id}`} title={person.name} note={sumWords(designer)} />

@@ -86,8 +86,8 @@ function ofStudio({ studio }: Pace): Line[] {
 type Costs = Pace['costs'][number]
 
 function ofCosts(costs: Costs): Line[] {
-  const { currency, budget_minor: budget, committed_minor: committed, per_kept_minor: each, churn } = costs
-  const said = (minor: number) => money(minor, currency)
+  const { currency, budget_minor: budget, committed_minor: committed, per_kept_minor: perKept, churn } = costs
+  const format = (minor: number) => money(minor, currency)
   const left = (budget ?? 0) - committed
   return [
     ...(budget === null
@@ -95,24 +95,28 @@ function ofCosts(costs: Costs): Line[] {
       : [
           {
             word: 'Budget',
-            value: `${said(budget)}; ${left < 0 ? `${said(-left)} over` : `${said(left)} not committed`}`,
+            value: `${format(budget)}; ${left < 0 ? `${format(-left)} over` : `${format(left)} not committed`}`,
             warns: left < 0,
           },
         ]),
-    { word: 'Committed', value: said(committed) },
+    { word: 'Committed', value: format(committed) },
     {
       word: 'Spent',
       value:
-        costs.due_minor === 0 ? said(costs.spent_minor) : `${said(costs.spent_minor)}; ${said(costs.due_minor)} due`,
+        costs.due_minor === 0
+          ? format(costs.spent_minor)
+          : `${format(costs.spent_minor)}; ${format(costs.due_minor)} due`,
     },
-    ...(each === null ? [] : [{ word: 'Cost of a kept sound', value: `${said(each)}; ${figure(costs.kept)} kept` }]),
-    ...(costs.to_finish_minor === 0 ? [] : [{ word: 'Left to accept', value: said(costs.to_finish_minor) }]),
+    ...(perKept === null
+      ? []
+      : [{ word: 'Cost of a kept sound', value: `${format(perKept)}; ${figure(costs.kept)} kept` }]),
+    ...(costs.to_finish_minor === 0 ? [] : [{ word: 'Left to accept', value: format(costs.to_finish_minor) }]),
     ...(churn === null
       ? []
       : [
           {
             word: 'Changed after work began',
-            value: `${share(churn)}, ${figure(costs.churned)} of ${plural(costs.ordered, 'cue')}; ${said(costs.churned_minor)}`,
+            value: `${share(churn)}, ${figure(costs.churned)} of ${plural(costs.ordered, 'cue')}; ${format(costs.churned_minor)}`,
             warns: churn > HIGH_CHURN,
           },
         ]),

@@ -26,16 +26,17 @@ const SPEAKS_FOR_ITSELF = new Set<Happening['kind']>(['build', 'returned'])
 /** The same said again, as when a set is approved sound by sound, is said once. */
 function once(happened: readonly Happening[]): (Happening & { times: number })[] {
   const entries: (Happening & { times: number })[] = []
-  for (const one of happened) {
+  for (const happening of happened) {
     const last = entries.at(-1)
-    if (last && last.kind === one.kind && last.who === one.who && last.text === one.text) last.times += 1
-    else entries.push({ ...one, times: 1 })
+    if (last && last.kind === happening.kind && last.who === happening.who && last.text === happening.text)
+      last.times += 1
+    else entries.push({ ...happening, times: 1 })
   }
   return entries
 }
 
 // Names of sounds and files keep their small letters.
-const said = ({ kind, who, text, times }: Happening & { times: number }) => {
+const textOf = ({ kind, who, text, times }: Happening & { times: number }) => {
   const words = trueMinus(SPEAKS_FOR_ITSELF.has(kind) ? text : `${who} ${text}`)
   return times > 1 ? `${words}, ${times} files` : words
 }
@@ -56,16 +57,18 @@ export function RecentActivityCard({ projectId, happened }: { projectId: string;
       />
       {entries.length === 0 && <p className="mid p-3-inset">No activity yet.</p>}
       <ul>
-        {entries.map((one) => {
+        {entries.map((entry) => {
           const { icon, tone } =
-            one.kind === 'build' && one.text.includes('refused') ? { ...SIGNS.build, tone: 'bad' } : SIGNS[one.kind]
+            entry.kind === 'build' && entry.text.includes('refused')
+              ? { ...SIGNS.build, tone: 'bad' }
+              : SIGNS[entry.kind]
           return (
-            <li key={`${one.at} ${one.text}`} className={`small grid gap-10px wrap-anywhere ${classes.act}`}>
-              <span className="dim">{age(one.at)}</span>
+            <li key={`${entry.at} ${entry.text}`} className={`small grid gap-10px wrap-anywhere ${classes.act}`}>
+              <span className="dim">{age(entry.at)}</span>
               <span className={`tone-${tone} ${classes.sign}`}>
                 <Icon name={icon} />
               </span>
-              <span className="mid">{said(one)}</span>
+              <span className="mid">{textOf(entry)}</span>
             </li>
           )
         })}

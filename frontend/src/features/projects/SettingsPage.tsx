@@ -34,12 +34,12 @@ function ProjectForm({ project }: { project: Project }) {
   const send = (event: FormEvent<HTMLFormElement>) => {
     event.preventDefault()
     const data = new FormData(event.currentTarget)
-    const said = (name: string) => {
+    const field = (name: string) => {
       const value = data.get(name)
       return typeof value === 'string' ? value : ''
     }
     change.mutate(
-      { name: said('name'), description: said('description'), cue_prefix: said('cue_prefix') },
+      { name: field('name'), description: field('description'), cue_prefix: field('cue_prefix') },
       {
         onSuccess: ({ name }) => {
           showToast(`${name} updated.`, () => void change.mutate(named(project)))

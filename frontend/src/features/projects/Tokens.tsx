@@ -31,7 +31,7 @@ const FOR_CI: Scope[] = ['spec:read', 'list:read', 'checks:write', 'manifest:rea
 export function TokenMaker({ projectId }: { projectId: string }) {
   const make = useMakeToken(projectId)
   const [asking, setAsking] = useState(false)
-  const [made, setMade] = useState<TokenMade | null>(null)
+  const [token, setToken] = useState<TokenMade | null>(null)
   const send = (event: FormEvent<HTMLFormElement>) => {
     event.preventDefault()
     const form = new FormData(event.currentTarget)
@@ -43,14 +43,14 @@ export function TokenMaker({ projectId }: { projectId: string }) {
         days: Number(form.get('days')),
       },
       {
-        onSuccess: (token) => {
-          setMade(token)
+        onSuccess: (created) => {
+          setToken(created)
           setAsking(false)
         },
       },
     )
   }
-  if (made) return <Secret token={made} onDone={() => setMade(null)} />
+  if (token) return <Secret token={token} onDone={() => setToken(null)} />
   if (!asking) {
     return (
       <Button icon="plus" onClick={() => setAsking(true)}>

@@ -49,11 +49,11 @@ const UNHEARD: Partial<Record<ReportFile['verdict'], string>> = {
 }
 
 function reasonOf({ message, fix }: ReportFile['findings'][number]): Reason {
-  const said = sentence(message)
-  const comma = said.indexOf(', ')
+  const text = sentence(message)
+  const comma = text.indexOf(', ')
   const advice = fix ? ` ${sentence(fix)}` : ''
-  if (comma < 0) return { odd: said, rest: advice }
-  return { odd: said.slice(0, comma), rest: said.slice(comma) + advice }
+  if (comma < 0) return { odd: text, rest: advice }
+  return { odd: text.slice(0, comma), rest: text.slice(comma) + advice }
 }
 
 /** The files that break a build: by a verdict that no waiver lifts, each with every reason. */

@@ -31,17 +31,17 @@ export interface StepGroup {
 export function groupsOf(steps: readonly Step[]): StepGroup[] {
   const group = (title: string, palette: boolean): StepGroup => {
     const own = steps.filter((step) => step.palette === palette)
-    const wanted = own.filter(({ status }) => status !== 'cut')
+    const required = own.filter(({ status }) => status !== 'cut')
     return {
       title,
       steps: own,
-      wanted: wanted.length,
-      accepted: wanted.filter(({ status }) => status === 'accepted').length,
+      wanted: required.length,
+      accepted: required.filter(({ status }) => status === 'accepted').length,
     }
   }
   const palette = group('Palette', true)
   const rest = group(palette.steps.length > 0 ? 'The rest of the list' : 'The list', false)
-  return [palette, rest].filter((one) => one.steps.length > 0)
+  return [palette, rest].filter((stepGroup) => stepGroup.steps.length > 0)
 }
 
 /** "9 accepted, 4 wait for the approver, 1 placeholder left". */

@@ -29,8 +29,10 @@ export function ApprovalCard({ project }: { project: Project }) {
   const { data: categories } = useQuery(categoriesQuery(project.id))
   const block = useSetBlockers(project.id)
   const [category, setCategory] = useState('')
-  const lists = new Map(settings?.checklists.map((one) => [one.category, one.items.map(({ text }) => text)]))
-  const choices = [...new Set([...lists.keys(), ...(categories ?? []).map((one) => one.category)])].filter(Boolean)
+  const lists = new Map(
+    settings?.checklists.map((checklist) => [checklist.category, checklist.items.map(({ text }) => text)]),
+  )
+  const choices = [...new Set([...lists.keys(), ...(categories ?? []).map((row) => row.category)])].filter(Boolean)
   const isProducer = project.mine.is_producer
   return (
     <Card aria-labelledby="before-approval">
@@ -66,9 +68,9 @@ export function ApprovalCard({ project }: { project: Project }) {
             clause on silence and an adoption are not blocked.
           </p>
           <Select label="Checklist of" value={category} onChange={(event) => setCategory(event.currentTarget.value)}>
-            {['', ...choices.sort((a, b) => a.localeCompare(b))].map((one) => (
-              <option key={one} value={one}>
-                {`${one === '' ? 'Every cue' : one} (${lists.get(one)?.length ?? 0})`}
+            {['', ...choices.sort((a, b) => a.localeCompare(b))].map((option) => (
+              <option key={option} value={option}>
+                {`${option === '' ? 'Every cue' : option} (${lists.get(option)?.length ?? 0})`}
               </option>
             ))}
           </Select>

@@ -139,9 +139,9 @@ function InviteApprover({ project }: { project: Project }) {
     event.preventDefault()
     if (invite.isPending) return
     invite.mutate(email, {
-      onSuccess: (made) => {
+      onSuccess: (invitation) => {
         setEmail('')
-        showToast(made.is_named ? `${made.email} is the approver now.` : `${made.email} is invited.`)
+        showToast(invitation.is_named ? `${invitation.email} is the approver now.` : `${invitation.email} is invited.`)
       },
     })
   }
@@ -149,10 +149,10 @@ function InviteApprover({ project }: { project: Project }) {
   return (
     <>
       <h3 className={classes.part}>Invite an approver</h3>
-      {invited.map((one) => (
-        <div key={one.id} className={`row wrap ${classes.acts}`}>
-          <span className="small mid">{one.email} is invited and becomes the approver on joining.</span>
-          <MailedLink projectId={project.id} ofId={one.id} recipient={one.email} />
+      {invited.map((invitation) => (
+        <div key={invitation.id} className={`row wrap ${classes.acts}`}>
+          <span className="small mid">{invitation.email} is invited and becomes the approver on joining.</span>
+          <MailedLink projectId={project.id} ofId={invitation.id} recipient={invitation.email} />
         </div>
       ))}
       <form onSubmit={send} noValidate className="grid gap-3 p-3-inset-4" aria-label="Invite an approver">

@@ -29,7 +29,7 @@ export function CategoriesCard({
   const { data: categories, error } = useQuery(categoriesQuery(project.id))
   const name = useNameCategoryApprover(project.id)
   const named = new Map(project.category_approvers.map(({ category, approver }) => [category, approver]))
-  const cues = new Map(categories?.map((one) => [one.category, one.cues]))
+  const cues = new Map(categories?.map((row) => [row.category, row.cues]))
   const shown = [...new Set([...cues.keys(), ...named.keys()])].filter(Boolean).sort((a, b) => a.localeCompare(b))
   const choices = [
     { value: OF_PROJECT, label: `${project.approver.name} (project)` },
@@ -45,7 +45,7 @@ export function CategoriesCard({
       { category, person_id: personId },
       {
         onSuccess: (changed) => {
-          const approver = changed.category_approvers.find((one) => one.category === category)?.approver
+          const approver = changed.category_approvers.find((row) => row.category === category)?.approver
           showToast(`${(approver ?? changed.approver).name} approves ${category} now.`, () =>
             name.mutate({ category, person_id: before }),
           )

@@ -23,13 +23,13 @@ import classes from './People.module.css'
 
 /** Who approves in place of whom while they are away, and naming another. */
 export function DeputiesCard({ project, members = [] }: { project: Project; members: readonly Member[] | undefined }) {
-  const { data: found, error } = useQuery(deputiesQuery(project.id))
+  const { data, error } = useQuery(deputiesQuery(project.id))
   const withdraw = useWithdrawDeputy(project.id)
   return (
     <Card aria-labelledby="deputies">
       <CardHead id="deputies" title="Deputies" note="approve while an approver is away" />
       <Refusal inset error={error ?? withdraw.error} />
-      {found?.deputies.length === 0 && (
+      {data?.deputies.length === 0 && (
         <div className="p-inset">
           <EmptyState head="No deputies named" level={3}>
             A deputy approves from the first day to the last, and receives the emails. The right ends by itself.
@@ -37,22 +37,22 @@ export function DeputiesCard({ project, members = [] }: { project: Project; memb
         </div>
       )}
       <Rows aria-label="Deputies">
-        {found?.deputies.map((one) => (
-          <Row key={one.id} className={classes.person}>
-            <Avatar name={one.deputy.name} picture={one.deputy.picture} />
+        {data?.deputies.map((row) => (
+          <Row key={row.id} className={classes.person}>
+            <Avatar name={row.deputy.name} picture={row.deputy.picture} />
             <div className="grow">
-              <p className="strong">{`${one.deputy.name} for ${one.person.name}`}</p>
-              <p className="small mid">{spanOf(one)}</p>
+              <p className="strong">{`${row.deputy.name} for ${row.person.name}`}</p>
+              <p className="small mid">{spanOf(row)}</p>
             </div>
-            {one.from_on <= found.today && <StatusBadge kind="approved">Approves today</StatusBadge>}
+            {row.from_on <= data.today && <StatusBadge kind="approved">Approves today</StatusBadge>}
             {project.mine.is_producer && (
               <Button
                 variant="quiet"
                 aria-busy={withdraw.isPending}
-                aria-label={`Withdraw ${one.deputy.name} for ${one.person.name}`}
+                aria-label={`Withdraw ${row.deputy.name} for ${row.person.name}`}
                 onClick={() =>
-                  withdraw.mutate(one.id, {
-                    onSuccess: () => showToast(`${one.deputy.name} is no longer a deputy for ${one.person.name}.`),
+                  withdraw.mutate(row.id, {
+                    onSuccess: () => showToast(`${row.deputy.name} is no longer a deputy for ${row.person.name}.`),
                   })
                 }
               >
@@ -62,8 +62,8 @@ export function DeputiesCard({ project, members = [] }: { project: Project; memb
           </Row>
         ))}
       </Rows>
-      {project.mine.is_producer && found && (
-        <NameDeputy project={project} members={members} today={found.today} timeZone={found.time_zone} />
+      {project.mine.is_producer && data && (
+        <NameDeputy project={project} members={members} today={data.today} timeZone={data.time_zone} />
       )}
     </Card>
   )
@@ -94,8 +94,8 @@ function NameDeputy({ project, members, today, timeZone }: NameDeputyProps) {
     event.preventDefault()
     if (name.isPending || !isComplete) return
     name.mutate(typed, {
-      onSuccess: (made) => {
-        showToast(`${made.deputy.name} approves for ${made.person.name}, ${spanOf(made)}.`)
+      onSuccess: (saved) => {
+        showToast(`${saved.deputy.name} approves for ${saved.person.name}, ${spanOf(saved)}.`)
         draft.discard()
       },
     })

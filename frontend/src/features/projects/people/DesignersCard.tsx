@@ -180,8 +180,8 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
     invite.mutate(
       { email, kind, note },
       {
-        onSuccess: (made) => {
-          showToast(`${made.email} is invited.`)
+        onSuccess: (invitation) => {
+          showToast(`${invitation.email} is invited.`)
           draft.discard()
         },
       },

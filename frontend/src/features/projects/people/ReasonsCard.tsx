@@ -64,14 +64,14 @@ function ReasonsForm({ project, kind, list }: ReasonsFormProps) {
   const saved = list.reasons.join('\n')
   const [text, setText, draft] = useDraft(`reasons:${project.studio.id}:${kind}:${saved}`, saved)
   const write = useSetReasons(project)
-  const save = (reasons: string[], said: string) => {
+  const save = (reasons: string[], message: string) => {
     if (write.isPending) return
     write.mutate(
       { [kind]: reasons },
       {
         onSuccess: () => {
           draft.discard()
-          showToast(said)
+          showToast(message)
         },
       },
     )

@@ -25,7 +25,9 @@ export function Categories({ cues, isAdding = false }: { cues: readonly Cue[]; i
   const { tables, change } = useWriting()
   const [name, setName] = useState('')
   const named = Object.keys(tableIn(tables.categories))
-  const unnamed = [...new Set(cues.map(({ category }) => category))].filter((one) => one !== '' && !named.includes(one))
+  const unnamed = [...new Set(cues.map(({ category }) => category))].filter(
+    (category) => category !== '' && !named.includes(category),
+  )
   const slug = name.trim().toLowerCase().replace(/\s+/g, '_')
   const add = (category: string) => {
     if (category === '' || named.includes(category)) return

@@ -85,12 +85,12 @@ export function SpecCard({ project }: { project: Project }) {
 /** How many of the accepted sounds have their game files. */
 function madeLine(packs: readonly Pack[] | undefined): Line[] {
   if (packs === undefined || packs.every(({ files, missing }) => files + missing.length === 0)) return []
-  const made = packs.reduce((sum, { files }) => sum + files, 0)
+  const rendered = packs.reduce((sum, { files }) => sum + files, 0)
   const whole = packs.reduce((sum, { files, missing }) => sum + files + missing.length, 0)
   return [
     {
       word: 'Rendered',
-      value: `${countOf(made, whole)}${packs.length > 1 ? `, ${figure(packs.length)} targets` : ''}`,
+      value: `${countOf(rendered, whole)}${packs.length > 1 ? `, ${figure(packs.length)} targets` : ''}`,
     },
   ]
 }

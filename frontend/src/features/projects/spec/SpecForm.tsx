@@ -80,9 +80,9 @@ function Naming({ cues }: { cues: readonly Cue[] }) {
 /** The pattern of names, tried on the list's own names and on any other. */
 export function NamingFields({ cues }: { cues: readonly Cue[] }) {
   const { tables, set, trouble } = useWriting()
-  const said = at(tables, ['naming', 'pattern'])
+  const saved = at(tables, ['naming', 'pattern'])
   const ending = at(tables, ['naming', 'extension'])
-  const pattern = typeof said === 'string' ? said : ''
+  const pattern = typeof saved === 'string' ? saved : ''
   const extension = typeof ending === 'string' ? ending : ''
   const [tried, setTried] = useState('')
   const stems = cues.flatMap((cue) => cue.stems)

@@ -65,8 +65,8 @@ export function Targets() {
   const everywhere = (apply: (own: Tables) => Tables) =>
     change((whole) => {
       let next = put(whole, ['targets'], apply(tableIn(whole.targets)))
-      for (const [category, said] of Object.entries(tableIn(whole.categories))) {
-        const own = tableIn(said).targets
+      for (const [category, table] of Object.entries(tableIn(whole.categories))) {
+        const own = tableIn(table).targets
         if (own === undefined) continue
         const left = apply(tableIn(own))
         const place = ['categories', category, 'targets']
@@ -131,7 +131,7 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
   const formats = Object.entries(FORMATS).map(([value, { label }]) => ({ value, label }))
   const rates = format?.sample_rate_hz === undefined ? RATES : [format.sample_rate_hz]
   const count = typeof target.channels === 'number' ? target.channels : 'master'
-  const said = (key: string, usual: string) => (typeof target[key] === 'string' ? target[key] : usual)
+  const textAt = (key: string, usual: string) => (typeof target[key] === 'string' ? target[key] : usual)
   const clash = typed !== name && taken.includes(typed)
   const commit = () => {
     if (typed.trim() === '' || clash) setTyped(name)
@@ -177,7 +177,7 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
       <Choice
         label="Sample rate"
         value={String(hz)}
-        options={[...new Set([...rates, hz])].map((one) => ({ value: String(one), label: rate(one) }))}
+        options={[...new Set([...rates, hz])].map((rateHz) => ({ value: String(rateHz), label: rate(rateHz) }))}
         onChange={(value) => set([...place, 'sample_rate_hz'], Number(value))}
       />
       <Choice
@@ -200,14 +200,14 @@ function Target({ name, taken, onRename, onRemove }: TargetProps) {
       ) : (
         <Choice
           label="Dither"
-          value={said('dither', 'tpdf')}
+          value={textAt('dither', 'tpdf')}
           options={DITHERS}
           onChange={(value) => set([...place, 'dither'], value)}
         />
       )}
       <Choice
         label="When it would clip"
-        value={said('over_peak', 'attenuate')}
+        value={textAt('over_peak', 'attenuate')}
         options={OVER_PEAK}
         onChange={(value) => set([...place, 'over_peak'], value)}
       />

@@ -36,7 +36,7 @@ export function VersionsPage() {
   const against = search.against ?? (version !== undefined && version > 1 ? version - 1 : undefined)
   const show = (next: { version?: number; against?: number }) =>
     void navigate({ to: '/projects/$projectId/spec/versions', params: { projectId }, search: next, replace: true })
-  const at = versions.findIndex((one) => one.version === version)
+  const at = versions.findIndex((entry) => entry.version === version)
   const step = (by: number) => {
     const next = versions[at + by]
     if (next) show({ version: next.version })
@@ -57,16 +57,16 @@ export function VersionsPage() {
       <div className={`grid items-start gap-4 ${classes.columns}`}>
         <Card aria-label="Versions">
           <Rows aria-label="Versions">
-            {versions.map((one) => (
-              <Row key={one.version} selected={one.version === version} className={classes.version}>
+            {versions.map((entry) => (
+              <Row key={entry.version} selected={entry.version === version} className={classes.version}>
                 <button
                   type="button"
                   className={`grid wrap-anywhere ${classes.pick}`}
-                  onClick={() => show({ version: one.version })}
+                  onClick={() => show({ version: entry.version })}
                 >
-                  <span className="strong">{`Version ${one.version}`}</span>
-                  <span className="small mid">{one.note || 'No note.'}</span>
-                  <span className="small dim">{`${one.author.name}, ${day(one.created_at)}`}</span>
+                  <span className="strong">{`Version ${entry.version}`}</span>
+                  <span className="small mid">{entry.note || 'No note.'}</span>
+                  <span className="small dim">{`${entry.author.name}, ${day(entry.created_at)}`}</span>
                 </button>
               </Row>
             ))}
@@ -106,7 +106,7 @@ interface OneVersionProps {
 
 function OneVersion({ projectId, version, against, newest, numbers, onAgainst, onTakeUp }: OneVersionProps) {
   const { data: spec, error } = useQuery(specVersionQuery(projectId, version))
-  const { data: other, error: noOther } = useQuery({
+  const { data: baseSpec, error: noOther } = useQuery({
     ...specVersionQuery(projectId, against ?? version),
     enabled: against !== undefined,
   })
@@ -115,7 +115,11 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
   const view = against === undefined ? 'text' : chosen
   // Serialised from their content, two texts differ only in content.
   const rules = useSpecTry(projectId, { tables: spec?.tables ?? {} }, spec !== undefined && view === 'rules').data
-  const before = useSpecTry(projectId, { tables: other?.tables ?? {} }, other !== undefined && view === 'rules').data
+  const before = useSpecTry(
+    projectId,
+    { tables: baseSpec?.tables ?? {} },
+    baseSpec !== undefined && view === 'rules',
+  ).data
   const takeUp = () => {
     if (!spec || !held || !onTakeUp) return
     keepDraft(projectId, { ...draftOf(spec, 'toml'), basedOn: held.version, note: `As version ${version}` }, true)
@@ -168,11 +172,11 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
           same="No rule changed; only comments and layout differ."
         />
       )}
-      {view === 'letters' && spec && other && (
+      {view === 'letters' && spec && baseSpec && (
         <LineDiff
-          before={other.toml}
+          before={baseSpec.toml}
           after={spec.toml}
-          label={`Version ${other.version} compared with ${spec.version}`}
+          label={`Version ${baseSpec.version} compared with ${spec.version}`}
         />
       )}
       {view === 'text' && spec && (

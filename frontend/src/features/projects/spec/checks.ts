@@ -29,6 +29,6 @@ export const checksWithoutLimit = (checks: readonly Check[]) => checks.filter(({
 
 /** How severe a check is by what the tables say. */
 export function severityOf(checks: Record<string, unknown>, name: string, usual: Severity = 'error'): Severity {
-  const said = checks[name]
-  return said === 'error' || said === 'warning' || said === 'off' ? said : usual
+  const severity = checks[name]
+  return severity === 'error' || severity === 'warning' || severity === 'off' ? severity : usual
 }

@@ -99,16 +99,16 @@ interface ChoicesProps {
 export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps) {
   const { tables, set } = useWriting()
   const id = useId()
-  const said = at(tables, place)
+  const stored = at(tables, place)
   const above = useAbove(place)
   const isCategory = place[0] === 'categories'
-  const held = said ?? (isCategory ? above : undefined)
+  const held = stored ?? (isCategory ? above : undefined)
   const chosen: (string | number)[] = Array.isArray(held) ? (held as (string | number)[]) : []
   const own = chosen.filter((value) => options.every((option) => option.value !== value))
   const all = [...options, ...own.map((value) => ({ value, label: String(value) }))]
   const any = mayBeAny && !Array.isArray(held)
   const toggle = (value: string | number) => {
-    const next = chosen.includes(value) ? chosen.filter((one) => one !== value) : [...chosen, value]
+    const next = chosen.includes(value) ? chosen.filter((other) => other !== value) : [...chosen, value]
     const order = all.map((option) => option.value)
     set(
       place,
@@ -116,7 +116,7 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
     )
   }
   return (
-    <div className={classes.field} data-quiet={(isCategory && said === undefined) || undefined}>
+    <div className={classes.field} data-quiet={(isCategory && stored === undefined) || undefined}>
       <span id={id} className={classes.label}>
         {label}
       </span>
@@ -142,12 +142,12 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
             any
           </button>
         )}
-        {isCategory && said !== undefined && (
+        {isCategory && stored !== undefined && (
           <button type="button" className="link small" onClick={() => set(place, undefined)}>
             general rule
           </button>
         )}
-        {isCategory && said === undefined && <span className="small dim">general rule</span>}
+        {isCategory && stored === undefined && <span className="small dim">general rule</span>}
       </div>
       <Against place={place} />
     </div>

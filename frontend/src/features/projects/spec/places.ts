@@ -10,7 +10,7 @@ const begins = (whole: readonly string[], part: readonly string[]): boolean =>
 export function lineOf(toml: string, place: string, message = ''): number | null {
   const match = /\(at line (\d+)/.exec(message)
   if (match) return Number(match[1])
-  const wanted = keysOf(place.replace(/\[\d+\]/g, ''))
+  const keys = keysOf(place.replace(/\[\d+\]/g, ''))
   let table: string[] = []
   let best = { line: 0, length: 0 }
   toml.split('\n').forEach((text, index) => {
@@ -18,7 +18,7 @@ export function lineOf(toml: string, place: string, message = ''): number | null
     if (head) table = keysOf(head[1] ?? '')
     const key = head ? null : /^\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=/.exec(text)
     const path = key ? [...table, ...keysOf(key[1] ?? '')] : head ? table : []
-    if (begins(wanted, path) && path.length > best.length) best = { line: index + 1, length: path.length }
+    if (begins(keys, path) && path.length > best.length) best = { line: index + 1, length: path.length }
   })
   return best.line === 0 ? null : best.line
 }

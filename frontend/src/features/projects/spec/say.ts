@@ -12,14 +12,14 @@ export function exact(value: number, least = 0): string {
 }
 
 const numbers = (value: unknown): number[] =>
-  Array.isArray(value) ? value.filter((one): one is number => typeof one === 'number') : []
+  Array.isArray(value) ? value.filter((item): item is number => typeof item === 'number') : []
 const words = (value: unknown): string[] =>
-  Array.isArray(value) ? value.filter((one): one is string => typeof one === 'string') : []
+  Array.isArray(value) ? value.filter((item): item is string => typeof item === 'string') : []
 
 /** "48 or 96 kHz": one unit for all. */
 const ratesOf = (hz: readonly number[]): string =>
   `${listed(
-    hz.map((one) => rate(one).replace(' kHz', '')),
+    hz.map((rateHz) => rate(rateHz).replace(' kHz', '')),
     'or',
   )} kHz`
 
@@ -55,8 +55,8 @@ const ENCODINGS: Record<string, string> = { pcm: 'PCM', float: 'float' }
 
 /** What a delivered file may be. */
 export function acceptLines({ resolved: { accept } }: Spec): Line[] {
-  const containers = accept.containers?.map((one) => CONTAINERS[one] ?? one) ?? ['any']
-  const encodings = accept.encodings?.map((one) => ENCODINGS[one] ?? one) ?? []
+  const containers = accept.containers?.map((container) => CONTAINERS[container] ?? container) ?? ['any']
+  const encodings = accept.encodings?.map((encoding) => ENCODINGS[encoding] ?? encoding) ?? []
   return [
     { word: 'Container', value: [listed(containers, 'or'), listed(encodings, 'or')].filter(Boolean).join(', ') },
     { word: 'Sample rate', value: accept.sample_rates_hz ? ratesOf(accept.sample_rates_hz) : 'any' },
@@ -102,18 +102,18 @@ export interface TargetFacts {
 
 /** "48 kHz, 16 bit, as master". */
 export function targetInWords({ sample_rate_hz, bit_depth, encoding, quality, channels: count }: TargetFacts): string {
-  const made = typeof count === 'number' ? channels(count) : 'same as master'
-  return [rate(sample_rate_hz), sampleFormat(bit_depth, encoding, quality), made].join(', ')
+  const channelText = typeof count === 'number' ? channels(count) : 'same as master'
+  return [rate(sample_rate_hz), sampleFormat(bit_depth, encoding, quality), channelText].join(', ')
 }
 
 /** What is made from each master, and what holds for all of it. */
 export function targetLines({ resolved: { targets } }: Spec): Line[] {
   const all = Object.values(targets)
-  const each = all.map((target) => ({ word: target.name, value: targetInWords(target) }))
+  const lines = all.map((target) => ({ word: target.name, value: targetInWords(target) }))
   const together = (word: string, values: string[]): Line[] =>
     values.length === 0 ? [] : [{ word, value: [...new Set(values)].join(', ') }]
   return [
-    ...each,
+    ...lines,
     ...together(
       'Dither',
       all.filter(({ quality }) => quality === null).map(({ dither }) => DITHERS[dither] ?? dither),
@@ -133,29 +133,29 @@ const range = (value: unknown) => {
 }
 
 function acceptDifferences(own: Tables, base: Tables): string[] {
-  const said: string[] = []
+  const parts: string[] = []
   for (const [key, value] of Object.entries(own)) {
-    if (value === 'any') said.push(`any ${key.replace(/_(hz|s)$/, '').replaceAll('_', ' ')}`)
-    else if (key === 'channels') said.push(numbers(value).map(channels).join(' or '))
-    else if (key === 'sample_rates_hz') said.push(ratesOf(numbers(value)))
-    else if (key === 'bit_depths') said.push(depthsOf(numbers(value)))
+    if (value === 'any') parts.push(`any ${key.replace(/_(hz|s)$/, '').replaceAll('_', ' ')}`)
+    else if (key === 'channels') parts.push(numbers(value).map(channels).join(' or '))
+    else if (key === 'sample_rates_hz') parts.push(ratesOf(numbers(value)))
+    else if (key === 'bit_depths') parts.push(depthsOf(numbers(value)))
     else if (key === 'containers')
-      said.push(
+      parts.push(
         listed(
-          words(value).map((one) => CONTAINERS[one] ?? one),
+          words(value).map((container) => CONTAINERS[container] ?? container),
           'or',
         ),
       )
     else if (key === 'encodings')
-      said.push(
+      parts.push(
         listed(
-          words(value).map((one) => ENCODINGS[one] ?? one),
+          words(value).map((encoding) => ENCODINGS[encoding] ?? encoding),
           'or',
         ),
       )
-    else if (key === 'duration_s') said.push(lengthOf(range({ ...tableIn(base.duration_s), ...tableIn(value) })))
+    else if (key === 'duration_s') parts.push(lengthOf(range({ ...tableIn(base.duration_s), ...tableIn(value) })))
   }
-  return said
+  return parts
 }
 
 function limitDifferences(own: Tables, checks: readonly Check[]): string[] {

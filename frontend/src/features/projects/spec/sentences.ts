@@ -29,9 +29,9 @@ export const faultChecks = (checks: readonly Check[]): string[] =>
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1)
 const lower = (label: string) => (/^[A-Z]{2}/.test(label) ? label : label.charAt(0).toLowerCase() + label.slice(1))
 const strings = (value: unknown): string[] =>
-  Array.isArray(value) ? value.filter((each): each is string => typeof each === 'string') : []
+  Array.isArray(value) ? value.filter((item): item is string => typeof item === 'string') : []
 const numbers = (value: unknown): number[] =>
-  Array.isArray(value) ? value.filter((each): each is number => typeof each === 'number') : []
+  Array.isArray(value) ? value.filter((item): item is number => typeof item === 'number') : []
 
 const severity = (tables: Tables, check: Check): Severity =>
   severityOf(tableIn(tables.checks), check.name, check.severity)
@@ -97,7 +97,7 @@ function masters(tables: Tables, checks: readonly Check[]): Sentence {
     [
       'container',
       listed(
-        strings(accept.containers).map((each) => NAMES[each] ?? each),
+        strings(accept.containers).map((container) => NAMES[container] ?? container),
         'or',
       ),
       'any container',
@@ -105,7 +105,7 @@ function masters(tables: Tables, checks: readonly Check[]): Sentence {
     [
       'encoding',
       listed(
-        strings(accept.encodings).map((each) => NAMES[each] ?? each),
+        strings(accept.encodings).map((encoding) => NAMES[encoding] ?? encoding),
         'or',
       ),
       '',
@@ -123,16 +123,16 @@ function masters(tables: Tables, checks: readonly Check[]): Sentence {
   const levels = checks
     .filter(({ name }) => limited.includes(name))
     .map((check) => ({ check, level: severity(tables, check) }))
-  const other = (level: Severity) =>
+  const labelsOf = (level: Severity) =>
     levels
-      .filter((each) => each.level === level)
+      .filter((entry) => entry.level === level)
       .map(({ check }) => (check.name === 'channels' ? 'number of channels' : lower(check.label)))
   const follows = (['error', 'warning', 'off'] as const)
-    .filter((level) => other(level).length > 0)
+    .filter((level) => labelsOf(level).length > 0)
     .map((level) =>
-      level === 'error' && other('error').length === levels.length
+      level === 'error' && labelsOf('error').length === levels.length
         ? 'Anything else is sent back.'
-        : `Another ${listed(other(level), 'or')} ${FOLLOWS[level]}.`,
+        : `Another ${listed(labelsOf(level), 'or')} ${FOLLOWS[level]}.`,
     )
   return {
     key: 'masters',
@@ -174,7 +174,7 @@ export const NAME_STYLES = [
 function names(tables: Tables, checks: readonly Check[]): Sentence {
   const { pattern, extension, tokens, separator, grammar } = tableIn(tables.naming)
   const ending = typeof extension === 'string' ? extension : ''
-  const style = NAME_STYLES.find((each) => each.pattern === pattern)
+  const style = NAME_STYLES.find((candidate) => candidate.pattern === pattern)
   const parts = Array.isArray(tokens) ? tokens.map((token) => String(tableIn(token).name)) : []
   const text =
     grammar === 'ucs'
@@ -219,7 +219,7 @@ function dryness(tables: Tables, checks: readonly Check[]): Sentence {
 }
 
 const tuned = (tables: Tables, checks: readonly Check[], key: string): string => {
-  const limit = tuningLimits(checks).find((each) => each.key === key)
+  const limit = tuningLimits(checks).find((candidate) => candidate.key === key)
   const value = tableIn(tables.limits)[key] ?? limit?.usual
   return limit && typeof value === 'number' ? `${exact(value)} ${limit.unit}` : ''
 }

@@ -28,15 +28,15 @@ export function rename(tables: Tables, from: string, to: string): Tables {
 }
 
 /** Whether two tables say the same, in whatever order. */
-export function same(one: unknown, other: unknown): boolean {
-  if (isTables(one) && isTables(other)) {
-    const names = new Set([...Object.keys(one), ...Object.keys(other)])
-    return [...names].every((name) => same(one[name], other[name]))
+export function same(a: unknown, b: unknown): boolean {
+  if (isTables(a) && isTables(b)) {
+    const names = new Set([...Object.keys(a), ...Object.keys(b)])
+    return [...names].every((name) => same(a[name], b[name]))
   }
-  if (Array.isArray(one) && Array.isArray(other)) {
-    return one.length === other.length && one.every((value, index) => same(value, other[index]))
+  if (Array.isArray(a) && Array.isArray(b)) {
+    return a.length === b.length && a.every((value, index) => same(value, b[index]))
   }
-  return one === other
+  return a === b
 }
 
 /** A number as typed; other text stays as typed, so that it is reported and not lost. */
