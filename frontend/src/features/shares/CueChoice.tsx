@@ -20,7 +20,7 @@ interface CueChoiceProps {
 export function CueChoice({ projectId, filter, onFilter, problem }: CueChoiceProps) {
   const { data: cues } = useQuery(keptCuesQuery(projectId))
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].sort()
-  const found = chosenCues(cues ?? [], filter)
+  const chosen = chosenCues(cues ?? [], filter)
   const only = cues?.find(({ id }) => id === filter.cueId)
   return (
     <fieldset className={`grid gap-2 ${classes.choice}`}>
@@ -55,7 +55,7 @@ export function CueChoice({ projectId, filter, onFilter, problem }: CueChoicePro
       <p className="small mid" role="status">
         {cues === undefined
           ? ''
-          : `${plural(found.length, 'cue')}${found.length > 0 && found.length <= 6 && !only ? `: ${found.map(({ name }) => name).join(', ')}` : ''}. Of each variation the approved version is heard, else the newest that conforms. Cues and versions that come later are not added.`}
+          : `${plural(chosen.length, 'cue')}${chosen.length > 0 && chosen.length <= 6 && !only ? `: ${chosen.map(({ name }) => name).join(', ')}` : ''}. Of each variation the approved version is heard, else the newest that conforms. Cues and versions that come later are not added.`}
       </p>
       {problem && (
         <p className="small tone-bad toned" role="alert">

@@ -68,13 +68,13 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
     return message && sentence(message)
   }
   const playlist = playlists?.find(({ id }) => id === typed.playlistId)
-  const found = chosenCues(cues ?? [], typed.filter)
+  const chosen = chosenCues(cues ?? [], typed.filter)
   const suggested =
     typed.kind === 'playlist'
       ? (playlist?.name ?? '')
       : typed.kind === 'cues'
-        ? found.length === 1
-          ? (found[0]?.name ?? '')
+        ? chosen.length === 1
+          ? (chosen[0]?.name ?? '')
           : typed.filter.category || 'Sounds'
         : TITLES[typed.kind]
   const send = (event: FormEvent) => {
@@ -84,7 +84,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
       {
         kind: typed.kind,
         title: typed.title.trim() || suggested || 'Sounds',
-        cue_ids: typed.kind === 'cues' ? found.map(({ id }) => id) : [],
+        cue_ids: typed.kind === 'cues' ? chosen.map(({ id }) => id) : [],
         playlist_id: typed.kind === 'playlist' ? typed.playlistId || null : null,
         password: password || null,
         expires_at: typed.expires === '' ? null : endOfDay(typed.expires),

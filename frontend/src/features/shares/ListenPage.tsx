@@ -237,15 +237,15 @@ function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound
   const [busy, setBusy] = useState(false)
   const [problem, setProblem] = useState<ApiProblem | null>(null)
   const send = async () => {
-    const said = text.trim()
-    if (said === '' || busy) return
+    const trimmed = text.trim()
+    if (trimmed === '' || busy) return
     const atS = positionS()
     const startS = atS > 0 && sound.duration_s !== null && atS < sound.duration_s ? Math.floor(atS * 1000) / 1000 : null
     setBusy(true)
     try {
-      await sendGuestComment(visit, sound.place, said, startS)
+      await sendGuestComment(visit, sound.place, trimmed, startS)
       draft.discard()
-      setSent([...sent, { text: said, startS }])
+      setSent([...sent, { text: trimmed, startS }])
       setProblem(null)
     } catch (error) {
       if (error instanceof ApiProblem) setProblem(error)
@@ -261,10 +261,10 @@ function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound
       }}
     >
       <ul aria-label="What you wrote" aria-live="polite">
-        {sent.map((one) => (
-          <li key={`${one.startS} ${one.text}`} className="small">
-            {one.startS !== null && <span className="mono dim">{placeWords(one.startS)} </span>}
-            {one.text} <span className="dim">sent</span>
+        {sent.map((comment) => (
+          <li key={`${comment.startS} ${comment.text}`} className="small">
+            {comment.startS !== null && <span className="mono dim">{placeWords(comment.startS)} </span>}
+            {comment.text} <span className="dim">sent</span>
           </li>
         ))}
       </ul>

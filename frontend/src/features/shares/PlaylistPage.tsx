@@ -296,7 +296,7 @@ function Room({ playlist }: { playlist: Playlist }) {
                       icon="cross"
                       aria-label={`Take ${titleOf(take)} out`}
                       disabled={takes.length === 1}
-                      onClick={() => change.mutate({ take_ids: order.filter((one) => one !== take.take_id) })}
+                      onClick={() => change.mutate({ take_ids: order.filter((takeId) => takeId !== take.take_id) })}
                     />
                   </span>
                 )}

@@ -122,11 +122,11 @@ function NewPlaylist({ projectId }: { projectId: string }) {
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (add.isPending) return
-    const found = chosenCues(cues ?? [], typed.filter)
+    const chosen = chosenCues(cues ?? [], typed.filter)
     add.mutate(
       {
         name: typed.name.trim() || typed.filter.category || 'Playlist',
-        cue_ids: found.map(({ id }) => id).slice(0, 500),
+        cue_ids: chosen.map(({ id }) => id).slice(0, 500),
       },
       {
         onSuccess: ({ id }) => {

@@ -116,9 +116,9 @@ export function VerdictOfTake({
             judged.state === 'approved' && <ReversalNote cueId={review.cue.id} what={`${review.cue.name} ${name}`} />
           }
           onClose={() => setChanging(null)}
-          onSave={(said, close) =>
+          onSave={(change, close) =>
             judge.change.mutate(
-              { cue: review.cue, takes: [judged], name, said },
+              { cue: review.cue, takes: [judged], name, said: change },
               {
                 onSuccess: () => {
                   close()

@@ -17,10 +17,10 @@ interface ListedCue {
 /** The cues that a filter gives. */
 export function chosenCues<Cue extends ListedCue>(cues: readonly Cue[], { text, category, cueId }: CueFilter): Cue[] {
   if (cueId !== '') return cues.filter(({ id }) => id === cueId)
-  const wanted = text.trim().toLowerCase()
+  const query = text.trim().toLowerCase()
   return cues.filter(
     (cue) =>
       (category === '' || cue.category === category) &&
-      (cue.name.toLowerCase().includes(wanted) || cue.label.toLowerCase().includes(wanted)),
+      (cue.name.toLowerCase().includes(query) || cue.label.toLowerCase().includes(query)),
   )
 }

@@ -19,7 +19,10 @@ const tookMs = ({ sentMs, answeredMs }: Exchange): number => answeredMs - sentMs
 
 /** The exchange that took least time: it knows best when the server's clock was read. */
 const shortest = (exchanges: readonly Exchange[]): Exchange =>
-  exchanges.reduce((one, other) => (tookMs(other) < tookMs(one) ? other : one), exchanges[0] ?? NONE)
+  exchanges.reduce(
+    (fastest, exchange) => (tookMs(exchange) < tookMs(fastest) ? exchange : fastest),
+    exchanges[0] ?? NONE,
+  )
 
 /** How far the server's clock is ahead of ours: it was read in the middle of an exchange. */
 export function offsetMs(exchanges: readonly Exchange[]): number {

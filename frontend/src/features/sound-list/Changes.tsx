@@ -7,14 +7,14 @@ interface ChangesProps {
   fresh?: boolean
 }
 
-const said = ({ after }: FieldChange): boolean => after !== null && after !== '' && after !== false
+const hasValue = ({ after }: FieldChange): boolean => after !== null && after !== '' && after !== false
 
 /** Facts before and after, one a line: "Length 0.80 s → 0.90 s". */
 export function Changes({ changes, fresh = false }: ChangesProps) {
   return (
     <ul>
       {changes
-        .filter((change) => !fresh || said(change))
+        .filter((change) => !fresh || hasValue(change))
         .map(({ field, before, after }) => (
           <li key={field}>
             <span className="dim">{fieldWord(field)}</span>{' '}

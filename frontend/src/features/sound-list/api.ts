@@ -101,7 +101,7 @@ export const cueChangesQuery = (projectId: string, cue: Pick<Cue, 'id' | 'label'
     queryFn: async ({ pageParam, client }) => {
       const page = await readRevisions(projectId, pageParam)
       const looked = page.items.slice(0, BACK)
-      const found = await Promise.all(
+      const changes = await Promise.all(
         looked
           .filter(({ summary }) => !summary.endsWith(' cut') || summary === `${cue.label} cut`)
           .map(async (revision): Promise<CueChanged | null> => {
@@ -114,7 +114,7 @@ export const cueChangesQuery = (projectId: string, cue: Pick<Cue, 'id' | 'label'
           }),
       )
       const oldest = looked.at(-1)?.number ?? 1
-      return { found: found.filter((one) => one !== null), next: oldest > 1 ? oldest : undefined }
+      return { found: changes.filter((change) => change !== null), next: oldest > 1 ? oldest : undefined }
     },
     initialPageParam: undefined as number | undefined,
     // A cue's edition counts its changes, so one knows when the last of them is found.

@@ -92,10 +92,10 @@ export function rowsOf(
 
 /** One block a variation, coloured by where it stands. */
 export function blocksOf({ progress, cue }: CueRow): SetBlock[] {
-  const status = new Map(progress?.variations.map((each) => [each.variation, each.status]))
+  const status = new Map(progress?.variations.map((variation) => [variation.variation, variation.status]))
   return Array.from({ length: cue.variations }, (_, place) => {
-    const each = status.get(place + 1)
-    return { tone: each === undefined || each === 'to_make' ? 'idle' : STATES[kindOf(each)].tone }
+    const state = status.get(place + 1)
+    return { tone: state === undefined || state === 'to_make' ? 'idle' : STATES[kindOf(state)].tone }
   })
 }
 
@@ -119,7 +119,7 @@ export interface Filter {
 export function matching(rows: readonly CueRow[], filter: Filter): CueRow[] {
   const { state, category, need, phase, person, unclear, heard, playedId, words } = filter
   const isPlayed = ({ progress }: CueRow) => playedId != null && progress?.newest_take?.id === playedId
-  const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
+  const terms = words.toLowerCase().split(/\s+/).filter(Boolean)
   return rows.filter(
     (row) =>
       (state === undefined || row.status === state) &&
@@ -129,7 +129,7 @@ export function matching(rows: readonly CueRow[], filter: Filter): CueRow[] {
       (person === undefined || isOf(row.cue, person)) &&
       (!unclear || row.unclear.length > 0) &&
       (heard === undefined || row.isUnheard || isPlayed(row)) &&
-      wanted.every((word) => row.text.includes(word)),
+      terms.every((word) => row.text.includes(word)),
   )
 }
 

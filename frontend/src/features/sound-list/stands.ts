@@ -73,7 +73,7 @@ function ofStatus(cue: Cue, progress: CueProgress | undefined, now: Date): strin
   switch (status) {
     case 'to_review': {
       const here = progress.variations.filter(
-        (each) => each.status === 'to_review' || each.status === 'accepted',
+        (variation) => variation.status === 'to_review' || variation.status === 'accepted',
       ).length
       if (cue.variations > 1) return here === wanted ? `All ${wanted} conforming` : `${here} of ${wanted} here`
       return versions > 1 && rounds > 0 ? `Conforming, after ${plural(rounds, 'round')}` : 'Conforming'

@@ -32,10 +32,10 @@ export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
     ...LINES_HZ.filter((hz) => hz < toHz / 1.6).map((hz) => ({
       hz,
       at: across(hz),
-      label: said(hz),
+      label: formatHz(hz),
       wideOnly: hz > toHz / 3,
     })),
-    { hz: toHz, at: 1, label: said(toHz) },
+    { hz: toHz, at: 1, label: formatHz(toHz) },
   ]
   const loudestDb = bands.dbfs[loudest] ?? null
   return (
@@ -43,7 +43,7 @@ export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
       draw={draw}
       frequencies={named}
       tall
-      caption={`RMS level per sixth of an octave over the whole sound, in dBFS. Loudest near ${said(bands.hz[loudest] ?? 0)}${
+      caption={`RMS level per sixth of an octave over the whole sound, in dBFS. Loudest near ${formatHz(bands.hz[loudest] ?? 0)}${
         loudestDb === null ? '; silent throughout' : `, ${figure(loudestDb, 1)} dBFS`
       }.`}
     >
@@ -53,14 +53,14 @@ export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
           data-left={across(bandwidthHz) > 0.6 || undefined}
           style={{ left: `${Math.min(1, across(bandwidthHz)) * 100}%` }}
         >
-          ends at {said(bandwidthHz)}
+          ends at {formatHz(bandwidthHz)}
         </span>
       )}
     </LevelPlot>
   )
 }
 
-const said = (hz: number): string =>
+const formatHz = (hz: number): string =>
   hz >= 1000 ? `${figure(hz / 1000, hz >= 10_000 ? 0 : 1)} kHz` : `${figure(hz)} Hz`
 
 /** Bars of ink on a logarithmic scale; beyond the bandwidth they are drawn quietly. */

@@ -53,16 +53,16 @@ export function DryStem({ take, check, found, mayGive }: DryStemProps) {
 }
 
 /** What was found, in a sentence or two; whose turn it is where nothing was found yet. */
-function saidOf(check: Check, found: ReverbStem | null): string {
+function saidOf(check: Check, stem: ReverbStem | null): string {
   if (isComparing(check)) return check.dry_stem ? 'Comparing with the stem…' : 'Checking again without the stem…'
   if (!check.dry_stem) return 'Add the same sound without reverb, and the check can measure the reverb exactly.'
   if (!check.is_newest_stem) return 'It arrived after the decision, which was made without it.'
-  if (found === null) return 'It can’t be compared with this version.'
-  if (found.verdict === 'dry') return 'No reverb was added, down to 30 dB below the sound.'
-  if (found.verdict === 'reverb') return `Reverb was added${tailOf(found)}.`
-  const why = `${found.why.charAt(0).toUpperCase()}${found.why.slice(1)}`
-  if (found.verdict === 'unreadable') return `The stem could not be read. ${ended(why)}`
-  if (found.verdict === 'failed') return `${ended(why)} That is our fault. Run the check again.`
+  if (stem === null) return 'It can’t be compared with this version.'
+  if (stem.verdict === 'dry') return 'No reverb was added, down to 30 dB below the sound.'
+  if (stem.verdict === 'reverb') return `Reverb was added${tailOf(stem)}.`
+  const why = `${stem.why.charAt(0).toUpperCase()}${stem.why.slice(1)}`
+  if (stem.verdict === 'unreadable') return `The stem could not be read. ${ended(why)}`
+  if (stem.verdict === 'failed') return `${ended(why)} That is our fault. Run the check again.`
   return `${why}, so the result without the stem is kept.`
 }
 

@@ -68,7 +68,7 @@ function Strip({ fit }: { fit: MeasureFit }) {
 
 /** Every figure of the picture: this sound, then each that it is compared with. */
 function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
-  const others = new Map(measures.flatMap((one) => one.others.map((each) => [each.cue.id, each])))
+  const others = new Map(measures.flatMap((measure) => measure.others.map((sound) => [sound.cue.id, sound])))
   return (
     <details>
       <summary className="small pointer min-h-24px pt-3px">All figures by sound</summary>
@@ -99,15 +99,15 @@ function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
                 <td key={measure}>{said(measure, middle)}</td>
               ))}
             </tr>
-            {[...others.values()].map(({ cue: other, is_palette }) => (
-              <tr key={other.id}>
+            {[...others.values()].map(({ cue: sound, is_palette }) => (
+              <tr key={sound.id}>
                 <th scope="row">
-                  {other.name}
+                  {sound.name}
                   {is_palette && ', palette'}
                 </th>
-                {measures.map((one) => {
-                  const found = one.others.find((each) => each.cue.id === other.id)
-                  return <td key={one.measure}>{found ? said(one.measure, found.value) : 'not measured'}</td>
+                {measures.map((row) => {
+                  const match = row.others.find((candidate) => candidate.cue.id === sound.id)
+                  return <td key={row.measure}>{match ? said(row.measure, match.value) : 'not measured'}</td>
                 })}
               </tr>
             ))}

@@ -46,8 +46,8 @@ export function LabelLine({ take }: { take: Take }) {
         onChange={(event) => setText(event.currentTarget.value)}
       />
       <datalist id={listId}>
-        {listed.map((one) => (
-          <option key={one} value={one} />
+        {listed.map((option) => (
+          <option key={option} value={option} />
         ))}
       </datalist>
       <Button type="submit" disabled={text.trim() === saved} aria-busy={label.isPending}>

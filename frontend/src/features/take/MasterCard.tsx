@@ -83,18 +83,18 @@ function Fields({ made: { fields, left } }: { made: MasterExport }) {
     <>
       <dl className={classes.lines}>
         {Object.entries(SAID).map(
-          ([field, what]) =>
+          ([field, label]) =>
             fields[field] && (
               <div key={field}>
-                <dt className="dim">{what}</dt>
+                <dt className="dim">{label}</dt>
                 <dd>{fields[field]}</dd>
               </div>
             ),
         )}
       </dl>
-      {left.map((each) => (
-        <p key={each} className="small mid">
-          {ended(each)}
+      {left.map((sentence) => (
+        <p key={sentence} className="small mid">
+          {ended(sentence)}
         </p>
       ))}
     </>

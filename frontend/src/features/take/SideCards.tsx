@@ -18,7 +18,7 @@ import classes from './Take.module.css'
 export function FiguresCard({ check, findings }: { check: Check | null | undefined; findings: readonly Finding[] }) {
   if (!check) return null
   const facts = check.facts ?? {}
-  const found = new Map(findings.toReversed().map(({ check: name, severity }) => [name, severity]))
+  const severities = new Map(findings.toReversed().map(({ check: name, severity }) => [name, severity]))
   const groups = groupsOf(facts, check.measurements)
   const judged = judgementsOf(check.judgements)
   const texts = textsOf(facts)
@@ -28,10 +28,10 @@ export function FiguresCard({ check, findings }: { check: Check | null | undefin
       <div className="grid gap-14px p-3-inset-14px">
         {groups.length === 0 && <p className="mid">No measurements: the file could not be read.</p>}
         {groups.map(({ title, lines }) => (
-          <Lines key={title} title={title} lines={lines} found={found} />
+          <Lines key={title} title={title} lines={lines} severities={severities} />
         ))}
-        {judged.length > 0 && <Lines title="Analysis" lines={judged} found={found} />}
-        {texts.length > 0 && <Lines title="File metadata" lines={texts} found={found} />}
+        {judged.length > 0 && <Lines title="Analysis" lines={judged} severities={severities} />}
+        {texts.length > 0 && <Lines title="File metadata" lines={texts} severities={severities} />}
       </div>
     </Card>
   )
@@ -40,16 +40,16 @@ export function FiguresCard({ check, findings }: { check: Check | null | undefin
 interface LinesProps {
   title: string
   lines: readonly Line[]
-  found: ReadonlyMap<string, Finding['severity']>
+  severities: ReadonlyMap<string, Finding['severity']>
 }
 
-function Lines({ title, lines, found }: LinesProps) {
+function Lines({ title, lines, severities }: LinesProps) {
   return (
     <section aria-label={title}>
       <h3 className="small mid">{title}</h3>
       <dl className={classes.lines}>
         {lines.map(({ name, what, said, check }) => {
-          const severity = check === undefined ? undefined : found.get(check)
+          const severity = check === undefined ? undefined : severities.get(check)
           return (
             <div key={name}>
               <dt className="dim">{what}</dt>

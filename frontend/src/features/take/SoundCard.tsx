@@ -27,9 +27,9 @@ interface SoundCardProps {
 /** The sound, large: its wave with what was found, its spectrum and its level on one axis, and the way to hear it. */
 export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onMark }: SoundCardProps) {
   const narrow = useMediaQuery('(max-width: 760px)')
-  const [wanted, setWanted] = useState(MASTER)
+  const [chosen, setChosen] = useState(MASTER)
   const files = (sounds?.renders ?? []).filter(({ preview_url }) => preview_url !== null)
-  const file = files.find(({ target }) => target === wanted)
+  const file = files.find(({ target }) => target === chosen)
   const sound = file ?? sounds?.master
   const peaks = usePeaks(sound?.peaks_url)
   const spectrumUrl = sound?.spectrum_url ?? null
@@ -38,10 +38,10 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
   const choices = [MASTER, ...(hasMoreBits ? [AS_DELIVERED] : []), ...files.map(({ target }) => target)]
   const playable = (target: string) => {
     if (target === AS_DELIVERED) return { id: `${take.id} ${target}`, url: masterUrl(take.id) }
-    const heard = files.find((each) => each.target === target)
+    const heard = files.find((candidate) => candidate.target === target)
     return { id: heard ? `${take.id} ${target}` : take.id, url: (heard ?? sounds?.master)?.preview_url ?? null }
   }
-  const { id: sourceId, url } = playable(wanted)
+  const { id: sourceId, url } = playable(chosen)
   const durationS = sound?.duration_s ?? null
   const isHeard = playing.sourceId === sourceId
   const isPlaying = isHeard && playing.status === 'playing'
@@ -57,7 +57,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
     player.seek(s)
   }
   const choose = (target: string) => {
-    setWanted(target)
+    setChosen(target)
     const next = playable(target)
     // The other one goes on at the same place.
     if (next.url !== null && player.isPlaying()) void player.select({ id: next.id, takeId: take.id, url: next.url })
@@ -76,7 +76,7 @@ export function SoundCard({ take, sounds, marks, limitDbfs, player, playing, onM
                 value: target,
                 label: target === AS_DELIVERED ? 'As delivered' : target.charAt(0).toUpperCase() + target.slice(1),
               }))}
-              value={choices.includes(wanted) ? wanted : MASTER}
+              value={choices.includes(chosen) ? chosen : MASTER}
               onChange={choose}
             />
           )

@@ -86,7 +86,7 @@ function WithSounds({ take }: { take: Take }) {
     // The check was asked later, and has seen it move on.
     if (isElsewhere) void client.invalidateQueries({ queryKey: takeQuery(take.id).queryKey, exact: true })
   }, [client, isElsewhere, take.id])
-  const problem = [noSounds, noCheck].find((each) => each instanceof ApiProblem)
+  const problem = [noSounds, noCheck].find((error) => error instanceof ApiProblem)
   return (
     <TakeSheet take={take} sounds={sounds} check={check}>
       <Refusal error={problem} />

@@ -35,7 +35,8 @@ const seconds = number(place)
 const ms = number(milliseconds)
 const count: Say = number((value) => (value === 0 ? 'none' : figure(value)))
 const word: Say = (value) => (typeof value === 'string' ? value : null)
-const list: Say = (value) => (Array.isArray(value) ? value.map((one) => String(one).trim()).join(', ') || 'none' : null)
+const list: Say = (value) =>
+  Array.isArray(value) ? value.map((item) => String(item).trim()).join(', ') || 'none' : null
 const yesNo: Say = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : null)
 /** What only one of several channels that sounds leaves unmeasured. */
 const ofTwo =
@@ -180,9 +181,9 @@ const plainly: Say = (value) => {
 export function inGeneral(name: string, value: unknown, all: Values = {}): Line | null {
   const [ending, say] = UNITS.find(([end]) => name.endsWith(end)) ?? ['', plainly]
   const words = name.slice(0, name.length - ending.length).replaceAll('_', ' ')
-  const said = value === null ? (ending === '' ? NOT_MEASURED : say(null, all)) : say(value, all)
-  if (said === null && value !== null) return null
-  return { name, what: words.charAt(0).toUpperCase() + words.slice(1), said: said ?? NOT_MEASURED }
+  const text = value === null ? (ending === '' ? NOT_MEASURED : say(null, all)) : say(value, all)
+  if (text === null && value !== null) return null
+  return { name, what: words.charAt(0).toUpperCase() + words.slice(1), said: text ?? NOT_MEASURED }
 }
 
 /** Everything that was measured, in words; a figure that has none of its own is named and given its unit by its name. */
@@ -196,8 +197,8 @@ export function groupsOf(facts: Values, measurements: Values): Group[] {
       const value = all[name]
       // Nothing of two channels is said of one.
       if (value === null && all.channels === 1 && OF_TWO.has(name)) return []
-      const said = say(value, all) ?? (value === null ? null : (inGeneral(name, value, all)?.said ?? null))
-      return said === null ? [] : [{ name, what, said, check: value === 0 && say === count ? undefined : check }]
+      const text = say(value, all) ?? (value === null ? null : (inGeneral(name, value, all)?.said ?? null))
+      return text === null ? [] : [{ name, what, said: text, check: value === 0 && say === count ? undefined : check }]
     }),
   }))
   const further = Object.entries(all).flatMap(([name, value]) =>

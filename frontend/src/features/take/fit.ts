@@ -41,7 +41,7 @@ const SPAN: Record<Measure, number> = { loudness: 12, spectrum: 12, dryness: 1, 
 /** From and to of the axis on which a sound and the others lie. */
 export function axisOf({ measure, value, others }: MeasureFit): [from: number, to: number] {
   if (measure === 'dryness') return [0, 1]
-  const all = [value, ...others.map((one) => one.value)]
+  const all = [value, ...others.map((other) => other.value)]
   const [low, high] = measure === 'loudness' ? [Math.min(...all), Math.max(...all)] : [0, Math.max(...all)]
   const spare = Math.max(0, SPAN[measure] - (high - low))
   return measure === 'loudness' ? [low - spare / 2, high + spare / 2] : [low, high + spare]

@@ -13,7 +13,12 @@ export interface Judged {
 }
 
 export function judgedOf(judgements: Values, name: string): Judged | null {
-  const found = judgements[name]
-  if (!isTable(found) || typeof found.verdict !== 'string' || !isTable(found.evidence)) return null
-  return { verdict: found.verdict, score: numberOf(found.score), figures: found, evidence: found.evidence }
+  const judgement = judgements[name]
+  if (!isTable(judgement) || typeof judgement.verdict !== 'string' || !isTable(judgement.evidence)) return null
+  return {
+    verdict: judgement.verdict,
+    score: numberOf(judgement.score),
+    figures: judgement,
+    evidence: judgement.evidence,
+  }
 }

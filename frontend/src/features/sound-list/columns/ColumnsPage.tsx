@@ -93,7 +93,7 @@ function ColumnsForm({ projectId, columns, edition }: ColumnsFormProps) {
   const set = useSetColumns(projectId)
   const form = useRef<HTMLFormElement>(null)
   const kept = keptNames(list?.cues ?? [], typed)
-  const removed = columns.filter(({ id }) => !typed.some((one) => one.id === id))
+  const removed = columns.filter(({ id }) => !typed.some((column) => column.id === id))
   const isChanged = JSON.stringify(typed) !== JSON.stringify(columns.map(typedOf))
 
   const put = (at: number, change: Partial<Typed>) => {

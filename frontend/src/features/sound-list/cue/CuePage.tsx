@@ -83,7 +83,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
 
   const cues = list?.cues
   const row = useMemo(() => rowsOf([cue], { progressList })[0], [cue, progressList])
-  const categories = useMemo(() => categoriesOf((cues ?? []).map((each) => ({ cue: each }))), [cues])
+  const categories = useMemo(() => categoriesOf((cues ?? []).map((listed) => ({ cue: listed }))), [cues])
   const at = cues?.findIndex(({ id }) => id === cue.id) ?? -1
   const delivered = versions.data ?? NO_VERSIONS
 
@@ -110,7 +110,8 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const back = () => void navigate({ to: '/projects/$projectId/sound-list', params: { projectId } })
   const isCut = cue.state === 'cut'
   const mayEdit = rights.edits && !isCut
-  const first = delivered.find(({ take }) => take.id === playing.sourceId) ?? delivered.find((each) => each.previewUrl)
+  const first =
+    delivered.find(({ take }) => take.id === playing.sourceId) ?? delivered.find((version) => version.previewUrl)
   useHotkeys([
     { keys: 'Escape', label: 'Back to the list', group: 'Cue', run: () => (doing ? setDoing(null) : back()) },
     { keys: 'j', label: 'Next cue', group: 'Cue', run: () => openCue(1), repeats: true },

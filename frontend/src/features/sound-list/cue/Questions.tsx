@@ -132,10 +132,10 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
     if (opens) field.current?.focus()
   }, [opens])
   const send = () => {
-    const said = text.trim()
-    if (said === '' || answer.isPending) return
+    const trimmed = text.trim()
+    if (trimmed === '' || answer.isPending) return
     answer.mutate(
-      { questionId: question.id, text: said, joins },
+      { questionId: question.id, text: trimmed, joins },
       {
         onSuccess: () => {
           draft.discard()
@@ -199,10 +199,10 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
     if (opens) field.current?.focus()
   }, [opens])
   const send = () => {
-    const said = text.trim()
-    if (said === '' || ask.isPending) return
+    const trimmed = text.trim()
+    if (trimmed === '' || ask.isPending) return
     ask.mutate(
-      { text: said, blocks },
+      { text: trimmed, blocks },
       {
         onSuccess: () => {
           draft.discard()

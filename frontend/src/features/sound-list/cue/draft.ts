@@ -135,8 +135,8 @@ export function readDraft(draft: CueDraft): ReadDraft {
   return { facts: facts as unknown as CueAdd, faults }
 }
 
-const isSame = (one: unknown, other: unknown): boolean =>
-  one === other || (typeof one === 'object' && JSON.stringify(one) === JSON.stringify(other))
+const isSame = (a: unknown, b: unknown): boolean =>
+  a === b || (typeof a === 'object' && JSON.stringify(a) === JSON.stringify(b))
 
 /** The fields that differ from what was read. */
 export const touched = (base: Cue, draft: CueDraft): DraftField[] => {

@@ -158,12 +158,12 @@ export function ImportPage(): ReactNode {
       kind === 'hidden'
         ? { keep_hidden: true }
         : kind === 'asked'
-          ? { skip_rows: skipped.filter((each) => each !== row) }
+          ? { skip_rows: skipped.filter((other) => other !== row) }
           : { keep_rows: [...kept, row] }
     setSheet({ ...sheet, read: { ...sheet.read, ...change } })
   }
   const edit = (row: number, column: string, text: string) => {
-    const others = (sheet.read.edits ?? []).filter((made) => made.row !== row || made.column !== column)
+    const others = (sheet.read.edits ?? []).filter((earlier) => earlier.row !== row || earlier.column !== column)
     setSheet({ ...sheet, read: { ...sheet.read, edits: [...others, { row, column, text }] } })
   }
   const fillDown = (column: string) => {
@@ -340,7 +340,7 @@ const EXAMPLE =
 /** A field is read from one column: choosing it again elsewhere moves it. */
 function mapped(mapping: Record<string, ImportField>, name: string, field: ImportField): Record<string, ImportField> {
   const others = Object.entries(mapping).filter(
-    ([other, given]) => other !== name && (given !== field || field === 'extra' || field === 'ignore'),
+    ([column, given]) => column !== name && (given !== field || field === 'extra' || field === 'ignore'),
   )
   return { ...Object.fromEntries(others), [name]: field }
 }

@@ -48,8 +48,8 @@ function sheetRows(read: ImportRead): SheetRow[] {
     return kept
   }
   for (const { row, cells } of read.cells) at(row).cells = cells
-  for (const each of read.rows) at(each.row).read = each
-  for (const each of read.skipped) at(each.row).skipped = each
+  for (const line of read.rows) at(line.row).read = line
+  for (const line of read.skipped) at(line.row).skipped = line
   for (const fault of read.errors) at(fault.row).faults.push(fault)
   for (const guess of read.guesses) at(guess.row).guesses.push(guess)
   for (const { row, proposed } of read.refused_names.names) if (row !== null) at(row).proposed = proposed
@@ -97,8 +97,8 @@ export function ImportRows({ read, head, match, onKeep, onSkip, onEdit, onFillDo
   const all = useMemo(() => sheetRows(read), [read])
   const known = read.columns.filter(({ field }) => field !== 'extra' && field !== 'ignore').length
   const wrong = all.filter(({ faults }) => faults.length > 0).length
-  const [wanted, setWanted] = useState<Shown>('all')
-  const shown: Shown = wanted === 'errors' && wrong === 0 ? 'all' : wanted
+  const [chosen, setChosen] = useState<Shown>('all')
+  const shown: Shown = chosen === 'errors' && wrong === 0 ? 'all' : chosen
   const rows = useMemo(
     () =>
       all.filter(
@@ -120,7 +120,7 @@ export function ImportRows({ read, head, match, onKeep, onSkip, onEdit, onFillDo
   const toNextError = () => {
     const next = wrongRows.find((row) => row > (current ?? 0)) ?? wrongRows[0]
     if (next === undefined) return
-    setWanted('errors')
+    setChosen('errors')
     setCurrent(next)
   }
   useEffect(() => {
@@ -155,7 +155,7 @@ export function ImportRows({ read, head, match, onKeep, onSkip, onEdit, onFillDo
             <Segmented
               label="Rows shown"
               value={shown}
-              onChange={setWanted}
+              onChange={setChosen}
               options={[
                 { value: 'all', label: 'All' },
                 { value: 'changes', label: 'Changes' },

@@ -28,7 +28,7 @@ export function KitsPage() {
   const { kit: key } = useSearch({ from: '/shell/projects/$projectId/sound-list/kits' })
   const rights = useRights(projectId)
   const { data: kits, error } = useQuery(kitsQuery)
-  const kit = kits?.find((one) => one.key === key)
+  const kit = kits?.find((candidate) => candidate.key === key)
   if (rights.known && !rights.edits) {
     return (
       <div className="page page-narrow">
@@ -131,7 +131,7 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
   const table = useRef<HTMLTableElement>(null)
   const rows = data?.rows ?? []
   const isWanted = (row: KitRow) => !row.is_listed && !struck.includes(row.file_name)
-  const wanted = rows.filter(isWanted)
+  const chosen = rows.filter(isWanted)
   const strike = (names: readonly string[], isStruck: boolean) =>
     setStruck((now) => [...now.filter((name) => !names.includes(name)), ...(isStruck ? names : [])])
   const boxes = () => [...(table.current?.querySelectorAll<HTMLInputElement>('tbody input') ?? [])]
@@ -147,8 +147,8 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
   const { reset } = add
   useEffect(() => reset, [reset])
   const send = async () => {
-    if (add.isPending || wanted.length === 0) return
-    const added = await add.mutateAsync(wanted.map(cueOf)).catch((failure: unknown) => {
+    if (add.isPending || chosen.length === 0) return
+    const added = await add.mutateAsync(chosen.map(cueOf)).catch((failure: unknown) => {
       if (problemIn(failure) === null) throw failure
       return null
     })
@@ -170,7 +170,7 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
       <DraftNote draft={draft} />
       <Refusal error={error} />
       <Card aria-labelledby="kit-cues">
-        <CardHead id="kit-cues" title="Cues" count={rows.length} note={`${wanted.length} will be added`} />
+        <CardHead id="kit-cues" title="Cues" count={rows.length} note={`${chosen.length} will be added`} />
         <table ref={table} className={classes.table}>
           <thead className="visually-hidden">
             <tr>
@@ -240,11 +240,11 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
           variant="primary"
           keys="mod+Enter"
           className="end"
-          disabled={wanted.length === 0}
+          disabled={chosen.length === 0}
           aria-busy={add.isPending}
           onClick={() => void send()}
         >
-          {wanted.length === 0 ? 'Add cues' : `Add ${plural(wanted.length, 'cue')}`}
+          {chosen.length === 0 ? 'Add cues' : `Add ${plural(chosen.length, 'cue')}`}
         </Button>
       </div>
     </>

@@ -223,7 +223,7 @@ async function readRow(client: QueryClient, projectId: string, draft: CueDraft):
   if (Object.keys(faults).length > 0 || !isMatrix(draft.name)) return { cues: [facts], faults }
   try {
     const { rows } = await client.fetchQuery({ ...matrixQuery(projectId, draft.name, draft.category), staleTime: 0 })
-    const variationsOf = (said: number) => (said > 1 ? said : facts.variations)
+    const variationsOf = (count: number) => (count > 1 ? count : facts.variations)
     return {
       cues: rows.map(({ name, file_name, variations }) => ({
         ...facts,

@@ -25,18 +25,18 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
   const dismiss = useDismissFact(projectId, cue.id)
   const busy = answer.isPending || dismiss.isPending
   const first = questions[0]
-  const say = (one: FactQuestion, text: string) => {
+  const say = (question: FactQuestion, text: string) => {
     if (busy || text.trim() === '') return
-    answer.mutate({ fact: one.fact, text }, { onSuccess: () => (questions.length === 1 ? onClose() : undefined) })
+    answer.mutate({ fact: question.fact, text }, { onSuccess: () => (questions.length === 1 ? onClose() : undefined) })
   }
-  const drop = (one: FactQuestion) => {
+  const drop = (question: FactQuestion) => {
     if (busy) return
     dismiss.mutate(
-      { fact: one.fact, dismissed: true },
+      { fact: question.fact, dismissed: true },
       {
         onSuccess: () => {
-          showToast(`“${one.question}” is not asked of ${cue.name} any more.`, () =>
-            dismiss.mutate({ fact: one.fact, dismissed: false }),
+          showToast(`“${question.question}” is not asked of ${cue.name} any more.`, () =>
+            dismiss.mutate({ fact: question.fact, dismissed: false }),
           )
           if (questions.length === 1) onClose()
         },
@@ -57,8 +57,15 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
   return (
     <section className={`grid gap-3 ${classes.panel}`} aria-label={`What is unclear about ${cue.name}`}>
       {first === undefined && <p>Every question is answered.</p>}
-      {questions.map((one) => (
-        <Asked key={one.fact} one={one} isFirst={one === first} busy={busy} onSay={say} onDrop={drop} />
+      {questions.map((question) => (
+        <Asked
+          key={question.fact}
+          question={question}
+          isFirst={question === first}
+          busy={busy}
+          onSay={say}
+          onDrop={drop}
+        />
       ))}
       <Refusal error={problem} />
       <div className="row wrap">
@@ -74,39 +81,39 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
 }
 
 interface AskedProps {
-  one: FactQuestion
+  question: FactQuestion
   /** Its answers have the keys. */
   isFirst: boolean
   busy: boolean
-  onSay: (one: FactQuestion, text: string) => void
-  onDrop: (one: FactQuestion) => void
+  onSay: (question: FactQuestion, text: string) => void
+  onDrop: (question: FactQuestion) => void
 }
 
-function Asked({ one, isFirst, busy, onSay, onDrop }: AskedProps) {
+function Asked({ question, isFirst, busy, onSay, onDrop }: AskedProps) {
   const [text, setText] = useState('')
   return (
     <form
       className={`grid gap-1 ${classes.question}`}
-      aria-label={one.question}
+      aria-label={question.question}
       onSubmit={(event) => {
         event.preventDefault()
-        onSay(one, text)
+        onSay(question, text)
       }}
     >
-      <span className="strong">{one.question}</span>
+      <span className="strong">{question.question}</span>
       <span className="row wrap">
-        {one.answers.map((each, at) => (
+        {question.answers.map((answer, at) => (
           <Button
-            key={each}
+            key={answer}
             keys={isFirst ? String(at + 1) : undefined}
             disabled={busy}
-            onClick={() => onSay(one, each)}
+            onClick={() => onSay(question, answer)}
           >
-            {each}
+            {answer}
           </Button>
         ))}
         <TextInput
-          aria-label={`${one.question} In other words`}
+          aria-label={`${question.question} In other words`}
           placeholder="In other words"
           value={text}
           maxLength={200}
@@ -117,7 +124,7 @@ function Asked({ one, isFirst, busy, onSay, onDrop }: AskedProps) {
             Add
           </Button>
         )}
-        <Button variant="quiet" keys={isFirst ? 'd' : undefined} disabled={busy} onClick={() => onDrop(one)}>
+        <Button variant="quiet" keys={isFirst ? 'd' : undefined} disabled={busy} onClick={() => onDrop(question)}>
           Not needed
         </Button>
       </span>

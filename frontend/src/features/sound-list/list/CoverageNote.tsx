@@ -23,15 +23,15 @@ export function CoverageNote({ projectId }: { projectId: string }): ReactNode {
     ['No cue for', data.priority_without_cue],
     ['Only a wish for', data.priority_as_wish],
   ] as const
-  const said = missing.filter(([, names]) => names.length > 0)
-  if (said.length === 0) return null
+  const gaps = missing.filter(([, names]) => names.length > 0)
+  if (gaps.length === 0) return null
   return (
     <p className={`row wrap ${classes.coverage}`}>
       <span className="tone-warn toned">
         <Icon name="triangle" />
       </span>
       <span>
-        {said.map(([words, names]) => `${words} ${few(names)}`).join('. ')}
+        {gaps.map(([words, names]) => `${words} ${few(names)}`).join('. ')}
         {', which '}
         <Link className="link" to={`/projects/${projectId}/brief` as LinkProps['to']}>
           the brief

@@ -57,8 +57,12 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           className="row"
           onSubmit={(event) => {
             event.preventDefault()
-            const wanted = category.trim()
-            put('category', wanted.toLowerCase().replaceAll(' ', '-'), wanted ? `in ${wanted}` : 'without a category')
+            const trimmed = category.trim()
+            put(
+              'category',
+              trimmed.toLowerCase().replaceAll(' ', '-'),
+              trimmed ? `in ${trimmed}` : 'without a category',
+            )
           }}
         >
           <input
@@ -70,8 +74,8 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
             onChange={(event) => setCategory(event.currentTarget.value)}
           />
           <datalist id="picked-categories">
-            {categories.map((each) => (
-              <option key={each} value={each} />
+            {categories.map((option) => (
+              <option key={option} value={option} />
             ))}
           </datalist>
           <Button type="submit">Set category</Button>

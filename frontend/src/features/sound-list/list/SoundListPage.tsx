@@ -141,12 +141,12 @@ export function SoundListPage(): ReactNode {
   }, [])
   const changeNeed = ({ cue }: CueRow) => {
     if (change.isPending) return
-    const wanted = nextNeed(cue.need)
+    const newNeed = nextNeed(cue.need)
     const put = (edition: number, to: Cue['need']) =>
       change.mutateAsync({ cueId: cue.id, edition, facts: { need: to } })
-    void put(cue.edition, wanted).then(
+    void put(cue.edition, newNeed).then(
       (saved) =>
-        showToast(`${cue.name} is a ${wanted}.`, async () => {
+        showToast(`${cue.name} is a ${newNeed}.`, async () => {
           await put(saved.edition, cue.need)
         }),
       () => undefined, // the refusal is shown above the list

@@ -70,7 +70,7 @@ export function withPasted(
       if (cells === undefined) return row
       const given = NEW_FIELDS.slice(columnAt)
         .slice(0, cells.length)
-        .map((each, place) => [each, read(each, (cells[place] ?? '').trim())] as const)
+        .map((column, place) => [column, read(column, (cells[place] ?? '').trim())] as const)
       return { ...row, draft: { ...row.draft, ...Object.fromEntries(given) }, faults: {}, whole: [] }
     }),
   )

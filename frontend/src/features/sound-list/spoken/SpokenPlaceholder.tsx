@@ -21,7 +21,7 @@ interface SpokenPlaceholderProps {
 
 /** A word that is said for a cue: heard here, and in its placeholder files until the sound comes. */
 export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: SpokenPlaceholderProps) {
-  const { data: said } = useQuery(saidQuery(cueId))
+  const { data: placeholder } = useQuery(saidQuery(cueId))
   const say = useSay(projectId, cueId)
   const remove = useRemoveSaid(projectId, cueId)
   const [unsent, setUnsent] = useState<File | null>(null)
@@ -41,26 +41,26 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
       disabled: !mayEdit,
     },
   ])
-  if (!said && !mayEdit) return null
+  if (!placeholder && !mayEdit) return null
   const problem = problemIn(say.error) ?? problemIn(remove.error)
   return (
     <section className="grid gap-2" aria-label={`Spoken placeholder of ${cueName}`}>
       <p className="small strong">Spoken placeholder</p>
-      {said ? (
-        <p className="small mid">{`${length(said.duration_s)}, said by ${said.recorded_by.name} ${ago(said.recorded_at)}. The game plays it until a sound is approved.`}</p>
+      {placeholder ? (
+        <p className="small mid">{`${length(placeholder.duration_s)}, said by ${placeholder.recorded_by.name} ${ago(placeholder.recorded_at)}. The game plays it until a sound is approved.`}</p>
       ) : (
         <p className="small dim">
           Hold v and say what the sound does, as in “bonk”. The game plays it until a sound is approved.
         </p>
       )}
       <div className="row wrap">
-        {said && (
+        {placeholder && (
           <>
             {/* A word or two, whose text is the name of the cue. */}
             {/* eslint-disable-next-line jsx-a11y/media-has-caption */}
             <audio
               ref={audio}
-              src={`/v1/cues/${cueId}/spoken-placeholder/file?v=${said.sha256.slice(0, 12)}`}
+              src={`/v1/cues/${cueId}/spoken-placeholder/file?v=${placeholder.sha256.slice(0, 12)}`}
               preload="none"
             />
             <Button icon="play" onClick={() => void audio.current?.play().catch(() => undefined)}>
@@ -75,10 +75,10 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
             aria-busy={say.isPending}
             onClick={recorder.isRecording ? recorder.stop : recorder.start}
           >
-            {recorder.isRecording ? 'Stop' : said ? 'Record again' : 'Record a placeholder'}
+            {recorder.isRecording ? 'Stop' : placeholder ? 'Record again' : 'Record a placeholder'}
           </Button>
         )}
-        {mayEdit && said && (
+        {mayEdit && placeholder && (
           <Button variant="quiet" aria-busy={remove.isPending} onClick={() => remove.mutate()}>
             Remove
           </Button>

@@ -33,18 +33,18 @@ export function useRecorder(onRecorded: (file: File) => void): Recorder {
   useEffect(() => stop, [])
   const record = (stream: MediaStream) => {
     const parts: Blob[] = []
-    const made = new MediaRecorder(stream)
-    recorder.current = made
-    made.addEventListener('dataavailable', ({ data }) => parts.push(data))
-    made.addEventListener('stop', () => {
+    const mediaRecorder = new MediaRecorder(stream)
+    recorder.current = mediaRecorder
+    mediaRecorder.addEventListener('dataavailable', ({ data }) => parts.push(data))
+    mediaRecorder.addEventListener('stop', () => {
       for (const track of stream.getTracks()) track.stop()
       setRecording(false)
-      wavOf(new Blob(parts, { type: made.mimeType })).then(
+      wavOf(new Blob(parts, { type: mediaRecorder.mimeType })).then(
         (file) => latest.current(file),
         () => setTrouble({ detail: 'The recording was too short to be read.', fix: 'Hold the key while you speak.' }),
       )
     })
-    made.start()
+    mediaRecorder.start()
     setRecording(true)
     timer.current = setTimeout(stop, LONGEST_MS)
   }
