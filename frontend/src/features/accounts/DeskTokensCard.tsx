@@ -19,14 +19,14 @@ export function DeskTokensCard() {
   const { data: tokens, error } = useQuery(deskTokensQuery)
   const create = useCreateDeskToken()
   const revoke = useRevokeDeskToken()
-  const [made, setMade] = useState<DeskTokenMade | null>(null)
+  const [token, setToken] = useState<DeskTokenMade | null>(null)
   const send = (event: FormEvent<HTMLFormElement>) => {
     event.preventDefault()
     const form = new FormData(event.currentTarget)
     const name = form.get('name')
     create.mutate(
       { name: typeof name === 'string' ? name : '', days: Number(form.get('days')) },
-      { onSuccess: setMade },
+      { onSuccess: setToken },
     )
   }
   return (
@@ -53,8 +53,8 @@ export function DeskTokensCard() {
         ))}
       </Rows>
       <div className={`${classes.inside} ${classes.note}`}>
-        {made ? (
-          <Secret token={made} onDone={() => setMade(null)} />
+        {token ? (
+          <Secret token={token} onDone={() => setToken(null)} />
         ) : (
           <form className="stack" onSubmit={send} noValidate aria-label="Create desk token">
             <TextInput

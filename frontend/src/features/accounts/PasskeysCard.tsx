@@ -24,9 +24,9 @@ export function PasskeysCard() {
     event.preventDefault()
     const name = new FormData(event.currentTarget).get('name')
     add.mutate(typeof name === 'string' && name.trim() !== '' ? name : 'Passkey', {
-      onSuccess: (made) => {
-        setCodes(made.recovery_codes)
-        showToast(`“${made.name}” was added. Your other browsers are signed out.`)
+      onSuccess: (passkey) => {
+        setCodes(passkey.recovery_codes)
+        showToast(`“${passkey.name}” was added. Your other browsers are signed out.`)
       },
     })
   }

@@ -35,10 +35,10 @@ export function PictureCard({ me }: { me: Me }) {
   const { name, picture } = me.person
   const take = (files: readonly File[]) => {
     const [file] = files
-    const found = problemOf(files)
-    setProblem(found)
+    const fault = problemOf(files)
+    setProblem(fault)
     save.reset()
-    if (file && !found) save.mutate(file, { onSuccess: () => showToast('This picture is shown beside your name now.') })
+    if (file && !fault) save.mutate(file, { onSuccess: () => showToast('This picture is shown beside your name now.') })
   }
   const drop = (event: DragEvent) => {
     event.preventDefault()

@@ -33,8 +33,8 @@ export function SecondFactorRequirementCard({ studioId }: { studioId: string }) 
               description={hint}
               checked={chosen.has(use)}
               onChange={({ currentTarget }) => {
-                const uses = USES.map((each) => each.use).filter((each) =>
-                  each === use ? currentTarget.checked : chosen.has(each),
+                const uses = USES.map((option) => option.use).filter((candidate) =>
+                  candidate === use ? currentTarget.checked : chosen.has(candidate),
                 )
                 save.mutate(uses, { onSuccess: () => showToast('Saved.') })
               }}

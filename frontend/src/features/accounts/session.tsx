@@ -54,8 +54,8 @@ function useShell(): ShellData {
   const { data: session } = useQuery(sessionQuery)
   const { data: me, error } = useQuery(meQuery)
   const { projectId } = useParams({ strict: false })
-  const wanted = projectId ?? lastProject()
-  const project = me?.projects.find(({ id }) => id === wanted) ?? (projectId ? undefined : me?.projects[0])
+  const currentId = projectId ?? lastProject()
+  const project = me?.projects.find(({ id }) => id === currentId) ?? (projectId ? undefined : me?.projects[0])
   const isTeam = project?.part === 'team'
   const { data: review } = useQuery({ ...countQuery(project?.id ?? ''), enabled: isTeam })
   const { data: desk } = useQuery({

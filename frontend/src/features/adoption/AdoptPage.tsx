@@ -68,17 +68,17 @@ function Former({
     <Card aria-labelledby="former">
       <CardHead id="former" title="Folders of this project" count={others.length} />
       <ul className="grid gap-1 wrap-anywhere p-3-inset">
-        {others.map((one) => (
-          <li key={one.id}>
+        {others.map((adoption) => (
+          <li key={adoption.id}>
             <Link
               className="link"
               to="/projects/$projectId/sound-list/adopt"
               params={{ projectId }}
-              search={{ adoption: one.id }}
+              search={{ adoption: adoption.id }}
             >
-              {one.folder}
+              {adoption.folder}
             </Link>{' '}
-            <span className="small dim">{stands(one)}</span>
+            <span className="small dim">{stands(adoption)}</span>
           </li>
         ))}
       </ul>

@@ -33,9 +33,9 @@ function Sent({ projectId, adoptionId }: Of) {
   const { data } = useQuery(sentPlanQuery(adoptionId))
   const adopt = useMutation({
     mutationFn: () => adoptFolder(adoptionId),
-    onSuccess: async (made) => {
+    onSuccess: async (adoption) => {
       await refreshAdopted(client, projectId)
-      showToast(`${plural(made.cues, 'cue')} adopted with ${plural(made.takes, 'take')}.`)
+      showToast(`${plural(adoption.cues, 'cue')} adopted with ${plural(adoption.takes, 'take')}.`)
     },
   })
   if (data === undefined) return null
@@ -86,13 +86,13 @@ function Adopted({ projectId, progress }: { projectId: string; progress: Progres
             )}
             {odd.length > 0 && (
               <ul className="grid gap-1 wrap-anywhere" aria-label="Sounds with findings">
-                {odd.map((one) => (
-                  <li key={one.take_id}>
-                    <Link className="link" to="/takes/$takeId" params={{ takeId: one.take_id }}>
-                      {one.label} {one.file_name}
+                {odd.map((take) => (
+                  <li key={take.take_id}>
+                    <Link className="link" to="/takes/$takeId" params={{ takeId: take.take_id }}>
+                      {take.label} {take.file_name}
                     </Link>{' '}
-                    <span className={one.verdict === 'conforming' ? 'mid' : 'tone-bad toned'}>
-                      {one.messages.join('; ')}
+                    <span className={take.verdict === 'conforming' ? 'mid' : 'tone-bad toned'}>
+                      {take.messages.join('; ')}
                     </span>
                   </li>
                 ))}

@@ -62,8 +62,8 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
         async () => {
           if (!canHash()) throw new Refused('This page is not secure: open it by https, or use soundlist adopt.')
           const sounds = soundsOf(picked)
-          const found = projectIn(picked)
-          const sent = found ? await packProject(picked, found) : null
+          const gameProject = projectIn(picked)
+          const sent = gameProject ? await packProject(picked, gameProject) : null
           if (sent !== null && stage.at === 'planned' && (sounds.length === 0 || isProject)) {
             setStage({ ...stage, project: sent, plan: await planned(stage.folder, sent) })
             return
@@ -103,9 +103,9 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
       if (failed)
         throw new Refused(`${failed.path} was not sent: ${failed.reason ?? 'it was stopped'} Nothing was adopted.`)
       setStage({ at: 'adopting' })
-      const made = await adoptFolder(opened.id)
+      const adoption = await adoptFolder(opened.id)
       await refreshAdopted(client, projectId)
-      showToast(`${plural(made.cues, 'cue')} adopted with ${plural(made.takes, 'take')}.`)
+      showToast(`${plural(adoption.cues, 'cue')} adopted with ${plural(adoption.takes, 'take')}.`)
       await navigate({
         to: '/projects/$projectId/sound-list/adopt',
         params: { projectId },

@@ -41,7 +41,7 @@ const ENDED = ['finished', 'not_sent', 'stopped', 'already_here']
 /** Send files and resolve once each has ended, with those that did not arrive. */
 export async function sendAll(queue: UploadQueue, files: readonly { path: string; file: File }[]): Promise<Upload[]> {
   // By its path each file is another one, though two folders may have files of one name and size.
-  for (const one of files) await queue.add([one], one.path)
+  for (const file of files) await queue.add([file], file.path)
   return new Promise((resolve) => {
     const settle = () => {
       const uploads = queue.get()

@@ -30,7 +30,7 @@ export function projectIn(picked: readonly Picked[]): Found | null {
     (path) => isUnreal || /(\.wproj|\.fspro|\/ProjectVersion\.txt|(^|\/)project\.godot)$/.test(path),
   )
   const depth = (path: string) => path.replace(VERSION, '').split('/').length
-  const [mark] = marks.sort((one, other) => depth(one) - depth(other) || one.localeCompare(other))
+  const [mark] = marks.sort((a, b) => depth(a) - depth(b) || a.localeCompare(b))
   if (mark === undefined) return null
   if (mark.endsWith(VERSION)) {
     const isWanted = (path: string) => SETTINGS.has(path) || HOLDER_OR_META.test(path)

@@ -64,11 +64,11 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
     [cues],
   )
   const categories = useMemo(
-    () => [...new Set((cues ?? []).map(({ category }) => category).filter((one) => one !== ''))],
+    () => [...new Set((cues ?? []).map(({ category }) => category).filter((category) => category !== ''))],
     [cues],
   )
-  const found = brief.topics.findIndex(({ key }) => key === topicKey)
-  const at = Math.max(0, found)
+  const index = brief.topics.findIndex(({ key }) => key === topicKey)
+  const at = Math.max(0, index)
   const topic = brief.topics[at]
   const asked = topic?.questions.filter(({ applies }) => applies) ?? []
   const isWide = useMediaQuery('(min-width: 1181px)', true, { getInitialValueInEffect: false })
@@ -114,7 +114,9 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
     if (chosen.kind === 'choice') answers.change(chosen, { value: choice.key, is_unknown: false })
     if (chosen.kind === 'choices') {
       const picked = Array.isArray(value) ? (value as string[]) : []
-      const next = picked.includes(choice.key) ? picked.filter((one) => one !== choice.key) : [...picked, choice.key]
+      const next = picked.includes(choice.key)
+        ? picked.filter((other) => other !== choice.key)
+        : [...picked, choice.key]
       answers.change(chosen, { value: next, is_unknown: false })
     }
   }
@@ -145,7 +147,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
   if (!topic) return null
   const open = asked.filter(({ key }) => brief.open.includes(key)).length
   const nextOpen = questionsOf(brief).find(
-    ({ key }) => brief.open.includes(key) && !asked.some((one) => one.key === key),
+    ({ key }) => brief.open.includes(key) && !asked.some((question) => question.key === key),
   )
   return (
     <div className={classes.room}>
@@ -158,9 +160,9 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
         </div>
         <Completeness brief={brief} />
         <ol>
-          {brief.topics.map((one, place) => (
-            <li key={one.key}>
-              <TopicLink topic={one} projectId={projectId} isCurrent={place === at} onGo={() => go(place)} />
+          {brief.topics.map((item, place) => (
+            <li key={item.key}>
+              <TopicLink topic={item} projectId={projectId} isCurrent={place === at} onGo={() => go(place)} />
             </li>
           ))}
         </ol>
@@ -203,7 +205,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
               answers={answers}
               mayAnswer={brief.may_answer}
               mayAsk={brief.may_ask}
-              followUps={brief.follow_ups.filter((one) => one.question === question.key)}
+              followUps={brief.follow_ups.filter((followUp) => followUp.question === question.key)}
               names={names}
               categories={categories}
             />

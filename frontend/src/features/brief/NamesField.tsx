@@ -85,7 +85,7 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
               type="button"
               className={classes.tokenAct}
               aria-label={`Remove ${token.name}`}
-              onClick={() => set({ tokens: tokens.filter((one) => one !== token) })}
+              onClick={() => set({ tokens: tokens.filter((other) => other !== token) })}
             >
               ×
             </button>
@@ -108,13 +108,13 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
             <Segmented
               label="Between the parts"
               options={SEPARATORS}
-              value={SEPARATORS.find((one) => one.value === separator)?.value ?? '_'}
+              value={SEPARATORS.find((option) => option.value === separator)?.value ?? '_'}
               onChange={(next) => set({ separator: next })}
             />
             <Segmented
               label="Letters"
               options={LETTERS}
-              value={LETTERS.find((one) => one.value === letters)?.value ?? 'lower'}
+              value={LETTERS.find((option) => option.value === letters)?.value ?? 'lower'}
               onChange={(next) =>
                 set({ tokens: tokens.map((token) => (token.case ? { ...token, case: next } : token)) })
               }

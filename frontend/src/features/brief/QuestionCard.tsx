@@ -115,8 +115,8 @@ export function QuestionCard({
             }
           />
         )}
-        {followUps.map((one) => (
-          <FollowUpLine key={one.id} followUp={one} projectId={projectId} mayAnswer={mayAnswer} />
+        {followUps.map((followUp) => (
+          <FollowUpLine key={followUp.id} followUp={followUp} projectId={projectId} mayAnswer={mayAnswer} />
         ))}
         {mayAsk && <AskForm projectId={projectId} question={question} />}
       </div>

@@ -237,7 +237,8 @@ function SizeCard({ projectId, revision }: { projectId: string; revision: number
 /** What nobody has answered yet, for both sides to see. */
 function OpenCard({ projectId, brief }: { projectId: string; brief: Brief }) {
   const open = questionsOf(brief).filter(({ key }) => brief.open.includes(key))
-  const topicOf = (key: string) => brief.topics.find(({ questions }) => questions.some((one) => one.key === key))?.key
+  const topicOf = (key: string) =>
+    brief.topics.find(({ questions }) => questions.some((question) => question.key === key))?.key
   return (
     <section aria-label="Undecided">
       <CardHead title="Undecided" count={open.length} />

@@ -55,7 +55,13 @@ export function ChoiceField({ question, value, onChange }: FieldProps) {
     <div role="group" aria-label={question.text} className={`row wrap ${classes.choices}`}>
       {question.choices.map(({ key, label }) => {
         const isPicked = picked.includes(key)
-        const next = several ? (isPicked ? picked.filter((one) => one !== key) : [...picked, key]) : isPicked ? '' : key
+        const next = several
+          ? isPicked
+            ? picked.filter((other) => other !== key)
+            : [...picked, key]
+          : isPicked
+            ? ''
+            : key
         return (
           <button
             key={key}
@@ -148,7 +154,7 @@ export function EffectsField({ question, value, onChange, categories }: FieldPro
                     onChange={({ currentTarget: { checked } }) =>
                       onChange({
                         ...table,
-                        [row]: checked ? [...of(row), key] : of(row).filter((one) => one !== key),
+                        [row]: checked ? [...of(row), key] : of(row).filter((other) => other !== key),
                       })
                     }
                   />

@@ -57,17 +57,17 @@ export function readName(naming: Naming, fileName: string): Token[] | null {
     if (before !== undefined) return before
     known.set(place, null)
     const token = tokens[done]
-    let found: Token[] | null = null
+    let matched: Token[] | null = null
     if (token) {
       const part = parts[read]
       if (part !== undefined && fitsToken(token, part)) {
         const rest = from(read + 1, done + 1) ?? (token.repeats ? from(read + 1, done) : null)
-        if (rest) found = [token, ...rest]
+        if (rest) matched = [token, ...rest]
       }
-      if (!found && token.optional) found = from(read, done + 1)
+      if (!matched && token.optional) matched = from(read, done + 1)
     }
-    known.set(place, found)
-    return found
+    known.set(place, matched)
+    return matched
   }
   return from(0, 0)
 }
@@ -108,7 +108,7 @@ export function namingFrom(text: string): Naming | null {
   const last = parts.map((all) => (all.length > 1 ? (all.at(-1) ?? '') : ''))
   const numbers = last.filter((part) => /^\d{1,6}$/.test(part))
   const digits =
-    numbers.length > 0 && numbers.every((one) => one.length === numbers[0]?.length) ? numbers[0]?.length : 0
+    numbers.length > 0 && numbers.every((number) => number.length === numbers[0]?.length) ? numbers[0]?.length : 0
   const words = parts.flatMap((all) => (digits && /^\d+$/.test(all.at(-1) ?? '') ? all.slice(0, -1) : all))
   const letters = (Object.keys(LETTERS) as (keyof typeof LETTERS)[]).find((kind) =>
     words.every((word) => new RegExp(`^${LETTERS[kind]}$`).test(word)),

@@ -28,8 +28,8 @@ export interface Answers {
   saving: Saving
 }
 
-const same = (one: AnswerWrite, other: AnswerWrite) =>
-  JSON.stringify([one.value, one.is_unknown, one.note]) === JSON.stringify([other.value, other.is_unknown, other.note])
+const same = (a: AnswerWrite, b: AnswerWrite) =>
+  JSON.stringify([a.value, a.is_unknown, a.note]) === JSON.stringify([b.value, b.is_unknown, b.note])
 
 const NOTHING: AnswerWrite = { value: null, is_unknown: false, note: '' }
 

@@ -14,7 +14,7 @@ export interface Scene {
 }
 
 export const textsOf = (value: unknown): string[] =>
-  Array.isArray(value) ? value.filter((one): one is string => typeof one === 'string') : []
+  Array.isArray(value) ? value.filter((item): item is string => typeof item === 'string') : []
 
 export function tableOf(value: unknown): Record<string, string[]> {
   if (!isRecord(value)) return {}

@@ -27,10 +27,10 @@ const GROUP = 'Drift'
 /** How a build plays the approved sounds: what drifted, what changed it, and what to do about it. */
 export function DriftPage(): ReactNode {
   const { projectId = '' } = useParams({ strict: false })
-  const { audit: wanted } = useSearch({ from: '/shell/projects/$projectId/drift' })
+  const { audit: auditId } = useSearch({ from: '/shell/projects/$projectId/drift' })
   const { data, error, isPending } = useQuery(auditsQuery(projectId))
   const audits = data?.items
-  const audit = audits?.find(({ id }) => id === wanted) ?? audits?.[0]
+  const audit = audits?.find(({ id }) => id === auditId) ?? audits?.[0]
   const navigate = useNavigate()
   useTitle(audit ? `Build ${audit.label}` : 'In-game levels')
   useHotkeys([

@@ -47,8 +47,8 @@ export function InGameCard({ projectId }: { projectId: string }) {
             never heard
           </summary>
           <ul className="small">
-            {data.unheard.map((one) => (
-              <Unheard key={one.cue.id} one={one} mayMark={data.may_mark} onMark={mark.mutate} />
+            {data.unheard.map((row) => (
+              <Unheard key={row.cue.id} row={row} mayMark={data.may_mark} onMark={mark.mutate} />
             ))}
           </ul>
         </details>
@@ -72,12 +72,12 @@ function Bar({ part, whole, label }: { part: number; whole: number; label: strin
 }
 
 interface UnheardProps {
-  one: CueInGame
+  row: CueInGame
   mayMark: boolean
   onMark: ReturnType<typeof useMarkCue>['mutate']
 }
 
-function Unheard({ one: { cue, in_build: inBuild }, mayMark, onMark }: UnheardProps) {
+function Unheard({ row: { cue, in_build: inBuild }, mayMark, onMark }: UnheardProps) {
   const where = inBuild === null ? 'not in the build' : inBuild === 'hand' ? 'in the build, by hand' : 'in the build'
   return (
     <li className="row wrap between">

@@ -24,8 +24,8 @@ const UNHEARD = new Set(['missing', 'not-reached'])
 
 /** Where a pass goes on: at the first cue that nobody heard and I said nothing of. */
 function firstOpen(cues: readonly CueToHear[], notes: readonly ShownNote[]): number {
-  const said = new Set(notes.filter(({ isMine }) => isMine).map(({ cueId }) => cueId))
-  const at = cues.findIndex(({ cue, heard }) => !heard && !said.has(cue.id))
+  const noted = new Set(notes.filter(({ isMine }) => isMine).map(({ cueId }) => cueId))
+  const at = cues.findIndex(({ cue, heard }) => !heard && !noted.has(cue.id))
   return Math.max(0, at)
 }
 
@@ -38,11 +38,11 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
   const [at, setAt] = useState(() => firstOpen(cues, notes.notes))
   const cue = cues[Math.min(at, cues.length - 1)]
   const heard = useMemo(() => {
-    const said = notes.notes.filter(({ said: what }) => !UNHEARD.has(what)).map(({ cueId }) => cueId)
+    const noted = notes.notes.filter(({ said: heardAs }) => !UNHEARD.has(heardAs)).map(({ cueId }) => cueId)
     const others = cues.filter(
-      (one) => one.heard && !notes.notes.some(({ cueId, isMine }) => isMine && cueId === one.cue.id),
+      (entry) => entry.heard && !notes.notes.some(({ cueId, isMine }) => isMine && cueId === entry.cue.id),
     )
-    return new Set([...said, ...others.map((one) => one.cue.id)])
+    return new Set([...noted, ...others.map((entry) => entry.cue.id)])
   }, [cues, notes.notes])
   const last = notes.notes.find(({ isMine }) => isMine)
   const step = (by: number) => setAt(Math.min(cues.length - 1, Math.max(0, at + by)))
@@ -53,7 +53,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
     setAt(
       Math.max(
         0,
-        inOrder(listening.cues, next).findIndex((one) => one.cue.id === now),
+        inOrder(listening.cues, next).findIndex((entry) => entry.cue.id === now),
       ),
     )
   }
@@ -93,17 +93,20 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           />
         </div>
         <ol className="flex-1 min-h-0 overflow-y-auto">
-          {cues.map((one, index) => (
-            <li key={one.cue.id}>
-              <Heading group={groupOf(one, order)} before={index > 0 ? groupOf(cues[index - 1] ?? one, order) : ''} />
+          {cues.map((entry, index) => (
+            <li key={entry.cue.id}>
+              <Heading
+                group={groupOf(entry, order)}
+                before={index > 0 ? groupOf(cues[index - 1] ?? entry, order) : ''}
+              />
               <button
                 type="button"
                 className={`grid gap-2 hover ${classes.item}`}
                 aria-current={index === at || undefined}
                 onClick={() => setAt(index)}
               >
-                <span className="cut-text">{one.cue.name}</span>
-                <span className="small dim">{standing(one, notes.notes, heard)}</span>
+                <span className="cut-text">{entry.cue.name}</span>
+                <span className="small dim">{standing(entry, notes.notes, heard)}</span>
               </button>
             </li>
           ))}
@@ -143,8 +146,8 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           buildLabel={audit.label}
           said={notes.notes.find(({ cueId, isMine, isMoment }) => isMine && !isMoment && cueId === cue.cue.id)}
           next={cues[at + 1]?.cue.name}
-          onSay={(said, amountDb, text) => {
-            notes.say(cue.cue, said, amountDb, text)
+          onSay={(heardAs, amountDb, text) => {
+            notes.say(cue.cue, heardAs, amountDb, text)
             step(1)
           }}
           onUndo={last ? undo : undefined}

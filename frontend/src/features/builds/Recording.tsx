@@ -56,8 +56,11 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
     if (element?.paused) void element.play().catch(() => undefined)
     else element?.pause()
   }
-  const mark = (said: HeardAs) => setNow((before) => withMoment(before, video.current?.currentTime ?? 0, said))
-  const last = now.moments.reduce<Moment | null>((one, other) => (one && one.id > other.id ? one : other), null)
+  const mark = (heardAs: HeardAs) => setNow((before) => withMoment(before, video.current?.currentTime ?? 0, heardAs))
+  const last = now.moments.reduce<Moment | null>(
+    (latest, moment) => (latest && latest.id > moment.id ? latest : moment),
+    null,
+  )
   const send = (only?: number) => {
     const going = named.filter(({ moment }) => only === undefined || moment.id === only)
     for (const { moment, sound } of going) {
@@ -156,8 +159,8 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
           </p>
         )}
         <datalist id={SOUNDS}>
-          {listening.cues.map((one) => (
-            <option key={one.cue.id} value={nameOfSound(one)} />
+          {listening.cues.map((entry) => (
+            <option key={entry.cue.id} value={nameOfSound(entry)} />
           ))}
         </datalist>
         <ol>

@@ -44,9 +44,9 @@ export function RecordingPage(): ReactNode {
               })
             }
           >
-            {recordings.map((one) => (
-              <option key={one.version.id} value={one.version.id}>
-                {titleOf(one)}
+            {recordings.map((item) => (
+              <option key={item.version.id} value={item.version.id}>
+                {titleOf(item)}
               </option>
             ))}
           </Select>

@@ -289,12 +289,12 @@ function History({ projectId, path }: { projectId: string; path: string }) {
     <details className="small">
       <summary className="pointer min-h-24px">{`In the last ${data.length} builds`}</summary>
       <ol className={classes.history}>
-        {data.map((one) => (
-          <li key={one.audit_id}>
-            <span className="strong">{one.label}</span>
-            <StatusBadge kind={faceOf(one)}>{whatOf(one)}</StatusBadge>
-            <span className="num">{one.gain_db === null ? '' : signed(one.gain_db)}</span>
-            <span className="dim">{shortDay(one.created_at)}</span>
+        {data.map((build) => (
+          <li key={build.audit_id}>
+            <span className="strong">{build.label}</span>
+            <StatusBadge kind={faceOf(build)}>{whatOf(build)}</StatusBadge>
+            <span className="num">{build.gain_db === null ? '' : signed(build.gain_db)}</span>
+            <span className="dim">{shortDay(build.created_at)}</span>
           </li>
         ))}
       </ol>

@@ -36,14 +36,14 @@ interface SoundToJudgeProps {
   /** What I said of it before. */
   said: ShownNote | undefined
   next: string | undefined
-  onSay: (said: HeardAs, amountDb: number | null, text: string) => void
+  onSay: (heardAs: HeardAs, amountDb: number | null, text: string) => void
   onUndo: (() => void) | undefined
 }
 
 /** What a choice proposes as its gain: back to the approved level where the build moved it, else 3 dB. */
-export function proposedDb(said: HeardAs, suggestedDb: number | null): number | null {
-  if (said === 'too-loud') return suggestedDb !== null && suggestedDb < 0 ? suggestedDb : -FIRST_DB
-  if (said === 'too-soft') return suggestedDb !== null && suggestedDb > 0 ? suggestedDb : FIRST_DB
+export function proposedDb(heardAs: HeardAs, suggestedDb: number | null): number | null {
+  if (heardAs === 'too-loud') return suggestedDb !== null && suggestedDb < 0 ? suggestedDb : -FIRST_DB
+  if (heardAs === 'too-soft') return suggestedDb !== null && suggestedDb > 0 ? suggestedDb : FIRST_DB
   return null
 }
 
@@ -54,16 +54,21 @@ export function SoundToJudge(props: SoundToJudgeProps) {
   const [choice, setChoice, draft] = useDraft<Choice>(`listening:${passId}:${cue.cue.id}`, before)
   const head = useRef<HTMLHeadingElement>(null)
   useEffect(() => head.current?.focus({ preventScroll: true }), [])
-  const choose = (what: HeardAs) =>
-    setChoice((now) => ({ ...now, said: what, amountDb: proposedDb(what, cue.suggested_db) }))
-  const say = (what: HeardAs | null) => {
-    if (what === null) return
+  const choose = (heardAs: HeardAs) =>
+    setChoice((now) => ({ ...now, said: heardAs, amountDb: proposedDb(heardAs, cue.suggested_db) }))
+  const say = (heardAs: HeardAs | null) => {
+    if (heardAs === null) return
     const { amountDb, text } = choice
     draft.discard()
-    onSay(what, what === choice.said ? amountDb : null, text.trim())
+    onSay(heardAs, heardAs === choice.said ? amountDb : null, text.trim())
   }
   useHotkeys([
-    ...SAYINGS.map(({ said: what, word, keys }) => ({ keys, label: word, group: GROUP, run: () => choose(what) })),
+    ...SAYINGS.map(({ said: heardAs, word, keys }) => ({
+      keys,
+      label: word,
+      group: GROUP,
+      run: () => choose(heardAs),
+    })),
     { keys: '0', label: 'Not reached, next', group: GROUP, run: () => say('not-reached') },
     {
       keys: 'Enter',
@@ -94,15 +99,15 @@ export function SoundToJudge(props: SoundToJudgeProps) {
       </header>
       {cue.sound?.preview_url && <Player cue={cue} projectId={projectId} buildLabel={buildLabel} />}
       <div className={`grid gap-2 ${classes.keys}`} role="group" aria-label="What is it like in the game?">
-        {SAYINGS.map(({ said: what, word, keys, icon }) => (
+        {SAYINGS.map(({ said: heardAs, word, keys, icon }) => (
           <button
-            key={what}
+            key={heardAs}
             type="button"
             className={`flex items-center gap-3 hover ${classes.bigKey}`}
-            data-wide={what === 'good' || undefined}
-            aria-pressed={choice.said === what}
+            data-wide={heardAs === 'good' || undefined}
+            aria-pressed={choice.said === heardAs}
             aria-keyshortcuts={keys}
-            onClick={() => choose(what)}
+            onClick={() => choose(heardAs)}
           >
             <Icon name={icon} />
             <span>{word}</span>
@@ -167,8 +172,8 @@ function Amount({ cue, choice, onChange }: AmountProps) {
   const isLoud = choice.said === 'too-loud'
   const amountDb = choice.amountDb ?? (isLoud ? -FIRST_DB : FIRST_DB)
   const change = (by: number) => {
-    const wanted = Math.round((amountDb + by) * 10) / 10
-    const size = Math.min(MOST_DB, Math.max(0.5, isLoud ? -wanted : wanted))
+    const nextDb = Math.round((amountDb + by) * 10) / 10
+    const size = Math.min(MOST_DB, Math.max(0.5, isLoud ? -nextDb : nextDb))
     onChange(isLoud ? -size : size)
   }
   const list = cue.move?.changelist

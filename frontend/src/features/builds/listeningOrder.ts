@@ -35,7 +35,6 @@ export function inOrder(cues: readonly CueToHear[], order: Order): CueToHear[] {
   if (order === 'list') return [...cues]
   const isLast = ({ category, events }: CueToHear) => (order === 'category' ? category === '' : events.length === 0)
   return [...cues].sort(
-    (one, other) =>
-      Number(isLast(one)) - Number(isLast(other)) || groupOf(one, order).localeCompare(groupOf(other, order)),
+    (a, b) => Number(isLast(a)) - Number(isLast(b)) || groupOf(a, order).localeCompare(groupOf(b, order)),
   )
 }

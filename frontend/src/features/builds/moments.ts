@@ -23,24 +23,24 @@ export const nameOfSound = ({ cue, events }: CueToHear): string =>
 
 /** The sound that is meant: the one that is named, else the only one that has what was typed. */
 export function soundOf(typed: string, cues: readonly CueToHear[]): CueToHear | null {
-  const wanted = typed.trim().toLowerCase()
-  if (wanted === '') return null
-  const exact = cues.find((one) =>
-    [nameOfSound(one), one.cue.name, one.cue.label].some((name) => name.toLowerCase() === wanted),
+  const query = typed.trim().toLowerCase()
+  if (query === '') return null
+  const exact = cues.find((cue) =>
+    [nameOfSound(cue), cue.cue.name, cue.cue.label].some((name) => name.toLowerCase() === query),
   )
   if (exact) return exact
-  const found = cues.filter((one) => nameOfSound(one).toLowerCase().includes(wanted))
-  return found.length === 1 ? (found[0] ?? null) : null
+  const matches = cues.filter((cue) => nameOfSound(cue).toLowerCase().includes(query))
+  return matches.length === 1 ? (matches[0] ?? null) : null
 }
 
-export const withMoment = ({ moments, nextId }: Moments, atS: number, said: HeardAs): Moments => ({
-  moments: [...moments, { id: nextId, atS, said, sound: '', text: '' }].toSorted((one, other) => one.atS - other.atS),
+export const withMoment = ({ moments, nextId }: Moments, atS: number, heardAs: HeardAs): Moments => ({
+  moments: [...moments, { id: nextId, atS, said: heardAs, sound: '', text: '' }].toSorted((a, b) => a.atS - b.atS),
   nextId: nextId + 1,
 })
 
 export const withChange = (now: Moments, id: number, change: Partial<Moment>): Moments => ({
   ...now,
-  moments: now.moments.map((one) => (one.id === id ? { ...one, ...change } : one)),
+  moments: now.moments.map((moment) => (moment.id === id ? { ...moment, ...change } : moment)),
 })
 
 export const without = (now: Moments, ids: ReadonlySet<number>): Moments => ({

@@ -93,7 +93,7 @@ export class NoteQueue {
       refusal !== null && entry.kind === 'note'
         ? [...this.#kept.refused, { cueName: entry.cueName, body: entry.body, why: refusal }]
         : this.#kept.refused
-    this.#keep({ pending: this.#kept.pending.filter((one) => one !== entry), refused })
+    this.#keep({ pending: this.#kept.pending.filter((other) => other !== entry), refused })
   }
 
   #keep(kept: Kept): void {

@@ -30,7 +30,7 @@ export interface Notes {
   waiting: number
   refused: readonly RefusedNote[]
   forgetRefused: () => void
-  say: (cue: { id: string; name: string }, said: HeardAs, amountDb: number | null, text: string) => void
+  say: (cue: { id: string; name: string }, heardAs: HeardAs, amountDb: number | null, text: string) => void
   takeBack: (note: ShownNote) => void
 }
 
@@ -49,7 +49,7 @@ export function useNotes(projectId: string, listening: ListeningPass): Notes {
   const { pending, refused } = useSyncExternalStore(queue.subscribe, queue.getState)
   const [sent, setSent] = useState<readonly ShownNote[]>([])
   const [undone, setUndone] = useState<ReadonlySet<string>>(new Set())
-  const waitingIds = new Set(pending.flatMap((one) => (one.kind === 'note' ? [one.body.note_id] : [])))
+  const waitingIds = new Set(pending.flatMap((entry) => (entry.kind === 'note' ? [entry.body.note_id] : [])))
   const refusedIds = new Set(refused.map(({ body }) => body.note_id))
   const fromServer = listening.notes.map((note): ShownNote => ({
     id: note.id,
@@ -65,37 +65,37 @@ export function useNotes(projectId: string, listening: ListeningPass): Notes {
     isWaiting: false,
     isMoment: note.recording !== null,
   }))
-  const stored = pending.flatMap((one): ShownNote[] =>
-    one.kind === 'note' && one.passId === listening.id ? [shownOf(one.body, one.cueName)] : [],
+  const stored = pending.flatMap((entry): ShownNote[] =>
+    entry.kind === 'note' && entry.passId === listening.id ? [shownOf(entry.body, entry.cueName)] : [],
   )
-  const local = [...sent, ...stored.filter(({ id }) => !sent.some((one) => one.id === id))].filter(
+  const local = [...sent, ...stored.filter(({ id }) => !sent.some((note) => note.id === id))].filter(
     ({ id }) => !refusedIds.has(id),
   )
   const replaced = new Set(local.filter(({ isMoment }) => !isMoment).map(({ cueId }) => cueId))
   const localIds = new Set(local.map(({ id }) => id))
   const known = new Set(fromServer.map(({ id }) => id))
   const mine = local.filter(({ id, cueId, isMoment }) => {
-    const newest = local.findLast((one) => one.cueId === cueId && !one.isMoment)
+    const newest = local.findLast((note) => note.cueId === cueId && !note.isMoment)
     return (isMoment || newest?.id === id) && !known.has(id)
   })
   const notes = [
-    ...mine.map((one) => ({ ...one, isWaiting: waitingIds.has(one.id) })),
+    ...mine.map((note) => ({ ...note, isWaiting: waitingIds.has(note.id) })),
     ...fromServer.filter(
       ({ isMine, isMoment, cueId, id }) => !isMine || isMoment || !replaced.has(cueId) || localIds.has(id),
     ),
   ]
     .filter(({ id }) => !undone.has(id))
-    .toSorted((one, other) => other.at.localeCompare(one.at))
+    .toSorted((a, b) => b.at.localeCompare(a.at))
   return {
     notes,
     waiting: pending.length,
     refused,
     forgetRefused: () => queue.forgetRefused(),
-    say: (cue, said, amountDb, text) => {
+    say: (cue, heardAs, amountDb, text) => {
       const body: NoteAdd = {
         note_id: newNoteId(),
         cue_id: cue.id,
-        said,
+        said: heardAs,
         amount_db: amountDb,
         text,
         written_at: new Date().toISOString(),

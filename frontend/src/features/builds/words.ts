@@ -118,9 +118,9 @@ export const ROLE_WORDS: Record<GameTask['role'], string> = {
 }
 
 /** Whose task a note becomes, as the server decides it; nothing for what is good or was not reached. */
-export const taskOf = (said: HeardAs): string | null =>
-  said === 'good' || said === 'not-reached'
+export const taskOf = (heardAs: HeardAs): string | null =>
+  heardAs === 'good' || heardAs === 'not-reached'
     ? null
-    : said === 'too-long' || said === 'too-short' || said === 'wrong'
+    : heardAs === 'too-long' || heardAs === 'too-short' || heardAs === 'wrong'
       ? 'Task for its designer'
       : 'Task for the implementers'

@@ -45,8 +45,8 @@ export function DeliveriesPage() {
       {deliveries !== undefined && deliveries.length > 0 && (
         <Card aria-label="Deliveries">
           <Rows aria-label="Deliveries">
-            {deliveries.map((one) => (
-              <Line key={one.id} delivery={one} showsDesigner={isTeam} />
+            {deliveries.map((delivery) => (
+              <Line key={delivery.id} delivery={delivery} showsDesigner={isTeam} />
             ))}
           </Rows>
           {list.hasNextPage && (

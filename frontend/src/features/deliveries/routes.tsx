@@ -16,8 +16,8 @@ export const deliveryRoutes = [
     path: '/deliveries/$deliveryId',
     // The frame shows the project that the delivery is of; one that is not there says so on its page.
     loader: async ({ context, params }) => {
-      const found = await context.queryClient.ensureQueryData(deliveryQuery(params.deliveryId)).catch(() => null)
-      if (found) keepLastProject(found.project_id)
+      const delivery = await context.queryClient.ensureQueryData(deliveryQuery(params.deliveryId)).catch(() => null)
+      if (delivery) keepLastProject(delivery.project_id)
     },
     component: lazyRouteComponent(() => import('./DeliveryPage'), 'DeliveryPage'),
   }),

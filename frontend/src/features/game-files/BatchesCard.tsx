@@ -122,11 +122,11 @@ function BatchLine({ batch, projectId, maySpeak, opened }: BatchLineProps) {
 function SizeBars({ batch, sizes }: { batch: Batch; sizes: readonly BatchSizes[] }) {
   const totals = totalsOf(sizes)
   const longest = Math.max(1, ...totals.flatMap(({ before, after }) => [before, after]))
-  const said = totals.map(({ target, before, after }) => `${target} ${sizeOf(before)} before, ${sizeOf(after)} after`)
+  const lines = totals.map(({ target, before, after }) => `${target} ${sizeOf(before)} before, ${sizeOf(after)} after`)
   const share = (count: number) => `${(count / longest) * 100}%`
   return (
     <>
-      <div role="img" aria-label={`Sizes of batch ${batch.number}: ${said.join('; ')}`}>
+      <div role="img" aria-label={`Sizes of batch ${batch.number}: ${lines.join('; ')}`}>
         {totals.map(({ target, before, after }) => (
           <div key={target} className={`grid items-center gap-3 ${classes.bar} small`}>
             <span className="cut-text">{target}</span>

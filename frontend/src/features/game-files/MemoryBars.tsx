@@ -8,13 +8,13 @@ import { roomOf } from './words'
 /** What a target takes in memory, by category: dark what is there, pale what the list will add, a line for the budget. */
 export function MemoryBars({ target }: { target: Target }) {
   const { used, forecast } = target
-  const there = new Map(used.categories.map((one) => [one.category, one]))
+  const there = new Map(used.categories.map((row) => [row.category, row]))
   const rows = [
     { name: 'all', of: forecast.total, used: used.total },
-    ...forecast.categories.map((one) => ({
-      name: one.category ?? 'no category',
-      of: one,
-      used: there.get(one.category),
+    ...forecast.categories.map((row) => ({
+      name: row.category ?? 'no category',
+      of: row,
+      used: there.get(row.category),
     })),
   ]
   if (forecast.total.files + forecast.total.unknown_files === 0) {

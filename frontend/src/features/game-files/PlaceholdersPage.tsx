@@ -58,7 +58,7 @@ export function PlaceholdersPage() {
             {register.targets.length > 1 && (
               <Segmented
                 label="Target"
-                options={register.targets.map((one) => ({ value: one, label: one }))}
+                options={register.targets.map((option) => ({ value: option, label: option }))}
                 value={register.target}
                 onChange={choose}
               />
@@ -77,20 +77,20 @@ export function PlaceholdersPage() {
             </div>
           )}
           <ul aria-label="Placeholders">
-            {register.items.map((one) => (
-              <li key={one.path} className={`grid wrap-anywhere ${classes.stand}`}>
-                <span className="mono small dim">{one.cue}</span>
+            {register.items.map((item) => (
+              <li key={item.path} className={`grid wrap-anywhere ${classes.stand}`}>
+                <span className="mono small dim">{item.cue}</span>
                 <span>
-                  {one.name} <span className="mono small mid">{one.path}</span>
-                  {one.trigger !== '' && <span className="small mid"> {`on ${one.trigger}`}</span>}
-                  {one.refusal && <span className="small mid"> {sentence(one.refusal)}</span>}
+                  {item.name} <span className="mono small mid">{item.path}</span>
+                  {item.trigger !== '' && <span className="small mid"> {`on ${item.trigger}`}</span>}
+                  {item.refusal && <span className="small mid"> {sentence(item.refusal)}</span>}
                 </span>
                 <span className="small">
-                  {one.state === 'refused' ? (
+                  {item.state === 'refused' ? (
                     <StatusBadge kind="refused" />
                   ) : (
-                    <StatusBadge kind={one.state === 'made' ? 'placeholder' : 'to_make'}>
-                      {one.spoken && one.state === 'made' ? 'spoken placeholder' : WORDS[one.state]}
+                    <StatusBadge kind={item.state === 'made' ? 'placeholder' : 'to_make'}>
+                      {item.spoken && item.state === 'made' ? 'spoken placeholder' : WORDS[item.state]}
                     </StatusBadge>
                   )}
                 </span>

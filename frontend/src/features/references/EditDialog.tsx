@@ -139,13 +139,13 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
       <section aria-label="Versions">
         <h3>Versions</h3>
         <ul className={`grid gap-1 wrap-anywhere ${classes.lines}`}>
-          {versions?.map((one) => (
-            <li key={one.id} className="small">
-              <span className="strong">{one.number}</span> {one.file_name}
+          {versions?.map((item) => (
+            <li key={item.id} className="small">
+              <span className="strong">{item.number}</span> {item.file_name}
               <span className="dim">
                 {' '}
-                {kindName(one.kind)}
-                {one.file_bytes !== null && `, ${bytes(one.file_bytes)}`}, {one.added_by.name} {ago(one.added_at)}
+                {kindName(item.kind)}
+                {item.file_bytes !== null && `, ${bytes(item.file_bytes)}`}, {item.added_by.name} {ago(item.added_at)}
               </span>
             </li>
           ))}

@@ -47,7 +47,7 @@ export function groupsOf(references: readonly Reference[]): Group[] {
 export function secondsOf(text: string): number | null | undefined {
   const typed = text.trim().replace(',', '.')
   if (typed === '') return null
-  const found = /^(?:(\d{1,3}):)?(\d{1,5}(?:\.\d{1,3})?)$/.exec(typed)
-  if (!found || (found[1] !== undefined && Number(found[2]) >= 60)) return undefined
-  return Number(found[1] ?? 0) * 60 + Number(found[2])
+  const match = /^(?:(\d{1,3}):)?(\d{1,5}(?:\.\d{1,3})?)$/.exec(typed)
+  if (!match || (match[1] !== undefined && Number(match[2]) >= 60)) return undefined
+  return Number(match[1] ?? 0) * 60 + Number(match[2])
 }

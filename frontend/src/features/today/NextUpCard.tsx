@@ -286,9 +286,9 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
             saving={judge.change.isPending}
             problem={judge.changeProblem}
             onClose={() => setChanging(false)}
-            onSave={(said, done) =>
+            onSave={(change, done) =>
               judge.change.mutate(
-                { cue, takes: [hand], name, said },
+                { cue, takes: [hand], name, said: change },
                 {
                   onSuccess: () => {
                     done()

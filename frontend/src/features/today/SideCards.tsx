@@ -38,16 +38,18 @@ export function WithOthersCard({ waiting, awaited, projectId }: WithOthersProps)
       {waiting.length + others.length === 0 && <p className="p-10px-inset mid">Nothing is with a designer.</p>}
       <Rows>
         <AwaitedRows awaited={others} projectId={projectId} />
-        {shown.map((one) => (
-          <Row key={`${one.file_name} ${one.since}`}>
+        {shown.map((item) => (
+          <Row key={`${item.file_name} ${item.since}`}>
             <span className="grow">
-              <span className="cut-text block">{one.cue?.name ?? one.file_name}</span>
+              <span className="cut-text block">{item.cue?.name ?? item.file_name}</span>
               <span className="row small">
-                <Person name={one.who} picture={one.picture} role={roleOf(one.person_id)} />
-                <span className="dim nowrap">{age(one.since)}</span>
+                <Person name={item.who} picture={item.picture} role={roleOf(item.person_id)} />
+                <span className="dim nowrap">{age(item.since)}</span>
               </span>
             </span>
-            <StatusBadge kind={one.status}>{one.status === 'unmatched' ? 'File without a cue' : undefined}</StatusBadge>
+            <StatusBadge kind={item.status}>
+              {item.status === 'unmatched' ? 'File without a cue' : undefined}
+            </StatusBadge>
           </Row>
         ))}
       </Rows>

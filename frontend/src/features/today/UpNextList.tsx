@@ -175,10 +175,10 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
   const [text, setText, draft] = useDraft(`answer:${question.id}`, '')
   const answer = useAnswer(projectId, question.id)
   const roleOf = useRoles(projectId)
-  const said = text.trim()
+  const trimmed = text.trim()
   const send = () => {
-    if (said === '' || answer.isPending) return
-    answer.mutate(said, {
+    if (trimmed === '' || answer.isPending) return
+    answer.mutate(trimmed, {
       onSuccess: () => {
         draft.discard()
         showToast(`Answered. It was added to the description of ${question.cue.name}.`)

@@ -31,14 +31,14 @@ export function AddRelease({ projectId, performers, uploads }: AddReleaseProps) 
   const [wrong, setWrong] = useState<{ performer?: string; validFrom?: string; validUntil?: string }>({})
   const picker = useRef<HTMLInputElement>(null)
   const choose = () => {
-    const found = {
+    const parsed = {
       performer: typed.performer.trim() === '' ? 'Enter the name of the performer.' : undefined,
       validFrom: typed.validFrom === '' ? 'Enter the first day.' : undefined,
       validUntil:
         typed.validUntil !== '' && typed.validUntil < typed.validFrom ? 'The last day is before the first.' : undefined,
     }
-    setWrong(found)
-    if (Object.values(found).every((one) => one === undefined)) picker.current?.click()
+    setWrong(parsed)
+    if (Object.values(parsed).every((value) => value === undefined)) picker.current?.click()
   }
   const send = (files: FileList | null) => {
     if (!files?.length) return

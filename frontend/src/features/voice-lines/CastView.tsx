@@ -38,7 +38,7 @@ export function CastView({ projectId, script }: { projectId: string; script: Scr
     () => (me?.person ? releaseUploadsOf(client, projectId, me.person.id) : null),
     [client, projectId, me?.person],
   )
-  const found = releases.data
+  const listing = releases.data
   return (
     <>
       <Card aria-labelledby="cast">
@@ -50,31 +50,39 @@ export function CastView({ projectId, script }: { projectId: string; script: Scr
         </ul>
       </Card>
       <Card aria-labelledby="releases">
-        <CardHead id="releases" title="Releases" count={found?.performers.flatMap((one) => one.releases).length} />
+        <CardHead
+          id="releases"
+          title="Releases"
+          count={listing?.performers.flatMap((performer) => performer.releases).length}
+        />
         <div className="grid gap-3 p-3-inset-4">
           <Refusal error={releases.error ?? remove.error} />
-          {found && found.lines_without_performer > 0 && (
+          {listing && listing.lines_without_performer > 0 && (
             <p className="tone-warn toned">
-              {plural(found.lines_without_performer, 'approved line')} of characters for whom no performer is named.
+              {plural(listing.lines_without_performer, 'approved line')} of characters for whom no performer is named.
             </p>
           )}
-          {found?.performers.length === 0 && (
+          {listing?.performers.length === 0 && (
             <p className="small dim">
               No performer is named yet. A release is a signed file with its dates, and says whether a synthetic copy of
               the voice may be used.
             </p>
           )}
           <ul>
-            {found?.performers.map((performer) => (
+            {listing?.performers.map((performer) => (
               <PerformerLine
                 key={performer.name}
                 performer={performer}
-                onRemove={found.may_change ? (id) => remove.mutate(id) : undefined}
+                onRemove={listing.may_change ? (id) => remove.mutate(id) : undefined}
               />
             ))}
           </ul>
-          {found?.may_change && uploads && (
-            <AddRelease projectId={projectId} performers={found.performers.map(({ name }) => name)} uploads={uploads} />
+          {listing?.may_change && uploads && (
+            <AddRelease
+              projectId={projectId}
+              performers={listing.performers.map(({ name }) => name)}
+              uploads={uploads}
+            />
           )}
         </div>
       </Card>
@@ -101,22 +109,22 @@ function PerformerLine({
       </p>
       {performer.warning && <p className="small tone-warn toned">{performer.warning}</p>}
       <ul>
-        {performer.releases.map((one) => (
-          <li key={one.id} className="flex wrap items-center gap-1-3 wrap-anywhere">
-            <a className="link" href={`/v1/voice-releases/${one.id}/file`}>
-              {one.file_name}
+        {performer.releases.map((release) => (
+          <li key={release.id} className="flex wrap items-center gap-1-3 wrap-anywhere">
+            <a className="link" href={`/v1/voice-releases/${release.id}/file`}>
+              {release.file_name}
             </a>
-            <span className={`small ${one.is_valid ? 'mid' : 'tone-warn toned'}`}>
-              {`valid from ${day(one.valid_from)}`}
-              {one.valid_until && ` until ${day(one.valid_until)}`}
+            <span className={`small ${release.is_valid ? 'mid' : 'tone-warn toned'}`}>
+              {`valid from ${day(release.valid_from)}`}
+              {release.valid_until && ` until ${day(release.valid_until)}`}
             </span>
-            <span className={`small ${one.synthetic_use === 'not_asked' ? 'tone-warn toned' : 'mid'}`}>
-              {SYNTHETIC[one.synthetic_use]}
+            <span className={`small ${release.synthetic_use === 'not_asked' ? 'tone-warn toned' : 'mid'}`}>
+              {SYNTHETIC[release.synthetic_use]}
             </span>
-            {one.note && <span className="small dim">{one.note}</span>}
+            {release.note && <span className="small dim">{release.note}</span>}
             {onRemove && (
-              <button type="button" className="link small end" onClick={() => onRemove(one.id)}>
-                Remove <span className="visually-hidden">{one.file_name}</span>
+              <button type="button" className="link small end" onClick={() => onRemove(release.id)}>
+                Remove <span className="visually-hidden">{release.file_name}</span>
               </button>
             )}
           </li>
@@ -135,7 +143,7 @@ function CharacterCast({ projectId, script, character }: { projectId: string; sc
       {character.notes && <p className="small mid">{character.notes}</p>}
       <ul>
         {script.languages.map((language) => {
-          const casting = character.castings.find((one) => one.language === language)
+          const casting = character.castings.find((candidate) => candidate.language === language)
           return (
             <li key={language}>
               {script.may_change ? (

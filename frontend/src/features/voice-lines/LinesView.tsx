@@ -27,7 +27,7 @@ const TYPING_MS = 250
 /** The script in one language, by scene. */
 export function LinesView({ projectId, script, search, onChange }: LinesViewProps) {
   const language = search.language ?? script.original_language
-  const found = useInfiniteQuery(linesQuery(projectId, { ...search, language }))
+  const query = useInfiniteQuery(linesQuery(projectId, { ...search, language }))
   const [openedId, setOpened] = useState<string | null>(null)
   const [typed, setTyped] = useState(search.search ?? '')
   const [settled] = useDebouncedValue(typed, TYPING_MS)
@@ -41,9 +41,9 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
     { keys: 'k', label: 'Previous line', group: 'Voice lines', run: () => step(-1), repeats: true },
     { keys: '/', label: 'Search lines', group: 'Voice lines', run: () => field.current?.focus() },
   ])
-  const lines = found.data?.pages.flatMap((page) => page.lines) ?? []
-  const counts = found.data?.pages[0]?.counts ?? []
-  const all = counts.reduce((sum, one) => sum + one.lines, 0)
+  const lines = query.data?.pages.flatMap((page) => page.lines) ?? []
+  const counts = query.data?.pages[0]?.counts ?? []
+  const all = counts.reduce((sum, count) => sum + count.lines, 0)
   return (
     <>
       <div className={classes.tools}>
@@ -71,8 +71,8 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
           onChange={(event) => setTyped(event.currentTarget.value)}
         />
       </div>
-      <Refusal error={found.error} />
-      {found.isSuccess && lines.length === 0 && (
+      <Refusal error={query.error} />
+      {query.isSuccess && lines.length === 0 && (
         <EmptyState head="No matching lines">Choose another state or character, or clear the search.</EmptyState>
       )}
       {scenesOf(lines).map(({ scene, first, lines: own }) => (
@@ -105,8 +105,8 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
           </ul>
         </section>
       ))}
-      {found.hasNextPage && (
-        <Button aria-busy={found.isFetchingNextPage} onClick={() => void found.fetchNextPage()}>
+      {query.hasNextPage && (
+        <Button aria-busy={query.isFetchingNextPage} onClick={() => void query.fetchNextPage()}>
           Show more
         </Button>
       )}

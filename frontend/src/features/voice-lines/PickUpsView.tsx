@@ -14,7 +14,7 @@ import classes from './VoiceLines.module.css'
 
 /** What the next session records, by language and character, with the reason of each line; made to be printed. */
 export function PickUpsView({ projectId, search }: { projectId: string; search: LinesSearch }) {
-  const found = useQuery(pickUpsQuery(projectId, search))
+  const pickUps = useQuery(pickUpsQuery(projectId, search))
   const print = () => window.print()
   useHotkeys([{ keys: 'p', label: 'Print the pick-up list', group: 'Voice lines', run: print }])
   const query = new URLSearchParams(
@@ -23,8 +23,8 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
     ),
   ).toString()
   const at = (ending: string) => `/v1/projects/${projectId}/pick-ups.${ending}${query && `?${query}`}`
-  if (found.error) return <Refusal error={found.error} />
-  if (found.data?.lines.length === 0)
+  if (pickUps.error) return <Refusal error={pickUps.error} />
+  if (pickUps.data?.lines.length === 0)
     return (
       <EmptyState head="Nothing to record">Every line has a take of its present text that no one sent back.</EmptyState>
     )
@@ -41,7 +41,7 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
           Print
         </Button>
       </div>
-      {partsOf(found.data?.lines ?? []).map(({ key, language, name, performer, directedBy, lines }) => (
+      {partsOf(pickUps.data?.lines ?? []).map(({ key, language, name, performer, directedBy, lines }) => (
         <section key={key} className={`grid gap-2 ${classes.scene}`} aria-label={`${name}, ${languageName(language)}`}>
           <header className={classes.partHead}>
             <h2>{name}</h2>

@@ -319,7 +319,9 @@ function HowRead({ read: { tabs, encoding, skipped }, onTab, onEncoding }: HowRe
 
 function Columns({ read, onMap }: { read: ScriptRead; onMap: (name: string, meaning: string) => void }) {
   const known: readonly string[] = FIELDS.map(([field]) => field)
-  const languages = [...new Set(read.columns.map(({ meaning }) => meaning).filter((one) => !known.includes(one)))]
+  const languages = [
+    ...new Set(read.columns.map(({ meaning }) => meaning).filter((meaning) => !known.includes(meaning))),
+  ]
   return (
     <Card aria-labelledby="columns">
       <CardHead id="columns" title="Columns" count={read.columns.length} />

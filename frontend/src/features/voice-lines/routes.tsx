@@ -6,7 +6,7 @@ import { STATES, VIEWS, type LinesSearch } from './search'
 
 const text = (value: unknown): string | undefined => (typeof value === 'string' && value !== '' ? value : undefined)
 const oneOf = <T extends string>(known: readonly T[], value: unknown): T | undefined =>
-  known.find((one) => one === value)
+  known.find((option) => option === value)
 
 export const voiceLineRoutes = [
   createRoute({

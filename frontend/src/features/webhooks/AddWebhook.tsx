@@ -30,7 +30,11 @@ export function AddWebhook({ studioId, projects, mayBeLocalhost }: AddWebhookPro
   const problem = add.error instanceof ApiProblem ? add.error : null
   const change = (part: Partial<typeof EMPTY>) => setTyped((now) => ({ ...now, ...part }))
   const toggle = (event: Chosen) =>
-    change({ events: EVENTS.filter((one) => (one === event ? !events.includes(one) : events.includes(one))) })
+    change({
+      events: EVENTS.filter((candidate) =>
+        candidate === event ? !events.includes(candidate) : events.includes(candidate),
+      ),
+    })
   const send = (event: FormEvent) => {
     event.preventDefault()
     if (add.isPending || url.trim() === '' || events.length === 0) return

@@ -55,11 +55,11 @@ function OneCall({ call, mayReplay, onReplay }: { call: Call; mayReplay: boolean
           <>
             <p className="small strong">Attempts</p>
             <ol aria-label="Attempts" className="small">
-              {call.attempts.map((one) => (
-                <li key={one.tried_at}>
-                  <time dateTime={one.tried_at}>{`${day(one.tried_at)}, ${clock(one.tried_at)}`}</time>
-                  {`: ${one.problem || `answered ${one.status}`}, in ${one.took_ms} ms`}
-                  {one.answer && <pre className="mono">{one.answer}</pre>}
+              {call.attempts.map((attempt) => (
+                <li key={attempt.tried_at}>
+                  <time dateTime={attempt.tried_at}>{`${day(attempt.tried_at)}, ${clock(attempt.tried_at)}`}</time>
+                  {`: ${attempt.problem || `answered ${attempt.status}`}, in ${attempt.took_ms} ms`}
+                  {attempt.answer && <pre className="mono">{attempt.answer}</pre>}
                 </li>
               ))}
             </ol>

@@ -25,10 +25,10 @@ import { EVENTS, EVENT_WORDS, FORM_WORDS } from './words'
 export function WebhooksPage() {
   useTitle('Webhooks')
   const studios = useOwnStudios()
-  const { studio: wanted } = useSearch({ from: '/shell/webhooks' })
+  const { studio: studioId } = useSearch({ from: '/shell/webhooks' })
   const navigate = useNavigate({ from: '/webhooks' })
   if (studios === undefined) return <PageSkeleton />
-  const studio = studios.find(({ id }) => id === wanted) ?? studios[0]
+  const studio = studios.find(({ id }) => id === studioId) ?? studios[0]
   if (studio === undefined) {
     return (
       <div className="page page-narrow">

@@ -172,19 +172,19 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
             ))}
           </datalist>
           <ol className="grid">
-            {marks.map((one, at) => (
+            {marks.map((item, at) => (
               <MarkRow
-                key={one.id}
-                mark={one}
+                key={item.id}
+                mark={item}
                 at={at}
                 clipName={titleOf(reference)}
                 projectId={projectId}
-                isSelected={one.id === selected}
+                isSelected={item.id === selected}
                 faults={making.faultsOf(at)}
                 categories={CATEGORIES}
-                onSelect={() => setSelected(one.id)}
-                onChange={(changed, field) => change((now) => withChange(now, one.id, changed), `${field}:${one.id}`)}
-                onRemove={() => remove(one.id)}
+                onSelect={() => setSelected(item.id)}
+                onChange={(changed, field) => change((now) => withChange(now, item.id, changed), `${field}:${item.id}`)}
+                onRemove={() => remove(item.id)}
               />
             ))}
           </ol>
@@ -230,11 +230,11 @@ function useMaking(reference: Reference, spotted: ReturnType<typeof useMarks>['s
       }),
     )
     add.mutate(rows, {
-      onSuccess: (made) => {
+      onSuccess: (cues) => {
         discard()
-        showToast(`${plural(made.length, 'cue')} made from ${titleOf(reference)}.`, async () => {
+        showToast(`${plural(cues.length, 'cue')} made from ${titleOf(reference)}.`, async () => {
           keepDraft(draftKey(referenceId), spotted, true) // before the cues go: the page may be left meanwhile
-          await undo.mutateAsync(made.map(({ id }) => id)).catch((refusal: unknown) => {
+          await undo.mutateAsync(cues.map(({ id }) => id)).catch((refusal: unknown) => {
             keepDraft(draftKey(referenceId), null)
             throw refusal
           })

@@ -15,8 +15,8 @@ export const clipQuery = (projectId: string, referenceId: string) =>
       let cursor: string | undefined
       do {
         const page = await get('/v1/projects/{project_id}/references', { project_id: projectId, cursor })
-        const found = page.items.find(({ id }) => id === referenceId)
-        if (found) return found
+        const reference = page.items.find(({ id }) => id === referenceId)
+        if (reference) return reference
         cursor = page.next ?? undefined
       } while (cursor !== undefined)
       return null

@@ -47,7 +47,7 @@ export function withChange(spotted: Spotted, id: number, change: Partial<Omit<Ma
 
 /** Move a mark by some seconds. */
 export function withShift(spotted: Spotted, id: number, byS: number): Spotted {
-  const mark = spotted.marks.find((one) => one.id === id)
+  const mark = spotted.marks.find((candidate) => candidate.id === id)
   return mark ? withChange(spotted, id, { startS: mark.startS + byS }) : spotted
 }
 
@@ -73,7 +73,9 @@ export function frameRateOf(timesS: readonly number[]): number | null {
   const shortest = Math.min(...steps.filter((step) => step > 0.001))
   if (!Number.isFinite(shortest)) return null
   const rate = 1 / shortest
-  const nearest = FRAME_RATES.reduce((best, one) => (Math.abs(one - rate) < Math.abs(best - rate) ? one : best))
+  const nearest = FRAME_RATES.reduce((best, candidate) =>
+    Math.abs(candidate - rate) < Math.abs(best - rate) ? candidate : best,
+  )
   return Math.abs(nearest - rate) / rate < 0.03 ? nearest : null
 }
 
