@@ -7,7 +7,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor, Role
 from app.agreements.errors import ContractNotFound, SamePersonOnBothSides
 from app.agreements.models import Contract
-from app.agreements.queries import contract_for, lock_contract
+from app.agreements.queries import contract_for, lock_together
 from app.agreements.rules import Party
 from app.projects.errors import ProducerNeeded
 
@@ -45,4 +45,4 @@ def contract_for_producer(session: Session, actor: Actor, contract_id: UUID) -> 
 
 def contract_to_change(session: Session, actor: Actor, contract_id: UUID) -> Contract:
     """Return a locked contract; raise ProducerNeeded for all but the studio's producers."""
-    return lock_contract(session, contract_for_producer(session, actor, contract_id).id)
+    return lock_together(session, contract_for_producer(session, actor, contract_id))

@@ -21,6 +21,7 @@ from app.agreements.drafts.version_endpoints import blocks_read, version_read
 from app.agreements.errors import (
     AmountsNeeded,
     BadDraft,
+    BadSplit,
     BriefOpen,
     ContractNotFound,
     DraftChanged,
@@ -35,6 +36,9 @@ from app.agreements.errors import (
     TooManySigners,
     WrongState,
 )
+from app.agreements.joint import service as joint
+from app.agreements.joint.parts import parts_of
+from app.agreements.joint.rules import Share
 from app.agreements.models import Contract, ContractEvent, ContractVersion
 from app.agreements.redlines import service as redlines
 from app.agreements.redlines.rules import TURNS
@@ -105,6 +109,7 @@ def _contract(session: DbSession, actor: Actor, contract: Contract) -> schemas.C
         if asked and change
         else None,
         redlines=_redlines(session, contract),
+        joint=_joint(session, contract, is_team=is_team),
         signature_time=_signature_time(session, contract, seen),
         may=schemas.MayRead(
             change=is_draft and party is Party.STUDIO,
@@ -131,6 +136,23 @@ def _redlines(session: DbSession, contract: Contract) -> schemas.ContractRedline
         by=last.by,
         at=last.at,
     )
+
+
+def _joint(session: DbSession, contract: Contract, *, is_team: bool) -> list[schemas.JointPart]:
+    if contract.state is ContractState.DRAFT and not is_team:
+        return []
+    return [
+        schemas.JointPart(
+            contract_id=part.contract.id if is_team or part.contract is contract else None,
+            designer=PersonBrief.model_validate(part.contract.designer),
+            is_own=part.contract is contract,
+            cues=len(part.cues),
+            amount_minor=part.amount_minor,
+            currency=part.currency,
+            share=part.share,
+        )
+        for part in parts_of(session, contract)
+    ]
 
 
 def _signature_time(
@@ -268,9 +290,9 @@ def preview_contract(
     )
 
 
-async def _pdf_to_send(request: Request, contract_id: UUID) -> TextPdf:
+async def _pdfs_to_send(request: Request, contract_id: UUID) -> dict[UUID, TextPdf]:
     database = request.app.state.runtime.database
-    return await run_in_threadpool(lifecycle.pdf_to_send, database, request.state.actor, contract_id)
+    return await run_in_threadpool(lifecycle.pdfs_to_send, database, request.state.actor, contract_id)
 
 
 @router.post(
@@ -292,12 +314,46 @@ def send_contract(
     body: schemas.SendAdd,
     runtime: CurrentRuntime,
     actor: Annotated[Actor, allows(Audience.PRODUCER)],
-    pdf: Annotated[TextPdf, Depends(_pdf_to_send)],
+    pdfs: Annotated[dict[UUID, TextPdf], Depends(_pdfs_to_send)],
     session: DbSession,
 ) -> schemas.ContractRead:
-    """Put the text before both parties as PDF, with the open questions of this moment."""
-    lifecycle.send(session, runtime.store, actor, contract_id, pdf=pdf, note=body.note)
+    """Put the text before both parties as PDF, with the open questions of this moment.
+
+    The two contracts of joint work are sent together.
+    """
+    lifecycle.send(session, runtime.store, actor, contract_id, pdfs=pdfs, note=body.note)
     return _contract(session, actor, visible_contract(session, actor, contract_id))
+
+
+@router.post(
+    "/contracts/{contract_id}/joint",
+    status_code=201,
+    responses=problems(ContractNotFound, ProducerNeeded, EngagementNotFound, NoContractNeeded, WrongState, BadSplit),
+)
+def divide_contract(
+    contract_id: UUID, body: schemas.JointAdd, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ContractRead:
+    """Divide a draft between its designer and a second one, who makes some of its cues for a share of its price."""
+    contract = joint.divide_contract(
+        session,
+        actor,
+        contract_id,
+        engagement_id=body.engagement_id,
+        cue_ids=body.cue_ids,
+        share=Share(body.share_bp, body.share_minor),
+    )
+    return _contract(session, actor, contract)
+
+
+@router.put(
+    "/contracts/{contract_id}/joint", responses=problems(ContractNotFound, ProducerNeeded, WrongState, BadSplit)
+)
+def split_price(
+    contract_id: UUID, body: schemas.ShareSet, session: DbSession, actor: Actor = allows(Audience.PRODUCER)
+) -> schemas.ContractRead:
+    """Give the designer of a draft another share of the price of joint work; the sum of both stays as it is."""
+    contract = joint.split_price(session, actor, contract_id, Share(body.share_bp, body.share_minor))
+    return _contract(session, actor, contract)
 
 
 @router.post("/contracts/{contract_id}/recall", responses=problems(ContractNotFound, ProducerNeeded, WrongState))

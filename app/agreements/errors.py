@@ -15,6 +15,10 @@ class BadPlan(Invalid):
     """The plan cannot be kept; its problems say why, milestone by milestone."""
 
 
+class BadSplit(Invalid):
+    """A price cannot be split over two designers like this."""
+
+
 class UnderContract(Conflict):
     """Another contract that runs covers the same cue."""
 

@@ -37,6 +37,7 @@ class Contract(StudioOwned, Dated, Base):
     engagement_id: Mapped[UUID] = mapped_column(ForeignKey("projects_engagements.id"), index=True)
     designer_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
     framework_id: Mapped[UUID | None] = mapped_column(ForeignKey("contracts_contracts.id"), index=True)
+    joint_id: Mapped[UUID | None] = mapped_column(index=True)  # the same in both contracts of joint work
     number: Mapped[int]  # counts in the project
     title: Mapped[str]
     kind: Mapped[ContractKind]

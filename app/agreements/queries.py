@@ -24,7 +24,7 @@ from app.agreements.models import (
 )
 from app.agreements.rules import ORDERS, ContractKind, ContractState
 from app.agreements.signing.rules import Signature, SigningOrder, Turn
-from app.core.db import Base
+from app.core.db import Base, bypass_row_policies
 from app.core.recorded_rows import declare
 from app.projects.models import ApproverChange, CategoryApprover, Deputy, Liaison, Project, Spec
 
@@ -111,6 +111,20 @@ def lock_contract(session: Session, contract_id: UUID) -> Contract:
         .with_for_update(key_share=True, of=Contract)
         .execution_options(populate_existing=True)
     ).one()
+
+
+def lock_together(session: Session, contract: Contract) -> Contract:
+    """Return a current contract, locked until the transaction ends with the other one of its joint work, if any."""
+    if contract.joint_id is not None:
+        with bypass_row_policies(session):  # a designer writes their own contract only, and what is done holds for both
+            session.scalars(
+                select(Contract)
+                .where(Contract.joint_id == contract.joint_id)
+                .order_by(Contract.id)  # one order for all, so that no two wait for each other
+                .with_for_update(key_share=True)
+                .execution_options(populate_existing=True)
+            ).all()
+    return lock_contract(session, contract.id)
 
 
 def lock_contracts_of(session: Session, project_id: UUID) -> None:

@@ -324,8 +324,37 @@ class ContractRead(ContractBrief):
     redlines: "ContractRedlines | None" = Field(
         description="The last round of changes that the designer proposed clause by clause; null: none yet."
     )
+    joint: "list[JointPart]" = Field(
+        description="Both parts of joint work, which two designers make; empty for a contract that stands alone."
+    )
     signature_time: "SignatureTime | None" = Field(description="Null before it is first sent.")
     may: MayRead
+
+
+class JointPart(Schema):
+    """One designer's part of joint work."""
+
+    contract_id: UUID | None = Field(description="Null for the contract of the other designer, which only they see.")
+    designer: PersonBrief
+    is_own: bool = Field(description="Whether it is this contract's part.")
+    cues: int
+    amount_minor: int
+    currency: str
+    share: str = Field(description="Of the price of both, in percent; empty where there is none.")
+
+
+class ShareSet(Schema):
+    """A designer's share of the price of joint work: a part of it, or an amount."""
+
+    share_bp: BasisPoints | None = None
+    share_minor: int | None = Field(None, ge=0, le=10**12)
+
+
+class JointAdd(ShareSet):
+    """The second designer of a draft, and their cues; without a share, the amounts follow the cues."""
+
+    engagement_id: UUID
+    cue_ids: list[UUID] = Field(min_length=1, max_length=5000)
 
 
 class ContractRedlines(Schema):

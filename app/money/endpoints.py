@@ -10,7 +10,7 @@ from app.accounts.web.policies import allows
 from app.agreements.drafts import documents
 from app.agreements.errors import BadPlan, ContractNotFound, PlanLocked
 from app.agreements.plan import service as plan
-from app.agreements.plan.service import PlannedCue, PlannedMilestone
+from app.agreements.plan.planned import PlannedCue, PlannedMilestone
 from app.core.typesetting import DocumentTooLarge, TypesettingBusy
 from app.core.web.bodies import LARGE_BODY_BYTES, accepts_body
 from app.core.web.downloads import downloads, file_response

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_90f59dd4"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_5356b5aa"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -1617,6 +1617,7 @@ def upgrade() -> None:
         sa.Column("engagement_id", sa.Uuid(), nullable=False),
         sa.Column("designer_id", sa.Uuid(), nullable=False),
         sa.Column("framework_id", sa.Uuid()),
+        sa.Column("joint_id", sa.Uuid()),
         sa.Column("number", sa.Integer(), nullable=False),
         sa.Column("title", sa.String(), nullable=False),
         sa.Column("kind", sa.Enum("nda", "framework", "statement_of_work", "single", name="contractkind", native_enum=False, length=32), nullable=False),
@@ -1655,6 +1656,7 @@ def upgrade() -> None:
     op.create_index(op.f("ix_contracts_contracts_designer_id"), "contracts_contracts", ["designer_id"])
     op.create_index(op.f("ix_contracts_contracts_engagement_id"), "contracts_contracts", ["engagement_id"])
     op.create_index(op.f("ix_contracts_contracts_framework_id"), "contracts_contracts", ["framework_id"])
+    op.create_index(op.f("ix_contracts_contracts_joint_id"), "contracts_contracts", ["joint_id"])
     op.create_index(op.f("ix_contracts_contracts_studio_id"), "contracts_contracts", ["studio_id"])
     op.create_table(
         "deliveries_adoptions",

@@ -8,9 +8,10 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.accounts.queries import people_by_id
-from app.agreements.clauses.rules import BY_DAY, Clause, names_in
+from app.agreements.clauses.rules import Clause, names_in
 from app.agreements.clauses.text import Marker, literal, unmarked
 from app.agreements.errors import BriefOpen
+from app.agreements.joint.parts import parts_of, price_minor, table_of
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan.queries import cues_of as covered_cues
 from app.agreements.plan.queries import milestones_of
@@ -61,7 +62,7 @@ def facts_of(
     prices = {each.cue_id: each.price_minor for each in covered}
     listed_cues = [cue for cue in cues_of(session, project.id) if cue.state is not CueState.CUT]
     cues = [cue for cue in listed_cues if cue.id in prices] if prices else listed_cues
-    total_minor = sum(milestone.amount_minor for milestone in milestones) + _time_minor(terms)
+    total_minor = price_minor(milestones, terms)
     deposit_minor = sum(milestone.amount_minor for milestone in milestones if milestone.is_deposit)
     return {
         "studio": literal(project.studio.name),
@@ -78,6 +79,7 @@ def facts_of(
         OPEN_QUESTIONS: _questions(session, contract, {cue.id for cue in cues}),
         "milestones": _milestone_table(milestones, covered, project.cue_prefix, priced.currency, mark),
         "total": mark("total", money(total_minor, priced.currency)),
+        "joint_work": _joint_work(session, contract, terms, priced.currency),
         "deposit_sentence": DEPOSIT_SENTENCE.format(mark("deposit", money(deposit_minor, priced.currency)))
         if deposit_minor
         else "",
@@ -115,16 +117,9 @@ def ensure_open_answers_are_said(session: Session, contract: Contract, clauses: 
         )
 
 
-def _time_minor(terms: Mapping[str, object]) -> int:
-    """Return the highest cost of days, hours and a retainer; a draft that is only looked at may have any terms."""
-    by_day = _product(terms, "day_rate_minor", "days_cap") if terms.get("price_mode") == BY_DAY else 0
-    by_hour = _product(terms, "hour_rate_minor", "hours_cap")
-    return by_day + by_hour + _product(terms, "retainer_minor", "retainer_months")
-
-
-def _product(terms: Mapping[str, object], price: str, count: str) -> int:
-    each_minor, times = terms.get(price), terms.get(count)
-    return each_minor * times if isinstance(each_minor, int) and isinstance(times, int) else 0
+def _joint_work(session: Session, contract: Contract, terms: Mapping[str, object], currency: str) -> str:
+    parts = parts_of(session, contract, terms, currency)
+    return table_of(parts, contract.project.cue_prefix) if parts else "There is no other contract."
 
 
 def format_long_date(day: date) -> str:

@@ -30,6 +30,7 @@ from app.core.money import minor_digits
 COUNTED_FACTS = (
     "total",
     "milestones",
+    "joint_work",
     "deposit_sentence",
     "holdback_sentence",
     "release_sentence",
@@ -139,7 +140,13 @@ def faults_of_figures(
 
 
 def faults_of_plan(
-    clauses: Sequence[Clause], kind: ContractKind, *, has_amounts: bool, has_deposit: bool, has_holdback: bool
+    clauses: Sequence[Clause],
+    kind: ContractKind,
+    *,
+    has_amounts: bool,
+    has_deposit: bool,
+    has_holdback: bool,
+    is_joint: bool = False,
 ) -> Iterator[Fault]:
     """Yield the gaps of an order's text on its plan: price, milestones, deposit, the amount held back."""
     if kind not in ORDERS:
@@ -152,10 +159,14 @@ def faults_of_plan(
         "release_sentence": has_amounts,
         "deposit_sentence": has_deposit,
         "holdback_sentence": has_holdback,
+        "joint_work": is_joint,
     }
     for name, is_needed in needed.items():
         if is_needed and name not in named:
             yield "clauses", f"no clause in force says {{{name}}}, {FACTS[name]}; put it into one"
+    for clause in in_force:
+        if not is_joint and "joint_work" in variables_in(clause.text):
+            yield f"clauses.{clause.key}", "this contract has one designer; remove the clause on joint work"
 
 
 def typed_figures(text: str, terms: Mapping[str, Any]) -> Iterator[tuple[str, str]]:

@@ -57,6 +57,7 @@ FACTS: Mapping[str, str] = {
     "open_questions": "a list of the questions on cues that are not answered",
     "milestones": "a table of the milestones with dates and amounts",
     "total": "the price of all milestones and the deposit",
+    "joint_work": "a table of the two designers of joint work: what each makes, the price and the share",
     "deposit_sentence": "what is paid at signing",
     "holdback_sentence": "what is held back until the end",
     "release_sentence": "when an accepted cue's share is due",

@@ -26,6 +26,7 @@ def text_faults(
             has_amounts=any(milestone.amount_minor for milestone in milestones),
             has_deposit=any(milestone.amount_minor for milestone in milestones if milestone.is_deposit),
             has_holdback=holdback_bp > 0,
+            is_joint=contract.joint_id is not None,
         ),
     ]
     return [FieldProblem(where=where, message=message) for where, message in faults]

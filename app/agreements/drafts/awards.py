@@ -12,9 +12,10 @@ from app.accounts.rules import Actor
 from app.agreements.drafts.lifecycle import create_contract
 from app.agreements.models import Contract
 from app.agreements.plan.amounts import split
+from app.agreements.plan.planned import PlannedCue, PlannedMilestone
 from app.agreements.plan.proposal import DEPOSIT_BP, WantedCue, propose_milestones
 from app.agreements.plan.queries import today_of
-from app.agreements.plan.service import PlannedCue, PlannedMilestone, save_plan
+from app.agreements.plan.service import save_plan
 from app.agreements.rules import ContractKind
 from app.core.events import publish
 from app.core.money import BASIS_POINTS

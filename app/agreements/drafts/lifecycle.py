@@ -1,7 +1,7 @@
 """From a draft to a text that both parties accepted."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from uuid import UUID
 
 from sqlalchemy.orm import Session
@@ -26,6 +26,11 @@ from app.agreements.errors import (
     NotYourContract,
     TemplateNotFound,
 )
+from app.agreements.joint.parts import facts_of_split
+from app.agreements.joint.queries import other_contract
+from app.agreements.joint.rules import CLAUSE as JOINT_CLAUSE
+from app.agreements.joint.rules import ensure_one_currency
+from app.agreements.joint.states import part_from_other, take_back_other
 from app.agreements.models import Contract, ContractVersion
 from app.agreements.plan.queries import milestones_of
 from app.agreements.plan.service import enter_amounts
@@ -47,7 +52,7 @@ from app.agreements.rules import (
 from app.agreements.signing.service import signing_facts
 from app.core import clock
 from app.core.db import Database
-from app.core.errors import FieldProblem
+from app.core.errors import FieldProblem, Refused
 from app.core.events import publish
 from app.core.money import money
 from app.core.storage import Store
@@ -131,6 +136,7 @@ def create_contract(
             kind=kind,
             designer_id=engagement.designer_id,
         )
+    clauses = [replace(clause, stands=False) if clause.key == JOINT_CLAUSE else clause for clause in clauses]
     queries.lock_contracts_of(session, project_id)
     contract = Contract(
         studio_id=access.project.studio_id,
@@ -222,34 +228,61 @@ def preview(
     return blocks, clauses, problems
 
 
-def pdf_to_send(database: Database, actor: Actor, contract_id: UUID) -> TextPdf:
-    """Return the PDF of a draft as it would be sent now; it is made outside of any transaction, as it may take long."""
+def pdfs_to_send(database: Database, actor: Actor, contract_id: UUID) -> dict[UUID, TextPdf]:
+    """Return by contract the PDF of a draft as it would be sent now, and of the other draft of its joint work.
+
+    They are made outside of any transaction, as it may take long.
+    """
+    titles: dict[UUID, str] = {}
+    texts: dict[UUID, str] = {}
     with database.reading(actor.reach) as session:
         contract = contract_for_producer(session, actor, contract_id)
-        newest, clauses = _sendable(session, contract)
-        text = text_now(session, contract, clauses, newest.terms)
-    return TextPdf.of(contract.title, text)
+        for part in _with_other(session, contract):
+            try:
+                newest, clauses = _sendable(session, part)
+            except Refused as refusal:
+                if part is not contract:
+                    refusal.message = f"{part.title}: {refusal.message}"
+                raise
+            titles[part.id], texts[part.id] = part.title, text_now(session, part, clauses, newest.terms)
+    return {part_id: TextPdf.of(titles[part_id], text) for part_id, text in texts.items()}
 
 
 def send(
-    session: Session, store: Store, actor: Actor, contract_id: UUID, *, pdf: TextPdf, note: str = ""
-) -> ContractVersion:
-    """Put the text before both parties as it reads now; raise DraftChanged where the PDF is of another text."""
+    session: Session, store: Store, actor: Actor, contract_id: UUID, *, pdfs: Mapping[UUID, TextPdf], note: str = ""
+) -> None:
+    """Put the text before both parties as it reads now, and with it that of the other contract of its joint work.
+
+    Raises DraftChanged where a PDF is of another text.
+    """
     contract = contract_to_change(session, actor, contract_id)
+    for part in _with_other(session, contract):
+        _send(session, store, actor, part, pdf=pdfs.get(part.id), note=note)
+
+
+def _with_other(session: Session, contract: Contract) -> list[Contract]:
+    """Return a contract, with the other one of its joint work; raise BadDraft where their currencies differ."""
+    other = other_contract(session, contract)
+    if other is None:
+        return [contract]
+    ensure_one_currency(contract.currency, other.currency)
+    return [contract, other]
+
+
+def _send(session: Session, store: Store, actor: Actor, contract: Contract, *, pdf: TextPdf | None, note: str) -> None:
     newest, clauses = _sendable(session, contract)
     version = add_version(
         session, actor, contract, clauses, newest.terms, note="As sent", is_needed=newest.sent_at is not None
     )
-    if version.text_sha256 != pdf.text_sha256:
+    if pdf is None or version.text_sha256 != pdf.text_sha256:
         raise DraftChanged("the text changed while its PDF was made", fix="read it again, then send it")
     stored = store.put(contract.studio_id, [pdf.content])
     version.sent_at, version.pdf_sha256, version.pdf_bytes = clock.now(), stored.sha256, stored.size_bytes
     contract.state = ContractState.SENT
     session.flush()
-    facts = {"note": note, **signing_facts(session, contract)}
+    facts = {"note": note, **signing_facts(session, contract), **facts_of_split(session, contract)}
     record.append_by(session, actor, contract, "sent", version, **facts)
     publish(session, "contract.sent", studio_id=contract.studio_id, contract_id=contract.id, version=version.number)
-    return version
 
 
 def _sendable(session: Session, contract: Contract) -> tuple[ContractVersion, list[Clause]]:
@@ -268,6 +301,7 @@ def recall(session: Session, actor: Actor, contract_id: UUID, *, reason: str) ->
     ensure_state(contract.state, {ContractState.SENT}, next_action_hint(contract.state, contract.kind))
     contract.state = ContractState.DRAFT
     record.append_by(session, actor, contract, "taken_back", reason=reason)
+    take_back_other(session, actor, contract)
 
 
 def request_change(
@@ -277,10 +311,11 @@ def request_change(
     contract = visible_contract(session, actor, contract_id)
     if party_of(actor, contract) is not Party.DESIGNER:
         raise NotYourContract("only the contract's designer requests a change; a producer recalls and edits it")
-    contract = queries.lock_contract(session, contract.id)
+    contract = queries.lock_together(session, contract)
     ensure_state(contract.state, {ContractState.SENT}, next_action_hint(contract.state, contract.kind, Party.DESIGNER))
     contract.state = ContractState.DRAFT
     record.append_by(session, actor, contract, "change_requested", text=text, clause=clause_key or "")
+    take_back_other(session, actor, contract)
     publish(session, "contract.change_requested", studio_id=contract.studio_id, contract_id=contract.id, text=text)
 
 
@@ -292,12 +327,13 @@ def end(session: Session, actor: Actor, contract_id: UUID, *, reason: str) -> No
     contract = visible_contract(session, actor, contract_id)
     if party_of(actor, contract) is None:
         raise NotYourContract("only a producer of the studio and the contract's designer end it")
-    contract = queries.lock_contract(session, contract.id)
+    contract = queries.lock_together(session, contract)
     running = {ContractState.DRAFT, ContractState.SENT, ContractState.AGREED}
     ensure_state(
         contract.state, running, "this is final: there is nothing left to end, and its text and record stay readable"
     )
     ensure_ends_without_settlement(contract.kind, contract.state)
+    part_from_other(session, actor, contract, reason=reason)
     mark_ended(session, contract, reason=reason)
     record.append_by(session, actor, contract, "ended", reason=reason)
 

@@ -2,8 +2,7 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from datetime import date
+from dataclasses import dataclass
 from uuid import UUID
 
 from sqlalchemy import delete
@@ -13,9 +12,11 @@ from app.accounts.rules import Actor
 from app.agreements.access import contract_for_producer, contract_to_change
 from app.agreements.clauses.terms import PriceMode
 from app.agreements.errors import BadPlan, PlanLocked, UnderContract
+from app.agreements.joint.queries import other_contract
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan import queries as plan_queries
 from app.agreements.plan.amounts import split
+from app.agreements.plan.planned import PlannedCue, PlannedMilestone
 from app.agreements.plan.proposal import DEPOSIT_BP, ProposedMilestone, WantedCue, propose_milestones
 from app.agreements.plan.queries import terms_of
 from app.agreements.plan.validation import Advice, PlannedPayment, check_plan
@@ -28,34 +29,6 @@ from app.hiring.rules import total_minor as total_of_bid
 from app.sound_lists.rules import CueState
 
 LARGEST_MINOR = 10**12  # of one milestone
-
-
-@dataclass(frozen=True)
-class PlannedCue:
-    """A cue of a planned milestone."""
-
-    cue_id: UUID
-    price_minor: int | None = None
-    estimate_min: int | None = None
-
-
-@dataclass(frozen=True)
-class PlannedMilestone:
-    """A milestone as it is planned; without an amount, its cues' prices add up to it."""
-
-    name: str
-    amount_minor: int | None
-    due_on: date | None
-    is_deposit: bool = False
-    tax_bp: int | None = None
-    cues: Sequence[PlannedCue] = field(default_factory=tuple)
-
-    @property
-    def whole_minor(self) -> int:
-        """Return the milestone's payment."""
-        if self.amount_minor is not None:
-            return self.amount_minor
-        return sum(cue.price_minor or 0 for cue in self.cues)
 
 
 @dataclass(frozen=True)
@@ -93,17 +66,27 @@ def concepts_in(session: Session, contract: Contract, plan: Sequence[PlannedMile
 
 def concepts_of(session: Session, contract: Contract) -> Concepts:
     """Return the number of concepts among the cues of a contract's plan, and its pay for them."""
+    return concepts_in(session, contract, plan_of(session, contract))
+
+
+def plan_of(session: Session, contract: Contract) -> list[PlannedMilestone]:
+    """Return the plan of a contract as it is written."""
     covered = plan_queries.cues_of(session, contract.id)
-    plan = [
+    return [
         PlannedMilestone(
             milestone.name,
             milestone.amount_minor,
             milestone.due_on,
-            cues=[PlannedCue(cue.cue_id, cue.price_minor) for cue in covered if cue.milestone_id == milestone.id],
+            is_deposit=milestone.is_deposit,
+            tax_bp=milestone.tax_bp,
+            cues=[
+                PlannedCue(cue.cue_id, cue.price_minor, cue.estimate_min)
+                for cue in covered
+                if cue.milestone_id == milestone.id
+            ],
         )
         for milestone in plan_queries.milestones_of(session, contract.id)
     ]
-    return concepts_in(session, contract, plan)
 
 
 def price_of(session: Session, contract: Contract, payments: Sequence[PlannedPayment]) -> Price:
@@ -179,7 +162,8 @@ def propose_plan(
 ) -> list[ProposedMilestone]:
     """Return milestones to begin a plan from, over the cues that no agreed contract covers; nothing is saved."""
     contract = contract_for_producer(session, actor, contract_id)
-    cues = plan_queries.wanted_cues(session, contract.project_id)
+    of_other = _cue_ids_of_other(session, contract)
+    cues = [cue for cue in plan_queries.wanted_cues(session, contract.project_id) if cue.id not in of_other]
     return propose_milestones(
         [WantedCue(cue.id, cue.category, cue.due_on) for cue in cues],
         today=plan_queries.today_of(session, contract),
@@ -254,6 +238,7 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
 
     planned_cue_ids = [cue.cue_id for planned in plan for cue in planned.cues]
     cues_by_id = {cue.id: cue for cue in plan_queries.cues_in_project(session, contract.project_id, planned_cue_ids)}
+    of_other = _cue_ids_of_other(session, contract)
     for index, planned in enumerate(plan):
         at = f"milestones.{index}"
         if planned.is_deposit and planned.cues:
@@ -276,12 +261,24 @@ def _faults(session: Session, contract: Contract, plan: Sequence[PlannedMileston
                 report(at, f"{planned.name}: there is no cue {cue.cue_id} in this project")
             elif cues_by_id[cue.cue_id].state is CueState.CUT:
                 report(at, f"{planned.name}: {cues_by_id[cue.cue_id].name} was cut")
+            elif cue.cue_id in of_other:
+                report(
+                    at,
+                    f"{planned.name}: {cues_by_id[cue.cue_id].name} is the other designer's of this joint work; "
+                    "take it out of the plan there first",
+                )
     for cue_id, times in Counter(planned_cue_ids).items():
         if times > 1 and cue_id in cues_by_id:
             report(
                 "milestones", f"{cues_by_id[cue_id].name} is in the plan {times} times; a cue belongs to one milestone"
             )
     return faults
+
+
+def _cue_ids_of_other(session: Session, contract: Contract) -> set[UUID]:
+    """Return the cues that the other contract of joint work covers."""
+    other = other_contract(session, contract)
+    return {cue.cue_id for cue in plan_queries.cues_of(session, other.id)} if other else set()
 
 
 def advice_on(session: Session, contract: Contract) -> list[Advice]:

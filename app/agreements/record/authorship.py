@@ -6,6 +6,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, Token
 from app.accounts.queries import membership
+from app.agreements.joint.queries import is_designer_of_other
 from app.agreements.models import Contract
 from app.projects.approval.service import approval_rights
 from app.projects.models import Project
@@ -34,6 +35,8 @@ def _named(session: Session, contract: Contract, by: UUID) -> dict[str, str]:
 def _roles(session: Session, contract: Contract, person_id: UUID) -> list[str]:
     if person_id == contract.designer_id:
         return ["designer"]
+    if is_designer_of_other(session, contract, person_id):
+        return ["designer of the other contract"]
     held = membership(session, contract.studio_id, person_id)
     roles = sorted(held.roles) if held else []
     rights = approval_rights(session, session.get_one(Project, contract.project_id))

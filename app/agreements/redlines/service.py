@@ -25,6 +25,7 @@ from app.agreements.errors import (
     RedlinesOpen,
     TextChanged,
 )
+from app.agreements.joint.states import take_back_other
 from app.agreements.models import Contract, ContractVersion
 from app.agreements.record import service as record
 from app.agreements.redlines.marks import MarkedClause, clauses_as_sent, marked_clauses
@@ -84,7 +85,7 @@ def propose(
     BadRedlines for changes that a draft could not have either.
     """
     contract = _to_propose(session, actor, contract_id)
-    contract = queries.lock_contract(session, contract.id)
+    contract = queries.lock_together(session, contract)
     sent = _sent_version(session, contract)
     if sent.number != version:
         raise TextChanged(
@@ -101,6 +102,7 @@ def propose(
     contract.state = ContractState.DRAFT
     facts = {"round": len(earlier) + 1, "note": note, "redlines": [redline.as_facts() for redline in redlines]}
     record.append_by(session, actor, contract, PROPOSED, sent, **facts)
+    take_back_other(session, actor, contract)
     words = named_in_words(redlines, clauses)
     text = f"{words}. {note}" if note else f"{words}."
     publish(session, "contract.change_requested", studio_id=contract.studio_id, contract_id=contract.id, text=text)

@@ -19,6 +19,8 @@ from app.agreements.access import contract_to_change, party_of, visible_contract
 from app.agreements.clauses.text_faults import ensure_text_whole
 from app.agreements.drafts.versions import newest_of
 from app.agreements.errors import AlreadyAccepted, NotASigner, NotYourContract, NotYourTurn
+from app.agreements.joint.parts import facts_of_split
+from app.agreements.joint.queries import other_contract
 from app.agreements.models import Acceptance, Contract, ContractAcceptance, ContractSigner, ContractVersion
 from app.agreements.plan.service import activate_plan
 from app.agreements.record import service as record
@@ -255,6 +257,8 @@ def sign_text(
 def accept(session: Session, actor: Actor, contract_id: UUID, signature: SignatureRequest) -> ContractAcceptance:
     """Record a person's yes to the text that was sent; once all have given theirs, the contract is agreed.
 
+    The two contracts of joint work are agreed together, once all have given theirs to both.
+
     Raises TextChanged unless the hash seen is that of the current text, BadDraft where that text contradicts a figure,
     AlreadyAccepted, NotASigner or NotYourTurn by
     the order that was set, SamePersonOnBothSides where the other party's yes is the same person's, and, where the
@@ -264,7 +268,7 @@ def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signatu
     party = party_of(actor, contract)
     if party is None:
         raise NotYourContract("only a producer of the studio and the contract's designer can sign it")
-    contract = queries.lock_contract(session, contract.id)
+    contract = queries.lock_together(session, contract)
     ensure_state(contract.state, {ContractState.SENT}, "a contract can be signed once it was sent")
     version = newest_of(session, contract)
     ensure_same_text(signature.text_sha256, version.text_sha256)
@@ -280,19 +284,30 @@ def accept(session: Session, actor: Actor, contract_id: UUID, signature: Signatu
         new_acceptance=partial(ContractAcceptance, version_id=version.id),
         put_on_record=lambda facts: record.append_by(session, actor, contract, "accepted_by", version, **facts),
     )
-    if not turn.parties:
-        _agree(session, actor, contract, version)
-    else:
+    other = other_contract(session, contract)
+    if turn.parties:
         publish(
             session, "contract.signed_once", studio_id=contract.studio_id, contract_id=contract.id, party=party.value
         )
+    elif other is None:
+        _agree(session, actor, contract, version)
+    elif is_signed(session, other):
+        _agree(session, actor, contract, version)
+        with bypass_row_policies(session):  # a designer who signs last does not write the other contract
+            _agree(session, actor, other, newest_of(session, other))
     return acceptance
+
+
+def is_signed(session: Session, contract: Contract) -> bool:
+    """Whether all have signed the text that was sent, while it waits for the other contract of joint work."""
+    given = yeses(queries.acceptances_of(session, newest_of(session, contract).id))
+    return contract.state is ContractState.SENT and not order_of(session, contract).parties_left(given)
 
 
 def _agree(session: Session, actor: Actor, contract: Contract, version: ContractVersion) -> None:
     contract.state, contract.agreed_at = ContractState.AGREED, clock.now()
     session.flush()
-    record.append_by(session, actor, contract, "agreed", version)
+    record.append_by(session, actor, contract, "agreed", version, **facts_of_split(session, contract))
     if contract.kind is ContractKind.NDA:
         record_nda(session, contract.engagement_id, document_sha256=version.pdf_sha256 or "", at=contract.agreed_at)
     activate_plan(session, contract, person_id=actor.person)

@@ -57,6 +57,7 @@ export const CONTRACT = {
   signers: [],
   signs_first: null,
   change_requested: null,
+  joint: [],
   may: { ...MAY, request_change: true, accept: true, end: true },
 }
 export const PROJECT = {

@@ -53,7 +53,7 @@ OFF = {
     "downloads",
     "source_files",
 } | MUSIC
-OFF |= {"next_project", "points", "hours", "retainer"}
+OFF |= {"next_project", "points", "hours", "retainer", "joint"}
 
 
 def standing(kind: ContractKind, **how: bool) -> set[str]:

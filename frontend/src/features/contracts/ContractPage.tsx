@@ -21,6 +21,7 @@ import { StatusBadge } from '@/ui/StatusBadge'
 import { type Contract, useContractAction, useKeepAsTemplate, versionsQuery } from './api'
 import classes from './Contracts.module.css'
 import { isOrder } from './questions'
+import { JointCard } from './JointCard'
 import { MastersCard } from './MastersCard'
 import { OffersNote } from './OffersNote'
 import { RedlinesNote } from './RedlinesNote'
@@ -78,6 +79,7 @@ export function ContractPage() {
             </ButtonLink>
           )}
           {contract.kind !== 'nda' && contract.agreed_at !== null && <MastersCard contract={contract} />}
+          <JointCard contract={contract} />
           <Signers contract={contract} />
           <Said contract={contract} />
           <Versions contract={contract} projectId={projectId} />

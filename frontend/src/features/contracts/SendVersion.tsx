@@ -50,7 +50,7 @@ export function SendVersion({ contract, back, children }: SendVersionProps) {
             )
           }
         >
-          {`Send to ${contract.designer.name}`}
+          {`Send to ${contract.joint.length > 0 ? contract.joint.map(({ designer }) => designer.name).join(' and ') : contract.designer.name}`}
         </Button>
       </div>
     </>

@@ -173,6 +173,8 @@ export type ContractAction =
   | ({ does: 'accept' } & Signature)
   | { does: 'sign order'; body: Schemas['SignersSet'] }
   | { does: 'end'; reason: string }
+  | { does: 'divide'; body: Schemas['JointAdd'] }
+  | { does: 'split'; body: Schemas['ShareSet'] }
 
 function done(contractId: string, deed: ContractAction): Promise<Contract> {
   const it = { contract_id: contractId }
@@ -195,6 +197,10 @@ function done(contractId: string, deed: ContractAction): Promise<Contract> {
       return put('/v1/contracts/{contract_id}/signers', it, deed.body)
     case 'end':
       return post('/v1/contracts/{contract_id}/end', it, { reason: deed.reason })
+    case 'divide':
+      return post('/v1/contracts/{contract_id}/joint', it, deed.body)
+    case 'split':
+      return put('/v1/contracts/{contract_id}/joint', it, deed.body)
   }
 }
 
@@ -203,9 +209,15 @@ export function useContractAction(contractId: string) {
   return useMutation({
     mutationFn: (deed: ContractAction) => done(contractId, deed),
     onSuccess: async (contract) => {
+      const before = client.getQueryData<Contract>(queryKeys.contract(contractId))
+      const parts = [...contract.joint, ...(before?.joint ?? [])]
+      const others = parts.flatMap(({ contract_id: id, is_own: isOwn }) => (id === null || isOwn ? [] : [id]))
       client.setQueryData(queryKeys.contract(contractId), contract)
       await invalidate(
         client,
+        // The two contracts of joint work move together.
+        ...others.flatMap((id) => [queryKeys.contract(id), queryKeys.money('plan', id)]),
+        ...(others.length > 0 ? [queryKeys.money('plan', contractId)] : []),
         queryKeys.contract(contractId, 'versions'),
         queryKeys.contract(contractId, 'record'),
         queryKeys.contracts(contract.project_id),

@@ -122,6 +122,7 @@ const CONTRACT = {
   waits_for: [],
   version: { number: 1, blocks: [], clauses: [], text_sha256: SHA },
   acceptances: [],
+  joint: [],
   signers: [],
   change_requested: null,
   redlines: null,

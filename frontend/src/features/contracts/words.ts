@@ -29,6 +29,7 @@ export function progress(contract: ContractBrief): { kind: StateKind; text: stri
       return { kind: 'waiting', text: mine ? 'Draft, with you' : 'Draft, with the studio' }
     case 'sent':
       if (mine) return { kind: 'to_review', text: 'Needs your signature' }
+      if (contract.waits_for.length === 0) return { kind: 'waiting', text: 'Signed, waiting for the joint contract' }
       return { kind: 'waiting', text: `Waiting for the ${contract.waits_for.join(' and the ')} to sign` }
     case 'agreed':
       if (contract.notice) {
@@ -83,6 +84,7 @@ const EVENT_WORDS: Record<string, string> = {
   redline_answered: 'Redline answered',
   accepted_by: 'Accepted',
   agreed: 'Agreed',
+  stands_alone: 'No longer joint work',
   ended: 'Ended',
   offer_dismissed: 'No change order wanted',
   change_proposed: 'Change order proposed',
