@@ -158,21 +158,21 @@ function CoverageCard({ projectId }: { projectId: string }) {
   const { data } = useQuery(coverageQuery(projectId))
   if (!data) return null
   const missing = [
-    { said: 'has no ambience on the list', names: data.scenes_without_ambience },
-    { said: 'is silent: neither ambience nor music', names: data.silent_scenes },
-    { said: 'has no cue on the list', names: data.categories_without_cue },
-    { said: 'has no cue on the list', names: data.priority_without_cue },
+    { problem: 'has no ambience on the list', names: data.scenes_without_ambience },
+    { problem: 'is silent: neither ambience nor music', names: data.silent_scenes },
+    { problem: 'has no cue on the list', names: data.categories_without_cue },
+    { problem: 'has no cue on the list', names: data.priority_without_cue },
   ]
-  const lines = missing.flatMap(({ said, names }) => names.map((name) => ({ name, said })))
+  const lines = missing.flatMap(({ problem, names }) => names.map((name) => ({ name, problem })))
   if (lines.length === 0) return null
   return (
     <section aria-label="Missing from the sound list">
       <CardHead title="Missing from the sound list" count={lines.length} />
       <ul>
-        {lines.map(({ name, said }) => (
-          <li key={`${name} ${said}`} className="grid gap-2px border-b wrap-anywhere p-2-14px">
+        {lines.map(({ name, problem }) => (
+          <li key={`${name} ${problem}`} className="grid gap-2px border-b wrap-anywhere p-2-14px">
             <span>
-              <span className="strong">{name}</span> <span className="mid">{said}</span>
+              <span className="strong">{name}</span> <span className="mid">{problem}</span>
             </span>
           </li>
         ))}

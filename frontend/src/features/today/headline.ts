@@ -12,7 +12,8 @@ interface Counts {
   steps?: number
 }
 
-const many = (count: number, one: string, more: string): string => `${spelled(count)} ${count === 1 ? one : more}`
+const many = (count: number, singular: string, plural: string): string =>
+  `${spelled(count)} ${count === 1 ? singular : plural}`
 
 /** What the day holds, in one or two sentences. */
 export function headline({

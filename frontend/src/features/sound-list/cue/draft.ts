@@ -90,27 +90,27 @@ export function draftOf(cue: Cue): CueDraft {
 }
 
 interface Figure {
-  wanted: string
+  expected: string
   whole?: true
   needed?: true
 }
 
 const FIGURES: Partial<Record<DraftField, Figure>> = {
-  duration_s: { wanted: 'seconds such as 1.5' },
-  duration_min_s: { wanted: 'seconds such as 0.5' },
-  duration_max_s: { wanted: 'seconds such as 2' },
-  frame_rate_fps: { wanted: 'frames a second such as 60' },
-  variations: { wanted: 'a whole number such as 4', whole: true, needed: true },
-  playback_priority: { wanted: 'a whole number such as 1', whole: true },
+  duration_s: { expected: 'seconds such as 1.5' },
+  duration_min_s: { expected: 'seconds such as 0.5' },
+  duration_max_s: { expected: 'seconds such as 2' },
+  frame_rate_fps: { expected: 'frames a second such as 60' },
+  variations: { expected: 'a whole number such as 4', whole: true, needed: true },
+  playback_priority: { expected: 'a whole number such as 1', whole: true },
 }
 
 /** Read a figure with a point or a comma; nothing typed is null. */
-function readFigure(text: string, { wanted, whole, needed }: Figure): number | null | { fault: string } {
+function readFigure(text: string, { expected, whole, needed }: Figure): number | null | { fault: string } {
   const plain = text.trim().replace(',', '.').replace(/\s*s$/, '')
   if (plain === '') return needed ? 1 : null
   const value = Number(plain)
   if (!/^[0-9]*\.?[0-9]*$/.test(plain) || Number.isNaN(value) || (whole && !Number.isInteger(value))) {
-    return { fault: `Enter ${wanted} (found “${text.trim()}”).` }
+    return { fault: `Enter ${expected} (found “${text.trim()}”).` }
   }
   return value
 }
