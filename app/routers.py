@@ -49,6 +49,7 @@ from app.hiring.endpoints import router as hiring
 from app.hiring.roster.endpoints import router as roster
 from app.money.endpoints import router as money
 from app.money.invoices.electronic_invoice_endpoints import router as electronic_invoices
+from app.money.own_time.endpoints import router as own_time
 from app.money.work.endpoints import router as work
 from app.notifications.endpoints import router as notifications
 from app.notifications.notices.endpoints import router as notices
@@ -167,6 +168,7 @@ COMMERCIAL_ROUTERS: tuple[APIRouter, ...] = (
     roster,
     awards,
     money,
+    own_time,
     work,
     electronic_invoices,
     contract_templates,

@@ -43,6 +43,7 @@ PERSONAL = frozenset(
         *("accounts_totp_factors", "accounts_recovery_codes", "accounts_passkeys", "accounts_email_changes"),
         "accounts_pictures",  # whose name a caller sees, a query decides
         *("notifications_mail_preferences", "notifications_notices"),
+        "contracts_own_times",
         "reviews_heard_takes",
     }
 )

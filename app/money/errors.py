@@ -105,3 +105,7 @@ class CapExceeded(Conflict):
 
 class WorkedDayNotFound(NotFound):
     """No logged work of that id within the caller's sight."""
+
+
+class OwnTimeNotFound(NotFound):
+    """The caller logged no such time."""

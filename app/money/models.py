@@ -169,6 +169,21 @@ class WorkLog(ProjectOwned, Dated, Base):
     logged_by: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"))
 
 
+class OwnTime(ProjectOwned, Dated, Base):
+    """Time that a person logged in a project without a contract; seen by that person only."""
+
+    __tablename__ = "contracts_own_times"
+    __table_args__ = (CheckConstraint("minutes between 1 and 1440", name="hours_of_a_day_at_most"),)
+
+    id: Mapped[UUID] = mapped_column(primary_key=True, default=new_id)
+    person_id: Mapped[UUID] = mapped_column(ForeignKey("accounts_people.id"), index=True)
+    cue_id: Mapped[UUID | None] = mapped_column(ForeignKey("sound_lists_cues.id"))  # that it went into
+    minutes: Mapped[int]
+    worked_on: Mapped[date]
+    note: Mapped[str]
+    cue: Mapped[Cue | None] = relationship(lazy="raise")
+
+
 class WorkedDay(ProjectOwned, Dated, Base):
     """Work of a day, in quarters of a day or in minutes; due once the studio has agreed to it, up to the cap."""
 

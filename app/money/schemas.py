@@ -366,7 +366,8 @@ class PayPerHour(Schema):
     currency: str
     fee_minor: int = Field(description="Of all milestones as agreed.")
     estimated_min: int
-    logged_min: int
+    logged_min: int = Field(description="For the cues of the contract, before and under it.")
+    own_min: int = Field(description="Of these, logged without a contract, which nobody else sees.")
     by_estimate_minor: int | None
     by_log_minor: int | None
 

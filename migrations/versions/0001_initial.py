@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_5356b5aa"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_6b9fbd6f"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -1658,6 +1658,27 @@ def upgrade() -> None:
     op.create_index(op.f("ix_contracts_contracts_framework_id"), "contracts_contracts", ["framework_id"])
     op.create_index(op.f("ix_contracts_contracts_joint_id"), "contracts_contracts", ["joint_id"])
     op.create_index(op.f("ix_contracts_contracts_studio_id"), "contracts_contracts", ["studio_id"])
+    op.create_table(
+        "contracts_own_times",
+        sa.Column("id", sa.Uuid(), nullable=False),
+        sa.Column("person_id", sa.Uuid(), nullable=False),
+        sa.Column("cue_id", sa.Uuid()),
+        sa.Column("minutes", sa.Integer(), nullable=False),
+        sa.Column("worked_on", sa.Date(), nullable=False),
+        sa.Column("note", sa.String(), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.CheckConstraint("minutes between 1 and 1440", name=op.f("ck_contracts_own_times_hours_of_a_day_at_most")),
+        sa.ForeignKeyConstraint(["cue_id"], ["sound_lists_cues.id"], name=op.f("fk_contracts_own_times_cue_id")),
+        sa.ForeignKeyConstraint(["person_id"], ["accounts_people.id"], name=op.f("fk_contracts_own_times_person_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_contracts_own_times_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_contracts_own_times_studio_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_contracts_own_times")),
+    )
+    op.create_index(op.f("ix_contracts_own_times_person_id"), "contracts_own_times", ["person_id"])
+    op.create_index(op.f("ix_contracts_own_times_project_id"), "contracts_own_times", ["project_id"])
+    op.create_index(op.f("ix_contracts_own_times_studio_id"), "contracts_own_times", ["studio_id"])
     op.create_table(
         "deliveries_adoptions",
         sa.Column("id", sa.Uuid(), nullable=False),

@@ -12,7 +12,7 @@ from app.agreements.rules import ContractKind, ContractState, Party
 from app.amendments.models import ChangeOrder
 from app.core import clock
 from app.money.ledger.rules import LineKind
-from app.money.models import ExtraRound, Invoice, InvoiceLine, LedgerLine, Payment, WorkedDay
+from app.money.models import ExtraRound, Invoice, InvoiceLine, LedgerLine, OwnTime, Payment, WorkedDay
 from app.projects.queries import any_engagement_of
 
 if TYPE_CHECKING:
@@ -88,6 +88,9 @@ def add_contract(session: Session, of: dict[str, UUID], cue_id: UUID, house: "Ho
         payment_id=payment.id,
         person_id=house.producer_id,
     )
+    own_time = OwnTime(
+        **of, person_id=house.designer_id, cue_id=cue_id, minutes=90, worked_on=clock.now().date(), note=""
+    )
     worked = WorkedDay(
         **of_it,
         milestone_id=milestone.id,
@@ -96,7 +99,7 @@ def add_contract(session: Session, of: dict[str, UUID], cue_id: UUID, house: "Ho
         note="",
         logged_by=house.designer_id,
     )
-    session.add(worked)
+    session.add_all([worked, own_time])
     text = "# Change order 1 to Effects"
     order = ChangeOrder(
         **of_it,
@@ -120,6 +123,7 @@ def add_contract(session: Session, of: dict[str, UUID], cue_id: UUID, house: "Ho
         "invoice_id": invoice.id,
         "payment_id": payment.id,
         "milestone_id": milestone.id,
+        "own_time_id": own_time.id,
         "worked_day_id": worked.id,
         "change_order_number": order.number,
     }

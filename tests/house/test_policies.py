@@ -36,7 +36,7 @@ CONTRACTS = {"contract_id", "milestone_id", "extra_round_id", "invoice_id", "pay
 ONE_DESIGNERS = {
     *("delivery_id", "take_id", "upload_id", "picture_id", "render_id", "comment_id", "change_request_id", "reel_id"),
     "note_id",
-    *("source_file_id", "handoff_id"),
+    *("source_file_id", "handoff_id", "own_time_id"),
     "playlist_id",  # one that holds sounds of theirs alone
     "master_export_id",
     "comparison_id",

@@ -17,6 +17,7 @@ from app.money.errors import CueNotInContract, OtherPartyNeeded
 from app.money.estimates.rules import ErrorRate, Habit, error_percent, error_rate, forecast, minor_per_hour
 from app.money.ledger.service import not_agreed
 from app.money.models import WorkLog
+from app.money.own_time.queries import own_minutes
 from app.projects.errors import ProducerNeeded
 
 UNRELIABLE = (
@@ -73,13 +74,16 @@ def _pay(session: Session, contract: Contract) -> schemas.PayPerHour | None:
     if fee_minor <= 0:
         return None
     worked = queries.worked_minutes(session, [contract.id])
-    estimated_min = sum(cue.estimate_min or 0 for cue in plan_queries.cues_of(session, contract.id))
-    logged_min = sum(worked.values())
+    cues = plan_queries.cues_of(session, contract.id)
+    estimated_min = sum(cue.estimate_min or 0 for cue in cues)
+    own_min = own_minutes(session, contract.designer_id, [cue.cue_id for cue in cues])
+    logged_min = sum(worked.values()) + own_min
     return schemas.PayPerHour(
         currency=contract.currency,
         fee_minor=fee_minor,
         estimated_min=estimated_min,
         logged_min=logged_min,
+        own_min=own_min,
         by_estimate_minor=minor_per_hour(fee_minor, estimated_min),
         by_log_minor=minor_per_hour(fee_minor, logged_min),
     )

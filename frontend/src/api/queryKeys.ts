@@ -221,6 +221,7 @@ type MoneyPart =
   | 'invoices'
   | 'invoice-draft'
   | 'estimates'
+  | 'own-time'
   | 'milestone'
   | 'plan'
   | 'plan-check'

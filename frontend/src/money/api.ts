@@ -206,3 +206,21 @@ export const useMakeCalendar = (projectId: string) =>
   useMutation({
     mutationFn: () => post('/v1/projects/{project_id}/calendar', { project_id: projectId }),
   })
+
+export type OwnTimes = Schemas['OwnTimes']
+export type OwnTimeAdd = Schemas['OwnTimeAdd']
+
+/** The caller's time in a project without a contract; a bidder names the posting. */
+export const ownTimeQuery = (projectId: string, postingId?: string) =>
+  queryOptions({
+    queryKey: queryKeys.money('own-time', projectId, postingId),
+    queryFn: () => get('/v1/projects/{project_id}/own-time', { project_id: projectId, posting_id: postingId }),
+  })
+
+export const useLogOwnTime = (projectId: string) =>
+  useMoneyChange((body: OwnTimeAdd) => post('/v1/projects/{project_id}/own-time', { project_id: projectId }, body))
+
+export const useDropOwnTime = () =>
+  useMoneyChange((ownTimeId: string) =>
+    unwrap(api.DELETE('/v1/own-time/{own_time_id}', { params: { path: { own_time_id: ownTimeId } } })),
+  )

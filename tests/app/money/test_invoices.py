@@ -205,6 +205,7 @@ def test_estimates_are_for_the_two_parties(agreed: Agreed) -> None:
         "fee_minor": 30_000,
         "estimated_min": 300,
         "logged_min": 390,
+        "own_min": 0,
         "by_estimate_minor": 6_000,
         "by_log_minor": 4_615,  # 300.00 of 6.5 hours
     }

@@ -5,6 +5,7 @@ import { useState } from 'react'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
+import { OwnTimeCard } from '@/money/OwnTimeCard'
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -57,6 +58,7 @@ export function BidPage() {
           <Questions posting={posting} />
         </>
       )}
+      <OwnTimeCard projectId={posting.project_id} postingId={posting.id} />
     </div>
   )
 }

@@ -46,16 +46,17 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
 
 /** What an hour earns; the designer alone is told. */
 function PayLines({ pay }: { pay: NonNullable<components['schemas']['EstimatesRead']['pay']> }) {
-  const { currency, estimated_min, logged_min, by_estimate_minor, by_log_minor } = pay
+  const { currency, estimated_min, logged_min, own_min, by_estimate_minor, by_log_minor } = pay
+  const ownTime = own_min > 0 ? `, ${hours(own_min)} of it without the contract` : ''
   return [
-    { name: 'An hour earns, as estimated', minutes: estimated_min, minor: by_estimate_minor },
-    { name: 'An hour earns, as logged', minutes: logged_min, minor: by_log_minor },
+    { name: 'An hour earns, as estimated', minutes: estimated_min, minor: by_estimate_minor, more: '' },
+    { name: 'An hour earns, as logged', minutes: logged_min, minor: by_log_minor, more: ownTime },
   ].map(
-    ({ name, minutes, minor }) =>
+    ({ name, minutes, minor, more }) =>
       minor !== null && (
         <p key={name} className={classes.line}>
           <span className="mid">{name}</span>
-          <span>{`${money(minor, currency)}, of ${hours(minutes)}`}</span>
+          <span>{`${money(minor, currency)}, of ${hours(minutes)}${more}`}</span>
         </p>
       ),
   )

@@ -6,6 +6,7 @@ import { useTitle } from '@/app/title'
 import { moneyQuery, type ContractMoney } from '@/money/api'
 import { MilestonesCard } from '@/money/MilestonesCard'
 import { MoneyLine } from '@/money/MoneyLine'
+import { OwnTimeCard } from '@/money/OwnTimeCard'
 import { ButtonLink } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
 import { PageHead } from '@/ui/PageHead'
@@ -65,6 +66,7 @@ export function MoneyPage() {
         </EmptyState>
       )}
       <div className="stack">
+        {side === 'designer' && project && <OwnTimeCard projectId={projectId} />}
         {data?.totals.map(({ currency, figures }) => (
           <MoneyLine key={currency} currency={currency} figures={figures} side={side} />
         ))}

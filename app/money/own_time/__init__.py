@@ -1,0 +1,1 @@
+"""Time that a person logs without a contract, for their own figures."""
