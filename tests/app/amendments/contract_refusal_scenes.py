@@ -14,7 +14,7 @@ def _only_producers(parties: Parties) -> None:
     granted(parties.post(parties.producer, sent, "recall", reason="A slip"))
 
 
-@scene("agreements.lifecycle.save_draft WrongState", "agreements.lifecycle._sendable WrongState")
+@scene("agreements.drafts.lifecycle.save_draft WrongState", "agreements.drafts.lifecycle._sendable WrongState")
 def _a_draft_is_changed_and_sent(parties: Parties) -> None:
     contract = parties.sent()
 
@@ -47,7 +47,7 @@ def _an_agreed_nda_is_ended_for_another_one(parties: Parties) -> None:
     granted(parties.post(parties.producer, parties.nda(), "send"))
 
 
-@scene("agreements.lifecycle.save_draft DraftChanged")
+@scene("agreements.drafts.lifecycle.save_draft DraftChanged")
 def _another_saved_meanwhile(parties: Parties) -> None:
     begun = parties.planned()
     parties.contracts.save(begun, title="Other")
@@ -60,7 +60,7 @@ def _another_saved_meanwhile(parties: Parties) -> None:
     granted(parties.producer.put(f"/v1/contracts/{begun['id']}/draft", json=body | {"based_on_version": 2}))
 
 
-@scene("agreements.lifecycle.recall WrongState")
+@scene("agreements.drafts.lifecycle.recall WrongState")
 def _only_a_sent_contract_is_recalled(parties: Parties) -> None:
     begun = parties.planned()
     refused = parties.post(parties.producer, begun, "recall", reason="A slip")
@@ -72,7 +72,10 @@ def _only_a_sent_contract_is_recalled(parties: Parties) -> None:
     granted(parties.propose(agreed, parties.extra_work(agreed)))
 
 
-@scene("agreements.lifecycle.request_change NotYourContract", "agreements.redlines._to_propose NotYourContract")
+@scene(
+    "agreements.drafts.lifecycle.request_change NotYourContract",
+    "agreements.redlines.service._to_propose NotYourContract",
+)
 def _a_producer_edits_instead_of_asking(parties: Parties) -> None:
     sent = parties.sent()
     refused = parties.post(parties.producer, sent, "ask-change", text="Three rounds")
@@ -81,7 +84,7 @@ def _a_producer_edits_instead_of_asking(parties: Parties) -> None:
     parties.contracts.save(sent, title="Other")
 
 
-@scene("agreements.lifecycle.request_change WrongState")
+@scene("agreements.drafts.lifecycle.request_change WrongState")
 def _a_change_is_requested_of_a_sent_text(parties: Parties) -> None:
     sent = parties.sent()
     granted(parties.post(parties.designer, sent, "ask-change", text="Three rounds"))
@@ -95,7 +98,7 @@ def _a_change_is_requested_of_a_sent_text(parties: Parties) -> None:
     granted(parties.propose(agreed, parties.extra_work(agreed), by=parties.designer))
 
 
-@scene("agreements.lifecycle.end WrongState")
+@scene("agreements.drafts.lifecycle.end WrongState")
 def _an_end_is_final(parties: Parties) -> None:
     begun = parties.planned()
     granted(parties.post(parties.producer, begun, "end", reason="Given up"))
@@ -113,7 +116,7 @@ def _what_orders_work_ends_by_notice(parties: Parties) -> None:
     parties.end(agreed)
 
 
-@scene("agreements.lifecycle._ensure_whole BadDraft")
+@scene("agreements.drafts.lifecycle._ensure_whole BadDraft")
 def _a_draft_is_corrected_where_it_says(parties: Parties) -> None:
     begun = parties.planned()
     body = Contracts.draft_of(begun) | {"based_on_version": 1}
@@ -124,7 +127,8 @@ def _a_draft_is_corrected_where_it_says(parties: Parties) -> None:
 
 
 @scene(
-    "agreements.lifecycle._ensure_framework FrameworkNeeded", "agreements.rules.ensure_under_framework FrameworkNeeded"
+    "agreements.drafts.lifecycle._ensure_framework FrameworkNeeded",
+    "agreements.rules.ensure_under_framework FrameworkNeeded",
 )
 def _a_batch_names_a_framework(parties: Parties) -> None:
     path = f"/v1/projects/{parties.world.project_id}/contracts"
@@ -140,7 +144,7 @@ def _a_batch_names_a_framework(parties: Parties) -> None:
     advised(stray, "framework-needed", "leave the framework out")
 
 
-@scene("agreements.plan.save_plan PlanLocked 1")
+@scene("agreements.plan.service.save_plan PlanLocked 1")
 def _a_plan_is_free_in_a_draft(parties: Parties) -> None:
     contract = parties.sent()
     plan = milestone("Gamma", parties.cues[0], amount_minor=100)
@@ -155,13 +159,13 @@ def _a_plan_is_free_in_a_draft(parties: Parties) -> None:
     parties.begins_another()
 
 
-@scene("agreements.plan.save_plan PlanLocked 2")
+@scene("agreements.plan.service.save_plan PlanLocked 2")
 def _an_nda_has_no_plan(parties: Parties) -> None:
     advised(parties.plan(parties.nda()), "plan-locked", "plan the contract that orders the work")
     parties.planned()
 
 
-@scene("agreements.plan.save_plan BadPlan")
+@scene("agreements.plan.service.save_plan BadPlan")
 def _a_plan_is_corrected_where_it_says(parties: Parties) -> None:
     begun, cue = parties.planned(), parties.cue()
     wrong = milestone("Gamma", cue, amount_minor=100)
@@ -170,7 +174,7 @@ def _a_plan_is_corrected_where_it_says(parties: Parties) -> None:
     granted(parties.plan(begun, wrong | {"amount_minor": None}))
 
 
-@scene("agreements.plan.activate_plan UnderContract")
+@scene("agreements.plan.service.activate_plan UnderContract")
 def _a_cue_is_under_one_contract(parties: Parties) -> None:
     first = parties.agreed()
     shared = parties.cues[0]
@@ -187,7 +191,7 @@ def _a_cue_is_under_one_contract(parties: Parties) -> None:
     assert parties.contracts.agree(third)["state"] == "agreed"
 
 
-@scene("agreements.amounts.split NothingToSplit")
+@scene("agreements.plan.amounts.split NothingToSplit")
 def _an_amount_has_cues(parties: Parties) -> None:
     sent = parties.sent(milestone("Gamma", amount_minor=100))
     parties.contracts.accept(sent, parties.designer, "N. N.")
@@ -199,7 +203,7 @@ def _an_amount_has_cues(parties: Parties) -> None:
     assert parties.contracts.agree(sent)["state"] == "agreed"
 
 
-@scene("agreements.lifecycle.end NotYourContract")
+@scene("agreements.drafts.lifecycle.end NotYourContract")
 def _a_party_ends_a_contract(parties: Parties) -> None:
     nda = parties.contracts.agree(parties.nda())
     refused = parties.post(parties.world.approver, nda, "end", reason="Over")

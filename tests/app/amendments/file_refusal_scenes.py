@@ -13,8 +13,8 @@ from tests.app.agreements.test_hostile_word_files import REFUSALS
 from tests.app.agreements.word_files import parts_of, with_parts
 from tests.app.amendments.refusal_parties import Parties, advised, granted, scene
 
-FILES, KEPT = "agreements.template_files", "agreements.templates"
-NUMBERED = "agreements.word_file."
+FILES, KEPT = "agreements.clauses.template_files", "agreements.clauses.templates"
+NUMBERED = "agreements.word.file."
 CLAUSES = 'format = 1\nname = "x"\nkind = "nda"\nclauses = {}\n'
 
 
@@ -124,9 +124,9 @@ def _a_file_is_saved_again_as_a_word_document(parties: Parties) -> None:
 
 
 @scene(
-    "agreements.redlines.changes_of_word_file OtherContractsFile 1",
-    "agreements.redlines.changes_of_word_file OtherContractsFile 2",
-    "agreements.word_reading.result OtherContractsFile",
+    "agreements.redlines.service.changes_of_word_file OtherContractsFile 1",
+    "agreements.redlines.service.changes_of_word_file OtherContractsFile 2",
+    "agreements.word.reading.result OtherContractsFile",
 )
 def _a_document_belongs_to_its_contract(parties: Parties) -> None:
     sent, other = parties.sent(), parties.contracts.send(parties.nda())

@@ -10,7 +10,7 @@ from tests.app.money.agreed import deposit, milestone
 from tests.app.money.test_electronic_invoices import BUYER, SELLER, fill_in
 from tests.support.deliver import add_cues, deliver
 
-ELECTRONIC = "money.electronic_invoices"
+ELECTRONIC = "money.invoices.electronic_invoices"
 
 
 def electronic(parties: Parties, bill: dict[str, Any], kind: str) -> Any:
@@ -44,7 +44,7 @@ def _amounts_of_three_digits_go_as_pdf(parties: Parties) -> None:
     assert granted(parties.designer.get(f"/v1/invoices/{bill['id']}/invoice.pdf")).startswith(b"%PDF")
 
 
-@scene("money.downloads.ensure_open DownloadUnpaid")
+@scene("deliveries.downloads.ensure_open DownloadUnpaid")
 def _files_open_by_payment(parties: Parties) -> None:
     world = parties.world
     (cue,) = add_cues(world, {"name": "laser", "file_name": "laser"})

@@ -43,12 +43,12 @@ def by_day(parties: Parties) -> dict[str, Any]:
 
 
 @scene(
-    "money.days.log_work OtherPartyNeeded",
-    "money.days.correct_work OtherPartyNeeded",
-    "money.days.drop_day OtherPartyNeeded",
-    "money.days._ensure_producer ProducerNeeded",
-    "money.days._ensure_not_refused DayRefused",
-    "money.days._ensure_not_agreed DayAgreed",
+    "money.work.service.log_work OtherPartyNeeded",
+    "money.work.service.correct_work OtherPartyNeeded",
+    "money.work.service.drop_day OtherPartyNeeded",
+    "money.work.service._ensure_producer ProducerNeeded",
+    "money.work.service._ensure_not_refused DayRefused",
+    "money.work.service._ensure_not_agreed DayAgreed",
 )
 def _work_is_logged_by_one_party_and_agreed_to_by_the_other(parties: Parties) -> None:
     contract, producer, designer = by_hour(parties), parties.producer, parties.designer
@@ -70,7 +70,7 @@ def _work_is_logged_by_one_party_and_agreed_to_by_the_other(parties: Parties) ->
     granted(log(parties, contract, on=day(-2), minutes=30))
 
 
-@scene("money.days.correct_work DayLogged")
+@scene("money.work.service.correct_work DayLogged")
 def _a_day_is_corrected_and_the_other_removed(parties: Parties) -> None:
     contract = by_day(parties)
     first = granted(log(parties, contract, quarters=4))
@@ -82,7 +82,7 @@ def _a_day_is_corrected_and_the_other_removed(parties: Parties) -> None:
     granted(parties.designer.delete(f"/v1/worked-days/{second['id']}"))
 
 
-@scene("money.days._entry_of_day CapExceeded")
+@scene("money.work.service._entry_of_day CapExceeded")
 def _days_beyond_the_cap_are_a_change_order(parties: Parties) -> None:
     contract = by_day(parties)
     entries = [granted(log(parties, contract, on=on, quarters=4)) for on in (day(-1), day(-2))]
@@ -96,7 +96,7 @@ def _days_beyond_the_cap_are_a_change_order(parties: Parties) -> None:
     granted(judge(parties.producer, third, "refuse"))
 
 
-@scene("money.worked_hours.ensure_paid CapExceeded")
+@scene("money.work.worked_hours.ensure_paid CapExceeded")
 def _hours_beyond_the_cap_are_a_change_order(parties: Parties) -> None:
     contract = by_hour(parties)
     granted(log(parties, contract, minutes=90))
@@ -120,7 +120,7 @@ def _hours_beyond_the_cap_are_a_change_order(parties: Parties) -> None:
     parties.begins_another()
 
 
-@scene("money.worked_hours.ensure_paid NotHourly", "money.days._ensure_loggable NotDayRate")
+@scene("money.work.worked_hours.ensure_paid NotHourly", "money.work.service._ensure_loggable NotDayRate")
 def _work_is_logged_in_the_unit_of_the_contract(parties: Parties) -> None:
     daily, hourly = by_day(parties), by_hour(parties)
     advised(log(parties, daily, minutes=60), "not-hourly", "log days instead")
@@ -135,9 +135,9 @@ def _work_is_logged_in_the_unit_of_the_contract(parties: Parties) -> None:
 
 
 @scene(
-    "money.days._ensure_loggable NotAgreed",
-    "money.estimates.log_work NotAgreed",
-    "money.invoices._for_designer NotAgreed",
+    "money.work.service._ensure_loggable NotAgreed",
+    "money.estimates.service.log_work NotAgreed",
+    "money.invoices.service._for_designer NotAgreed",
 )
 def _work_and_invoices_follow_the_signatures(parties: Parties) -> None:
     contract = parties.sent(deposit(10_000), milestone("Alpha", parties.cue(), amount_minor=20_000), **BY_HOUR)
@@ -159,7 +159,7 @@ def _work_and_invoices_follow_the_signatures(parties: Parties) -> None:
     parties.begins_another()
 
 
-@scene("money.days._ensure_loggable WorkNotNamed", "money.rules.ensure_not_ahead DayInFuture")
+@scene("money.work.service._ensure_loggable WorkNotNamed", "money.ledger.rules.ensure_not_ahead DayInFuture")
 def _work_says_what_and_when_it_was(parties: Parties) -> None:
     contract = by_hour(parties)
     work = {"worked_on": day(0), "minutes": 30}
@@ -171,7 +171,7 @@ def _work_says_what_and_when_it_was(parties: Parties) -> None:
     granted(log(parties, contract, on=day(0), minutes=30))
 
 
-@scene("money.estimates.log_work OtherPartyNeeded", "money.estimates.estimates ProducerNeeded")
+@scene("money.estimates.service.log_work OtherPartyNeeded", "money.estimates.service.estimates ProducerNeeded")
 def _time_is_the_parties_own(parties: Parties) -> None:
     contract = parties.agreed()
     time = {"cue_id": str(parties.cues[0]), "minutes": 5, "worked_on": day(0)}
@@ -186,9 +186,9 @@ def _time_is_the_parties_own(parties: Parties) -> None:
 
 
 @scene(
-    "money.invoices._for_designer OtherPartyNeeded",
-    "money.invoices.issue_invoice InvoiceNumberTaken",
-    "money.ledger_book.tax_entries NothingToInvoice",
+    "money.invoices.service._for_designer OtherPartyNeeded",
+    "money.invoices.service.issue_invoice InvoiceNumberTaken",
+    "money.ledger.book.tax_entries NothingToInvoice",
 )
 def _the_designer_invoices_what_is_due(parties: Parties) -> None:
     contract = with_deposit(parties)
@@ -201,7 +201,10 @@ def _the_designer_invoices_what_is_due(parties: Parties) -> None:
     granted(invoice(parties, contract, full_number="A-2"))
 
 
-@scene("money.invoices.charge_late_interest OtherPartyNeeded", "money.invoices.charge_late_interest NoInterestDue")
+@scene(
+    "money.invoices.service.charge_late_interest OtherPartyNeeded",
+    "money.invoices.service.charge_late_interest NoInterestDue",
+)
 def _interest_grows_day_by_day(parties: Parties) -> None:
     contract = with_deposit(parties)
     bill = granted(invoice(parties, contract))
@@ -218,8 +221,8 @@ def _interest_grows_day_by_day(parties: Parties) -> None:
 
 
 @scene(
-    "money.ledger_book.allocate Overpayment",
-    "money.ledger_book.refund RefundTooLarge",
+    "money.ledger.book.allocate Overpayment",
+    "money.ledger.book.refund RefundTooLarge",
     "money.payments._ensure_pays ProducerNeeded",
 )
 def _a_payment_is_what_is_open(parties: Parties) -> None:
@@ -266,9 +269,9 @@ def _a_round_is_agreed_to_or_waived(parties: Parties) -> None:
 
 
 @scene(
-    "money.shipping.say_shipped ProducerNeeded",
-    "money.shipping.say_shipped NoShippingBonus 1",
-    "money.shipping.say_shipped NoShippingBonus 2",
+    "money.bonuses.shipping.say_shipped ProducerNeeded",
+    "money.bonuses.shipping.say_shipped NoShippingBonus 1",
+    "money.bonuses.shipping.say_shipped NoShippingBonus 2",
 )
 def _a_game_ships_once(parties: Parties) -> None:
     shipped = {"shipped_on": day(0)}

@@ -10,7 +10,7 @@ from types import ModuleType
 from app.core.errors import NotFound, Refused
 
 APP = Path(__file__).resolve().parents[3] / "app"
-ROOMS = ("agreements", "amendments", "money")
+PLACES = ("agreements", "amendments", "money", "deliveries/downloads.py")  # rooms and files
 # Functions that refuse for their caller.
 CALLS = {"ensure_state": "WrongState", "not_agreed": "NotAgreed", "_details_missing": "InvoiceDetailsMissing"}
 
@@ -21,10 +21,11 @@ def refusal_sites() -> list[str]:
     What does not exist, or may not be seen, is left out: its text has nothing to advise.
     """
     found: list[str] = []
-    for room in ROOMS:
-        for path in sorted((APP / room).glob("*.py")):
-            module = importlib.import_module(f"app.{room}.{path.stem}")
-            found += [f"{room}.{path.stem}.{site}" for site in _sites(module, ast.parse(path.read_text()))]
+    for place in PLACES:
+        for path in sorted((APP / place).rglob("*.py")) or [APP / place]:
+            name = ".".join(path.relative_to(APP).with_suffix("").parts)
+            module = importlib.import_module(f"app.{name}")
+            found += [f"{name}.{site}" for site in _sites(module, ast.parse(path.read_text()))]
     times = Counter(found)
     seen: Counter[str] = Counter()
     numbered = []

@@ -16,7 +16,7 @@ from tests.app.agreements.test_signing import code_for, name_signers, sign
 from tests.app.amendments.refusal_parties import Parties, advised, granted, scene
 from tests.support.smtp import mail_server
 
-RULES = "agreements.signing_rules"
+RULES = "agreements.signing.rules"
 
 
 def second_producer(parties: Parties) -> UUID:
@@ -33,7 +33,7 @@ def second_producer(parties: Parties) -> UUID:
 
 
 @scene(
-    "agreements.signing.set_signers WrongState",
+    "agreements.signing.service.set_signers WrongState",
     f"{RULES}.ensure_signers_fit TooManySigners",
     f"{RULES}.ensure_signers_fit NotASigner 1",
     f"{RULES}.ensure_signers_fit NotASigner 2",
@@ -82,10 +82,10 @@ def _each_signs_in_turn(parties: Parties) -> None:
 
 
 @scene(
-    "agreements.signing.accept NotYourContract",
-    "agreements.signing.accept WrongState",
-    "agreements.signing_codes.request_code NotYourContract",
-    "agreements.signing_codes.request_code NoSigningCode",
+    "agreements.signing.service.accept NotYourContract",
+    "agreements.signing.service.accept WrongState",
+    "agreements.signing.codes.request_code NotYourContract",
+    "agreements.signing.codes.request_code NoSigningCode",
 )
 def _a_party_signs_what_was_sent(parties: Parties) -> None:
     draft = parties.planned()
@@ -100,7 +100,7 @@ def _a_party_signs_what_was_sent(parties: Parties) -> None:
         granted(sign(by, sent))
 
 
-@scene("agreements.signing_codes.use SigningCodeOver")
+@scene("agreements.signing.codes.use SigningCodeOver")
 def _a_code_that_is_over_is_followed_by_another(parties: Parties) -> None:
     world = parties.world
     with pytest.raises(SigningCodeOver, match="is no longer valid") as refused:  # the second of two at once

@@ -20,18 +20,18 @@ from tests.support.server import World
 
 pytestmark = pytest.mark.slow
 
-# Refusals of a text too long to compare, and of a kept head; their own tests bring them about.
-OF_CONTENT = ("agreements.comparison.", "agreements.heads.")
+# Refusals of a text too long to compare, of a kept head, and of joint work; their own tests bring them about.
+OF_CONTENT = ("agreements.drafts.comparison.", "agreements.record.signed_checkpoints.", "agreements.joint.")
 OTHERS = {
-    "agreements.facts.ensure_open_answers_are_said BriefOpen": "test_open_answers",
-    "agreements.redlines.answer BadRedlines 2": "test_redlines",
-    "agreements.text_faults.ensure_text_whole BadDraft": "test_redlines",
-    "agreements.lifecycle._ensure_amounts_entered AmountsNeeded": "test_currency",
+    "agreements.clauses.facts.ensure_open_answers_are_said BriefOpen": "test_open_answers",
+    "agreements.redlines.service.answer BadRedlines 2": "test_redlines",
+    "agreements.clauses.text_faults.ensure_text_whole BadDraft": "test_redlines",
+    "agreements.drafts.lifecycle._ensure_amounts_entered AmountsNeeded": "test_currency",
     "agreements.rules.ensure_another_person SamePersonOnBothSides": "test_both_sides",
     "agreements.rules.ensure_address_proven AddressNotProven": "test_signing",
     "agreements.access.contract_for_producer SamePersonOnBothSides": "test_both_sides",
-    "agreements.signing.end_signers_of_member HandOverNeeded": "test_leaving",
-    "agreements.lifecycle.send DraftChanged": "a race while the PDF is drawn: the text is read again and sent",
+    "agreements.signing.service.end_signers_of_member HandOverNeeded": "test_leaving",
+    "agreements.drafts.lifecycle._send DraftChanged": "a race while the PDF is drawn: the text is read again and sent",
 }
 
 

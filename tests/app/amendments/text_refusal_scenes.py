@@ -15,7 +15,7 @@ def answer(parties: Parties, contract: dict[str, Any], how: str, **more: Any) ->
     return parties.post(parties.producer, contract, "redlines/1/answer", answer=how, **more)
 
 
-@scene("agreements.redlines._sent_version WrongState")
+@scene("agreements.redlines.service._sent_version WrongState")
 def _redlines_are_of_a_text_that_is_sent(parties: Parties) -> None:
     sent = parties.sent()
     granted(parties.post(parties.designer, sent, "ask-change", text="Three rounds"))
@@ -31,7 +31,7 @@ def _redlines_are_of_a_text_that_is_sent(parties: Parties) -> None:
     parties.begins_another()
 
 
-@scene("agreements.redlines.propose TextChanged", "agreements.redlines.propose BadRedlines")
+@scene("agreements.redlines.service.propose TextChanged", "agreements.redlines.service.propose BadRedlines")
 def _redlines_fit_the_text(parties: Parties) -> None:
     sent = parties.sent()
     advised(redline(parties, sent, version=99), "text-changed", "reload the page and read what changed")
@@ -41,10 +41,10 @@ def _redlines_fit_the_text(parties: Parties) -> None:
 
 
 @scene(
-    "agreements.redlines.answer BadRedlines 1",
-    "agreements.redlines.answer WrongState",
-    "agreements.redlines.ensure_answered RedlinesOpen 1",
-    "agreements.redlines.ensure_answered RedlinesOpen 2",
+    "agreements.redlines.service.answer BadRedlines 1",
+    "agreements.redlines.service.answer WrongState",
+    "agreements.redlines.service.ensure_answered RedlinesOpen 1",
+    "agreements.redlines.service.ensure_answered RedlinesOpen 2",
 )
 def _redlines_are_answered_before_the_next_version(parties: Parties) -> None:
     sent = parties.sent()
