@@ -30,6 +30,10 @@ ANSWERS: dict[str, Any] = {
     "surround": ["stereo"],
     "implementer": "The gameplay programmer, within two days of an approval.",
 }
+DECISION = {
+    "attended": "Producer, Audio director",
+    "text": "The palette comes first; nothing of the alpha begins before it is approved as a set.",
+}
 NAMES = {
     "separator": "_",
     "extension": ".wav",

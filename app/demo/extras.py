@@ -32,6 +32,7 @@ RECIPE = {
     "plug_ins": ["Convolution reverb 2.1", "Pitch shifter 4.0"],
     "recipe": "Two metal bowls, pitched down seven semitones; the clank is a gate hinge at -9 dB, 40 ms later.",
 }
+OWN_TIME = {"minutes": 90, "note": "The bid: read the brief, and tried two hulls."}
 HANDED_OFF = {"done_percent": 75, "missing": "The tail in the hangar, and a duller clank."}
 
 
@@ -66,6 +67,13 @@ def hand_off_newest(designer: Visitor, project_id: str) -> None:
     handoffs = f"/cues/{take['cue']['id']}/handoffs"
     if not designer.ask("GET", handoffs):
         designer.ask("POST", handoffs, json=HANDED_OFF)
+
+
+def add_own_time(designer: Visitor, project_id: str) -> None:
+    """Log what the designer's bid took them, once; nobody else sees it."""
+    path = f"/projects/{project_id}/own-time"
+    if not designer.ask("GET", path)["times"]:
+        designer.ask("POST", path, json={"worked_on": clock.now().date().isoformat()} | OWN_TIME)
 
 
 def _add_to_roster(producer: Visitor, path: str) -> None:

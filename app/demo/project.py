@@ -152,6 +152,7 @@ class _Maker:
         self._add_voice_lines()
         extras.add_extras(self._producer, self._people["studio"], self._project, self._cues)
         extras.hand_off_newest(self._designer, self._project)
+        extras.add_own_time(self._designer, self._project)
         return self._project, token
 
     def _begin(self, step: str) -> None:
@@ -218,6 +219,8 @@ class _Maker:
         written = self._producer.ask("PATCH", path, json={"revision": 0, "answers": brief.changes()})
         body = {"revision": written["revision"], "note": "As agreed in the first call."}
         self._producer.ask("POST", f"{path}/versions", once="demo-brief", json=body)
+        kick_off = {"decided_on": clock.now().date().isoformat()} | brief.DECISION
+        self._producer.ask("POST", f"/projects/{self._project}/decisions", once="demo-decision", json=kick_off)
 
     def _invite_designer(self) -> None:
         project = self._producer.ask("GET", f"/projects/{self._project}")
