@@ -12,7 +12,7 @@ from app.core.web.http import Schema
 from app.deliveries.rules import TakeState
 from app.deliveries.schemas import CueBrief, GivenName, ShownName
 from app.projects.schemas import AcceptRead, LimitsRead
-from app.sound_lists.rules import CueChannels
+from app.sound_lists.rules import MAX_VARIATIONS, CueChannels
 
 Reason = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=5000, pattern="^[^\\x00]*$")]
 
@@ -283,7 +283,7 @@ class PartPlace(Schema):
     """The variation that a part becomes."""
 
     part: int = Field(ge=1, le=MAX_PARTS)
-    variation: int = Field(ge=1)
+    variation: int = Field(ge=1, le=MAX_VARIATIONS)
 
 
 class SplitUse(Schema):

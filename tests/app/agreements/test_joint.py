@@ -135,9 +135,12 @@ def test_both_texts_name_both_designers_and_the_figures_that_are_charged(joint: 
     assert sum(joint.amounts(first)) == 60_000
     assert sum(joint.amounts(second)) == 40_000
     first, second = (joint.contracts.send(first), joint.read(second["id"]))
+    cues = joint.world.producer.get(f"/v1/projects/{joint.world.project_id}/sound-list").json()["cues"]
+    labels = {cue["id"]: cue["label"] for cue in cues}
+    shield_hit, laser, theme = (labels[str(cue_id)] for cue_id in joint.cue_ids)
     rows = [
-        "Sound designer · SW-001, SW-002 · USD 600.00 · 60 %",
-        "Another sound designer · SW-003 · USD 400.00 · 40 %",
+        f"Sound designer · {shield_hit}, {laser} · USD 600.00 · 60 %",
+        f"Another sound designer · {theme} · USD 400.00 · 40 %",
         "Both ·  · USD 1,000.00 · ",
     ]
     for contract in (first, second):
