@@ -66,7 +66,6 @@ export function MoneyPage() {
         </EmptyState>
       )}
       <div className="stack">
-        {side === 'designer' && project && <OwnTimeCard projectId={projectId} />}
         {data?.totals.map(({ currency, figures }) => (
           <MoneyLine key={currency} currency={currency} figures={figures} side={side} />
         ))}
@@ -79,6 +78,7 @@ export function MoneyPage() {
             isProducer={project?.is_producer ?? false}
           />
         ))}
+        {side === 'designer' && project && <OwnTimeCard projectId={projectId} />}
       </div>
     </div>
   )
