@@ -31,6 +31,7 @@ OTHERS = {
     "agreements.rules.ensure_address_proven AddressNotProven": "test_signing",
     "agreements.access.contract_for_producer SamePersonOnBothSides": "test_both_sides",
     "agreements.signing.service.end_signers_of_member HandOverNeeded": "test_leaving",
+    "money.own_time.service.log_own_time WorkNotNamed": "test_own_time",
     "agreements.drafts.lifecycle._send DraftChanged": "a race while the PDF is drawn: the text is read again and sent",
 }
 
