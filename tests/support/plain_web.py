@@ -2,10 +2,11 @@
 
 import asyncio
 import os
+from collections.abc import AsyncIterator
 
 from starlette.applications import Starlette
 from starlette.requests import Request
-from starlette.responses import PlainTextResponse
+from starlette.responses import PlainTextResponse, StreamingResponse
 from starlette.routing import Route
 from starlette.types import ASGIApp
 
@@ -18,9 +19,13 @@ async def _process(_request: Request) -> PlainTextResponse:
     return PlainTextResponse(str(os.getpid()))
 
 
-async def _slow(_request: Request) -> PlainTextResponse:
-    await asyncio.sleep(SLOW_S)
-    return PlainTextResponse("late")
+async def _slow(_request: Request) -> StreamingResponse:
+    async def late() -> AsyncIterator[str]:
+        yield "begun, "
+        await asyncio.sleep(SLOW_S)
+        yield "ended"
+
+    return StreamingResponse(late())
 
 
 async def _endless(request: Request) -> PlainTextResponse:
