@@ -27,7 +27,7 @@ const TOUCHED = [
 ]
 
 /** The parts of a file, and what became of them; asked again while they are being found. */
-export const splitQuery = queryById('/v1/takes/{take_id}/split', queryKeys.split, {
+const splitQuery = queryById('/v1/takes/{take_id}/split', queryKeys.split, {
   refetchInterval: ({ state: { data } }) => (data?.state === 'making' ? POLL_MS : false),
 })
 

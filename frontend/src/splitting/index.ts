@@ -1,3 +1,3 @@
-export { type Split, splitQuery, splitsQuery, useSplit } from './api'
+export { type Split, splitsQuery, useSplit } from './api'
 
 export const loadSplitPanel = () => import('./SplitPanel').then(({ SplitPanel }) => SplitPanel)

@@ -6,7 +6,7 @@ import { atDesk } from '@/test/desk'
 import { openApp } from '@/test/openApp'
 import { serve } from '@/test/server'
 
-beforeAll(() => import('@/features/desk/DeskPage'))
+beforeAll(() => import('./DeskPage'))
 
 const STEP = { id: 'c5', label: 'SW-005', name: 'step' }
 const OFFER = {

@@ -6,7 +6,7 @@ import { serveMoney, serveMoneyPage, server } from '@/test/moneyPage'
 import { openApp } from '@/test/openApp'
 import { aMe, PROJECT } from '@/test/review'
 
-beforeAll(() => import('@/features/money/MoneyPage'))
+beforeAll(() => import('./MoneyPage'))
 serveMoneyPage()
 
 const OWN_TIME = `/v1/projects/${PROJECT}/own-time`
