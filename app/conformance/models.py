@@ -104,7 +104,9 @@ class Split(ProjectOwned, Dated, Base):
     refusal: Mapped[str | None]  # in words, with what the designer can do
     found_by: Mapped[str | None]  # regions, markers, silence
     sample_rate_hz: Mapped[int | None]
-    tray_action_id: Mapped[UUID | None] = mapped_column(ForeignKey("deliveries_tray_actions.id"))  # of its last use
+    tray_action_id: Mapped[UUID | None] = mapped_column(  # of its last use
+        ForeignKey("deliveries_tray_actions.id"), index=True
+    )
     parts: Mapped[list["SplitPart"]] = relationship(lazy="raise", order_by="SplitPart.number")
 
 

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_6b9fbd6f"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_6af0ed7f"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -2898,6 +2898,7 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_conformance_splits_project_id"), "conformance_splits", ["project_id"])
     op.create_index(op.f("ix_conformance_splits_studio_id"), "conformance_splits", ["studio_id"])
+    op.create_index(op.f("ix_conformance_splits_tray_action_id"), "conformance_splits", ["tray_action_id"])
     op.create_table(
         "contracts_acceptances",
         sa.Column("id", sa.Uuid(), nullable=False),

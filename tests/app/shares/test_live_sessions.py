@@ -185,7 +185,7 @@ def test_one_of_two_pages_of_a_person_holds_the_keys_until_the_other_takes_them(
         live.move(world.producer, page_id=str(second)),
         live.put(world.producer, "keys", act="drop", page_id=str(second)),
     ):
-        assert (refused.status_code, refused.json()["fix"]) == (409, "take the keys here first")
+        assert (refused.status_code, refused.json()["fix"]) == (409, "take control here first")
     assert live.move(world.producer, page_id=str(first)).status_code == 200
 
     taken = live.put(world.producer, "keys", act="take", page_id=str(second)).json()

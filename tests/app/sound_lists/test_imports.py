@@ -18,7 +18,7 @@ from tests.support.server import World
 HEAD = "number,name,file_name,category,description,use,trigger,duration_s,duration_min_s,duration_max_s,"
 
 
-HEAD += "length_locked,frame_rate_fps,loop,reverb,variations,state"
+HEAD += "length_locked,frame_rate_fps,loop,reverb,channels,variations,state"
 
 
 def send(world: World, content: bytes | str, by: TestClient | None = None, **more: object) -> dict[str, Any]:
