@@ -69,15 +69,15 @@ class SpecErrors(SpecError):
         return SpecErrors, (self.errors,)
 
 
-class RenderRefused(AudioChecksError):
-    """A render that would harm the sound, such as one to a higher rate than its master's.
+class _Refusal(AudioChecksError):
+    """A request that is not carried out.
 
     Parameters
     ----------
     message : str
-        What was asked, and why it is not done.
+        What was asked or found, and why nothing is done.
     code : str
-        Stable name of the condition, such as "render:upwards".
+        Stable name of the condition, such as "render:upwards", "fix:over-master" or "split:one-sound".
     fix : str
         What to do instead.
     """
@@ -88,42 +88,16 @@ class RenderRefused(AudioChecksError):
         self.fix = fix
 
 
-class FixRefused(AudioChecksError):
-    """A fix that cannot be made without harm, such as one that would overwrite its master.
-
-    Parameters
-    ----------
-    message : str
-        What was asked, and why it is not done.
-    code : str
-        Stable name of the condition, such as "fix:over-master".
-    fix : str
-        What to do instead.
-    """
-
-    def __init__(self, message: str, code: str, fix: str) -> None:
-        super().__init__(message, code, fix)
-        self.code = code
-        self.fix = fix
+class RenderRefused(_Refusal):
+    """A render that would harm the sound, such as one to a higher rate than its master's."""
 
 
-class SplitRefused(AudioChecksError):
-    """A split of a master that cannot be made, such as one of a file that holds one sound.
+class FixRefused(_Refusal):
+    """A fix that cannot be made without harm, such as one that would overwrite its master."""
 
-    Parameters
-    ----------
-    message : str
-        What was found, and what was wanted.
-    code : str
-        Stable name of the condition, such as "split:one-sound".
-    fix : str
-        What to do instead.
-    """
 
-    def __init__(self, message: str, code: str, fix: str) -> None:
-        super().__init__(message, code, fix)
-        self.code = code
-        self.fix = fix
+class SplitRefused(_Refusal):
+    """A split of a master that cannot be made, such as one of a file that holds one sound."""
 
 
 class SandboxFailed(AudioChecksError):

@@ -223,8 +223,8 @@ def _says(split: Split | None, offer: str | None) -> str:
         return offer or "One sound, as far as the check can tell."
     if split.found_by is None:
         return split.refusal or ""
-    found = FOUND_IN_WORDS[split.found_by].format(pause=split.shortest_pause_s)
-    return f"{counted(len(split.parts), 'part')}, found {found}."
+    way = FOUND_IN_WORDS[split.found_by].format(pause=split.shortest_pause_s)
+    return f"{counted(len(split.parts), 'part')}, found {way}."
 
 
 def _read_part(part: SplitPart, rate_hz: int) -> SplitPartRead:

@@ -13,7 +13,7 @@ from app.sound_lists.models import Cue
 
 
 def own_times(session: Session, person_id: UUID, project_id: UUID) -> Sequence[OwnTime]:
-    """Return what a person logged in a project, with its cues, the newest first."""
+    """Return a person's time in a project with its cues, the newest first."""
     own = select(OwnTime).where(OwnTime.person_id == person_id, OwnTime.project_id == project_id)
     newest = own.options(joinedload(OwnTime.cue)).order_by(OwnTime.worked_on.desc(), OwnTime.id.desc())
     return session.scalars(newest).all()

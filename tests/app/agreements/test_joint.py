@@ -70,7 +70,7 @@ class Joint:
         return contract
 
     def amounts(self, contract: dict[str, Any]) -> list[int]:
-        """Return what each milestone of a contract pays."""
+        """Return the amount of each milestone of a contract."""
         plan = self.contracts.ask(self.world.producer, "GET", f"/contracts/{contract['id']}/milestones")
         return [planned["amount_minor"] for planned in plan["milestones"]]
 

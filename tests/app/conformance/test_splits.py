@@ -56,8 +56,8 @@ def used(world: World, take: dict[str, Any], **given: Any) -> dict[str, Any]:
 def of_cue(world: World, cue: dict[str, Any]) -> list[dict[str, Any]]:
     """Return the takes of a cue by variation."""
     takes = world.designer.get(f"/v1/projects/{world.project_id}/takes", params={"limit": 200}).json()["items"]
-    matched = [one for one in takes if one["cue"] and one["cue"]["id"] == cue["id"]]
-    return sorted(matched, key=lambda one: one["variation"])
+    matched = [version for version in takes if version["cue"] and version["cue"]["id"] == cue["id"]]
+    return sorted(matched, key=lambda version: version["variation"])
 
 
 @pytest.fixture
@@ -73,7 +73,7 @@ def test_parts_become_variations_sample_for_sample(world: World, cue: dict[str, 
     assert (offer["take_id"], offer["variations"]) == (take["id"], 3)
     assert offer["says"].startswith("It has 3 markers" if markers else "3 sounds with silence between them")
     assert split_of(world, take)["state"] == "offered"
-    assert [one["id"] for one in of_cue(world, cue)] == [take["id"]]  # nothing is done unasked
+    assert [version["id"] for version in of_cue(world, cue)] == [take["id"]]  # nothing is done unasked
 
     split = found(world, take)
     assert (split["state"], split["found_by"]) == ("made", "markers" if markers else "silence")
@@ -84,21 +84,21 @@ def test_parts_become_variations_sample_for_sample(world: World, cue: dict[str, 
     action = used(world, take)
     assert (action["kind"], len(action["take_ids"])) == ("split", 4)
     parts = of_cue(world, cue)
-    assert [(one["variation"], one["file_name"], one["number"]) for one in parts] == [
+    assert [(version["variation"], version["file_name"], version["number"]) for version in parts] == [
         (1, "step_01.wav", 2),
         (2, "step_02.wav", 1),
         (3, "step_03.wav", 1),
     ]
     whole = content[content.index(b"data") + 8 :]
-    for one, part in zip(parts, split["parts"], strict=True):
-        assert checked(world, one["id"])["verdict"] == "conforming"
-        origin = split_of(world, one, by=world.approver)["split_from"]
+    for version, part in zip(parts, split["parts"], strict=True):
+        assert checked(world, version["id"])["verdict"] == "conforming"
+        origin = split_of(world, version, by=world.approver)["split_from"]
         assert (origin["take_id"], origin["file_name"]) == (take["id"], "step_01.wav")
         assert origin["start_s"] == pytest.approx(part["start_s"])
-        master = world.designer.get(f"/v1/takes/{one['id']}/master").content
+        master = world.designer.get(f"/v1/takes/{version['id']}/master").content
         data = master[master.index(b"data") + 8 :][: 3 * (origin["end_frame"] - origin["first_frame"])]
         assert data == whole[3 * origin["first_frame"] : 3 * origin["end_frame"]]
-        history = world.approver.get(f"/v1/takes/{one['id']}/history").json()
+        history = world.approver.get(f"/v1/takes/{version['id']}/history").json()
         assert f"frames {origin['first_frame']} to {origin['end_frame']} of step_01.wav" in history[0]["text"]
     assert world.designer.get(f"/v1/takes/{take['id']}/master").content == content  # what was received is kept
     assert split_of(world, take)["state"] == "used"
@@ -112,11 +112,11 @@ def test_a_split_is_undone_and_done_again(world: World, cue: dict[str, Any]) -> 
     undone = world.designer.post(f"/v1/tray-actions/{action['id']}/undo").json()
     assert (undone["moved_back"], undone["left"]) == (4, 0)
     world.server.wait_for_jobs()
-    assert [(one["id"], one["variation"]) for one in of_cue(world, cue)] == [(take["id"], 1)]
+    assert [(version["id"], version["variation"]) for version in of_cue(world, cue)] == [(take["id"], 1)]
     split = split_of(world, take)
     assert (split["state"], split["tray_action_id"]) == ("made", None)
     used(world, take)
-    assert [one["variation"] for one in of_cue(world, cue)] == [1, 2, 3]
+    assert [version["variation"] for version in of_cue(world, cue)] == [1, 2, 3]
 
 
 def test_an_unmatched_file_goes_to_the_cue_that_is_chosen_in_part(world: World, cue: dict[str, Any]) -> None:
@@ -129,7 +129,7 @@ def test_an_unmatched_file_goes_to_the_cue_that_is_chosen_in_part(world: World, 
     assert (too_many.status_code, too_many.json()["code"]) == (422, "variation-unknown")
     assert of_cue(world, cue) == []  # all or none
     used(world, take, cue_id=cue["id"], places=[{"part": 4, "variation": 1}, {"part": 2, "variation": 3}])
-    placed = [(one["variation"], one["file_name"]) for one in of_cue(world, cue)]
+    placed = [(version["variation"], version["file_name"]) for version in of_cue(world, cue)]
     assert placed == [(1, "step_01.wav"), (3, "step_03.wav")]
 
 

@@ -32,7 +32,7 @@ def test_time_is_logged_without_a_contract_and_seen_by_its_person_alone(world: W
     made = log(world, cue_id=cue["id"])
     assert made.status_code == 201, made.text
     assert log(world, note="test work", minutes=30).status_code == 201
-    assert [(one["cue"] and one["cue"]["name"], one["minutes"], one["note"]) for one in times(world)] == [
+    assert [(time["cue"] and time["cue"]["name"], time["minutes"], time["note"]) for time in times(world)] == [
         (None, 30, "test work"),
         ("Door", 90, ""),
     ]
@@ -42,7 +42,7 @@ def test_time_is_logged_without_a_contract_and_seen_by_its_person_alone(world: W
     for client in (world.other_designer, world.stranger):
         assert log(world, client, note="x").status_code == 404
     assert world.designer.delete(f"/v1/own-time/{made.json()['id']}").status_code == 204
-    assert [one["minutes"] for one in times(world)] == [30]
+    assert [time["minutes"] for time in times(world)] == [30]
 
 
 def test_it_says_what_it_went_into_and_when(world: World) -> None:
@@ -64,7 +64,7 @@ def test_a_bidder_logs_time_on_the_bid(world: World) -> None:
     assert made.status_code == 201, made.text
     address = f"/v1/projects/{world.project_id}/own-time"
     seen = world.other_designer.get(address, params={"posting_id": posting["id"]}).json()
-    assert [one["note"] for one in seen["times"]] == ["reading the brief"]
+    assert [time["note"] for time in seen["times"]] == ["reading the brief"]
     assert world.producer.get(address, params={"posting_id": posting["id"]}).json()["times"] == []
     assert log(world, world.stranger, note="x", posting_id=posting["id"]).status_code == 404
 
