@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { refusal } from '@/test/server'
@@ -92,7 +93,7 @@ describe('answers', () => {
     vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')))
     await expect(unwrap(anyApi.POST('/v1/sign-out'))).rejects.toMatchObject({ status: 0, code: 'line-lost' })
     vi.stubGlobal('fetch', () => Promise.resolve(new Response('{}')))
-    await vi.waitFor(() => expect(connection.isAway()).toBe(false), 5_000)
+    await waitFor(() => expect(connection.isAway()).toBe(false))
   })
 
   test('reads wait for the server to come back, and the page says so meanwhile', async () => {
@@ -103,7 +104,7 @@ describe('answers', () => {
         : Promise.resolve(new Response('Bad Gateway', { status: 502 })),
     )
     const read = unwrap(anyApi.GET('/v1/me'))
-    await vi.waitFor(() => expect(connection.isAway()).toBe(true))
+    await waitFor(() => expect(connection.isAway()).toBe(true))
     isThere = true
     expect(await read).toEqual({ name: 'Ada' })
     expect(connection.isAway()).toBe(false)

@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
 import { unwrap, api } from './client'
@@ -82,7 +83,7 @@ const undo = (writes: OfflineOutbox, key: string, onKept: () => void = () => und
     }),
   )
 const nothing = () => undefined
-const back = () => vi.waitFor(() => expect(localStorage).toHaveLength(0), 8_000)
+const back = () => waitFor(() => expect(localStorage).toHaveLength(0))
 
 describe('writes that a lost line must not lose', () => {
   test('are answered at once where the server is there, and nothing is kept', async () => {
@@ -98,9 +99,9 @@ describe('writes that a lost line must not lose', () => {
     isThere = false
     const onKept = vi.fn()
     const said = [say(writes, 't1', 'one', onKept), say(writes, 't2', 'two', onKept)]
-    await vi.waitFor(() => expect(onKept).toHaveBeenCalledTimes(2))
+    await waitFor(() => expect(onKept).toHaveBeenCalledTimes(2))
     const third = say(writes, 't1', 'three', onKept)
-    await vi.waitFor(() => expect(outbox.getState().waiting).toHaveLength(3))
+    await waitFor(() => expect(outbox.getState().waiting).toHaveLength(3))
     isThere = true
     await Promise.all([...said, third])
     expect(texts()).toEqual(['one', 'two', 'three'])
@@ -123,7 +124,7 @@ describe('writes that a lost line must not lose', () => {
   test('outlive the page, and the next one of the same person sends them first', async () => {
     isThere = false
     void say(begun(), 't1', 'one')
-    await vi.waitFor(() => expect(localStorage).toHaveLength(1))
+    await waitFor(() => expect(localStorage).toHaveLength(1))
     begun(undefined, 'p2')
     expect(outbox.getState().waiting).toHaveLength(1)
     const onLateAnswer = vi.fn()
@@ -142,7 +143,7 @@ describe('writes that a lost line must not lose', () => {
     isThere = false
     const onKept = vi.fn()
     const said = say(writes, 't1', 'one', onKept).catch(() => undefined)
-    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    await waitFor(() => expect(onKept).toHaveBeenCalled())
     answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
     isThere = true
     await said
@@ -167,10 +168,10 @@ describe('writes that a lost line must not lose', () => {
     isThere = false
     const onKept = vi.fn()
     void say(begun(), 't1', 'one', onKept).catch(() => undefined)
-    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    await waitFor(() => expect(onKept).toHaveBeenCalled())
     answer = () => Response.json({ status: 401, code: 'not-signed-in', detail: 'sign in first' }, { status: 401 })
     isThere = true
-    await vi.waitFor(() => expect(arrived).toHaveLength(1), 8_000)
+    await waitFor(() => expect(arrived).toHaveLength(1))
     expect(localStorage).toHaveLength(1)
     answer = () => Response.json({ id: 'v1' })
     begun()
@@ -189,7 +190,7 @@ test('writes are sent beside one another while the server is there', async () =>
   const said: Promise<unknown>[] = []
   for (const text of ['one', 'two', 'three']) {
     said.push(say(writes, 't1', text))
-    await vi.waitFor(() => expect(answers).toHaveLength(said.length))
+    await waitFor(() => expect(answers).toHaveLength(said.length))
   }
   for (const answerOne of answers) answerOne()
   await Promise.all(said)
@@ -203,7 +204,7 @@ describe('the undo of a write that is sent later', () => {
     const onKept = vi.fn()
     const given = approve(writes, 'k1', onKept)
     given.catch(nothing)
-    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    await waitFor(() => expect(onKept).toHaveBeenCalled())
     return { given }
   }
   const lineReturns = () => {
@@ -215,7 +216,7 @@ describe('the undo of a write that is sent later', () => {
     const writes = begun()
     const { given } = await away(writes)
     const said = say(writes, 't2', 'two')
-    await vi.waitFor(() => expect(outbox.getState().waiting).toHaveLength(2))
+    await waitFor(() => expect(outbox.getState().waiting).toHaveLength(2))
     expect(writes.drop('k1')).toBe(true)
     await expect(given).rejects.toMatchObject({ name: 'AbortError' })
     expect(outbox.getState().waiting).toHaveLength(1)
@@ -233,7 +234,7 @@ describe('the undo of a write that is sent later', () => {
     expect(writes.drop('k1')).toBe(true)
     lineReturns()
     await say(writes, 't2', 'two')
-    await vi.waitFor(() => expect(texts()).toContain('two'))
+    await waitFor(() => expect(texts()).toContain('two'))
     expect(arrived.map(({ path }) => path)).not.toContain('/v1/takes/t1/verdict')
   })
 
@@ -245,11 +246,11 @@ describe('the undo of a write that is sent later', () => {
     }
     const onKept = vi.fn()
     void approve(writes, 'k1', onKept).catch(nothing)
-    await vi.waitFor(() => expect(onKept).toHaveBeenCalled())
+    await waitFor(() => expect(onKept).toHaveBeenCalled())
     expect(writes.drop('k1')).toBe(false)
     const onUndoKept = vi.fn()
     void undo(writes, 'k1', onUndoKept).catch(nothing)
-    await vi.waitFor(() => expect(onUndoKept).toHaveBeenCalled())
+    await waitFor(() => expect(onUndoKept).toHaveBeenCalled())
     expect(localStorage).toHaveLength(2)
     answer = () => Response.json({})
     arrived = []
@@ -272,10 +273,10 @@ describe('the undo of a write that is sent later', () => {
       return Response.json({})
     })
     const given = approve(writes, 'k1')
-    await vi.waitFor(() => expect(methods()).toEqual(['POST']))
+    await waitFor(() => expect(methods()).toEqual(['POST']))
     expect(writes.drop('k1')).toBe(false)
     const undone = undo(writes, 'k1')
-    await vi.waitFor(() => expect(localStorage).toHaveLength(2))
+    await waitFor(() => expect(localStorage).toHaveLength(2))
     expect(methods()).toEqual(['POST'])
     answerVerdict()
     await Promise.all([given, undone])
@@ -293,7 +294,7 @@ describe('the undo of a write that is sent later', () => {
       return Response.json({})
     })
     const given = approve(writes, 'k1')
-    await vi.waitFor(() => expect(methods()).toEqual(['POST']))
+    await waitFor(() => expect(methods()).toEqual(['POST']))
     const undone = undo(writes, 'k1')
     await say(writes, 't2', 'two')
     expect(methods()).toEqual(['POST', 'POST'])
@@ -306,7 +307,7 @@ describe('the undo of a write that is sent later', () => {
     const writes = begun()
     const { given } = await away(writes)
     const undone = undo(writes, 'k1')
-    await vi.waitFor(() => expect(localStorage).toHaveLength(2))
+    await waitFor(() => expect(localStorage).toHaveLength(2))
     answer = () => Response.json({ status: 409, code: 'late', detail: 'the version moved on' }, { status: 409 })
     lineReturns()
     await expect(undone).rejects.toMatchObject({ name: 'AbortError' })

@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 
 import type { HandContext } from '@/test/audioContext'
@@ -38,7 +39,7 @@ describe('previews', () => {
     made.previews.keepReady(['/b', '/a', '/c'])
     await made.previews.released
     expect(hand.fetched).toEqual(['/b'])
-    await vi.waitFor(() => expect(hand.fetched).toEqual(['/b', '/a', '/c']))
+    await waitFor(() => expect(hand.fetched).toEqual(['/b', '/a', '/c']))
   })
 
   test('held, they wait until one is played', async () => {
@@ -49,7 +50,7 @@ describe('previews', () => {
     expect(hand.fetched).toEqual([])
     await made.play()
     expect(last()?.buffer.duration).toBe(1)
-    await vi.waitFor(() => expect(hand.fetched).toEqual(['/a', '/b']))
+    await waitFor(() => expect(hand.fetched).toEqual(['/a', '/b']))
   })
 
   test('held until the page is shown, the selected one is fetched first and alone', async () => {
@@ -61,7 +62,7 @@ describe('previews', () => {
     made.previews.release()
     await made.previews.released
     expect(hand.fetched).toEqual(['/a'])
-    await vi.waitFor(() => expect(hand.fetched).toEqual(['/a', '/b', '/c']))
+    await waitFor(() => expect(hand.fetched).toEqual(['/a', '/b', '/c']))
   })
 
   test('of a newer list are fetched in place of what was left of the older one', async () => {
@@ -69,7 +70,7 @@ describe('previews', () => {
     made.previews.keepReady(['/a', '/b'])
     await made.previews.released
     made.previews.keepReady(['/a', '/c'])
-    await vi.waitFor(() => expect(hand.fetched).toEqual(['/a', '/c']))
+    await waitFor(() => expect(hand.fetched).toEqual(['/a', '/c']))
   })
 
   test('those kept ready stay while others are forgotten', async () => {
@@ -107,7 +108,7 @@ describe('a light preview', () => {
       light: true,
     })
   const arrive = async (url: string) => {
-    await vi.waitFor(() => expect(arrivals.has(url)).toBe(true))
+    await waitFor(() => expect(arrivals.has(url)).toBe(true))
     arrivals.get(url)?.()
     await new Promise((resolve) => setTimeout(resolve))
   }

@@ -18,8 +18,7 @@ beforeEach(() => {
   vi.stubGlobal('AudioContext', HandContext)
 })
 
-const reported = async (sent: () => unknown) =>
-  waitFor(() => expect(sent()).toEqual({ take_ids: ['t1'] }), { timeout: 10_000 })
+const reported = async (sent: () => unknown) => waitFor(() => expect(sent()).toEqual({ take_ids: ['t1'] }))
 
 test('a sound of the palette that is played is reported as heard', async () => {
   const palette = [
@@ -66,5 +65,5 @@ test('its fixed copy is another sound: to play it reports nothing', async () => 
   await userEvent.click(await screen.findByRole('button', { name: /^Play fixed/ }))
   await new Promise((done) => setTimeout(done, 1_000)) // a fifth of it would count
   await userEvent.click(screen.getByRole('button', { name: /^Play original/ }))
-  await waitFor(() => expect(heard()).toEqual([{ take_ids: ['t1'] }]), { timeout: 10_000 })
+  await waitFor(() => expect(heard()).toEqual([{ take_ids: ['t1'] }]))
 })

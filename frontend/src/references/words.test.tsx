@@ -1,5 +1,5 @@
 import { QueryClient, QueryClientProvider } from '@tanstack/react-query'
-import { screen, within } from '@testing-library/react'
+import { screen, within, waitFor } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import type { ReactNode } from 'react'
 import { expect, test, vi } from 'vitest'
@@ -59,7 +59,7 @@ test('to those who see no sound of it the word is plain', async () => {
   const { asked } = server([])
   drawn(<WordText projectId="p1" text="More warm, please" />)
   expect(await screen.findByText('More warm, please')).toBeVisible()
-  await vi.waitFor(() => expect(asked).not.toHaveLength(0))
+  await waitFor(() => expect(asked).not.toHaveLength(0))
   expect(screen.queryByRole('button')).toBeNull()
 })
 

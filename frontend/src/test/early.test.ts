@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 
 import { prefetchedAnswer } from '@/api/early'
@@ -36,7 +37,7 @@ afterEach(() => {
 test('a page known by its address has its files and its answers on their way, and what Review opens of the queue', async () => {
   history.replaceState(null, '', `/projects/${PROJECT}/review`)
   startPage(PAGES)
-  await vi.waitFor(() => expect(asked).toEqual(['/v1/me', QUEUE, '/v1/cues/first/review']))
+  await waitFor(() => expect(asked).toEqual(['/v1/me', QUEUE, '/v1/cues/first/review']))
   expect(links()).toEqual(['modulepreload /assets/ReviewPage.js', 'preload /assets/ReviewPage.css'])
   expect(await (await taken(QUEUE))?.json()).toHaveProperty('items')
 })
@@ -48,7 +49,7 @@ test('a desk has the fix of what came back first on its way', async () => {
   })
   history.replaceState(null, '', `/projects/${PROJECT}/desk`)
   startPage([{ at: '^/projects/([0-9a-f-]{36})/desk$', asks: ['/v1/projects/{project}/desk'], files: [] }])
-  await vi.waitFor(() => expect(asked).toEqual([`/v1/projects/${PROJECT}/desk`, '/v1/takes/newest/fix']))
+  await waitFor(() => expect(asked).toEqual([`/v1/projects/${PROJECT}/desk`, '/v1/takes/newest/fix']))
 })
 
 test('an answer is taken once, by a request that only reads, while it is fresh', () => {

@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { expect, test, vi } from 'vitest'
 
 import { PAGES } from '../../scripts/early'
@@ -37,5 +38,5 @@ test.each(Object.entries(SERVERS))('what is asked early for %s is asked by its p
   openApp(path.replace('{project}', server.project))
   const wanted = page?.asks.map((one) => one.replace('{project}', server.project)) ?? []
   const seen = () => asked.map((one) => one.path + (one.query.size > 0 ? `?${one.query.toString()}` : ''))
-  await vi.waitFor(() => expect(seen()).toEqual(expect.arrayContaining(wanted)), { timeout: 10_000 })
+  await waitFor(() => expect(seen()).toEqual(expect.arrayContaining(wanted)))
 })

@@ -9,7 +9,7 @@ import { dismissToast } from '@/app/toast'
 
 // How long an answer takes says how busy the machine is; one that never comes still fails, with what stands there.
 configure({
-  asyncUtilTimeout: 8_000,
+  asyncUtilTimeout: 30_000,
   // Says what is on the page only where somebody reads it: a query that waits fails many times before it succeeds.
   getElementError: (message, container) => {
     const error = new Error()

@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { File as NodeFile } from 'node:buffer'
 import { createHash } from 'node:crypto'
 
@@ -129,11 +130,11 @@ test('a large file goes to the store part by part, and is finished by the server
 
 test('small files, and all where the store takes no parts, go as they went', async () => {
   sent(transportOf(), fileOf(PARTS_FROM_BYTES - 1))
-  await vi.waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
+  await waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
   expect(store.asked).toEqual([])
   store.offers = false
   const { stop } = sent(transportOf(), fileOf(PARTS_FROM_BYTES))
-  await vi.waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(2))
+  await waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(2))
   stop(true)
   expect(stopOther).toHaveBeenCalledWith(true)
 })
@@ -141,7 +142,7 @@ test('small files, and all where the store takes no parts, go as they went', asy
 test('a page that cannot hash sends as it did', async () => {
   vi.stubGlobal('crypto', {})
   sent(transportOf(), fileOf(2 * PART))
-  await vi.waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
+  await waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
 })
 
 test('a file that was moved away is reported in words', async () => {
@@ -188,8 +189,8 @@ test('a store that is never reached is left alone: the bytes go through the serv
   const transport = transportOf(() => Promise.resolve(0))
   for (let time = 0; time < 3; time += 1) await expect(sent(transport, fileOf(2 * PART)).end).resolves.toBe('lost')
   sent(transport, fileOf(2 * PART))
-  await vi.waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
-  await vi.waitFor(() => expect(store.paths().at(-1)).toBe('DELETE /v1/uploads/u-1'))
+  await waitFor(() => expect(otherwise.start).toHaveBeenCalledTimes(1))
+  await waitFor(() => expect(store.paths().at(-1)).toBe('DELETE /v1/uploads/u-1'))
   expect(localStorage).toHaveLength(0)
 })
 
@@ -224,7 +225,7 @@ test('stopped for good, what was sent is taken away', async () => {
   }
   const { stop, reported } = sent(transportOf(put), fileOf(3 * PART))
   stopNow = () => stop(true)
-  await vi.waitFor(() => expect(store.paths().at(-1)).toBe('DELETE /v1/uploads/u-1'))
+  await waitFor(() => expect(store.paths().at(-1)).toBe('DELETE /v1/uploads/u-1'))
   expect(store.here.has(3)).toBe(false)
   expect(reported.at(-1)).toBe(1.5 * PART)
   expect(localStorage).toHaveLength(0)

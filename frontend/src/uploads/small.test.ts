@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { describe, expect, test, vi } from 'vitest'
 
 import { ApiProblem } from '@/api'
@@ -40,7 +41,7 @@ describe('small files', () => {
     const events = eventsOf()
     const send = () => Promise.reject(new ApiProblem(status, { code: 'any', detail: 'why' }))
     smallFilesTransport({ send, otherwise: new HandTransport() }).start(uploadOf(1), events)
-    await vi.waitFor(() => expect(events[called]).toHaveBeenCalledTimes(1))
+    await waitFor(() => expect(events[called]).toHaveBeenCalledTimes(1))
   })
 
   test.each([
@@ -54,7 +55,7 @@ describe('small files', () => {
     const transport = smallFilesTransport({ send, otherwise })
     const upload = uploadOf(1)
     transport.start(upload, events)
-    await vi.waitFor(() => expect(events.onLost).toHaveBeenCalledTimes(1))
+    await waitFor(() => expect(events.onLost).toHaveBeenCalledTimes(1))
     transport.start(upload, events)
     expect(otherwise.started).toHaveLength(resumes)
   })

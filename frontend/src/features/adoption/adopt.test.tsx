@@ -125,7 +125,7 @@ function open(part: 'producer' | 'designer' = 'producer', more: object = {}, pat
 
 test('a folder is planned before anything is sent, then sent and adopted', async () => {
   const asked = open()
-  const field = await screen.findByLabelText('Folder', undefined, { timeout: 5000 })
+  const field = await screen.findByLabelText('Folder')
   fireEvent.change(field, { target: { files: folderOf('ui/click.wav', 'ui/tap.wav', 'readme.txt') } })
   const plan = await screen.findByRole('region', { name: 'What happens to each file' })
   expect(within(plan).getByText(/3 files become 2 cues in 2 categories, 1 of them a set/)).toBeVisible()
@@ -240,7 +240,7 @@ test('the project of the game is sent beside the folder, and what it says is sho
   const asked = open('producer', {
     'POST /v1/projects/p1/adoption-plan': answer({ ...PLAN, oddities: [unused], project: PLAYED }),
   })
-  const field = await screen.findByLabelText('Folder', undefined, { timeout: 5000 })
+  const field = await screen.findByLabelText('Folder')
   fireEvent.change(field, { target: { files: folderOf('ui/click.wav', 'ui/tap.wav') } })
   await screen.findByRole('button', { name: 'Add the game’s project' })
   fireEvent.change(screen.getByLabelText('Project of the game'), {
@@ -265,7 +265,7 @@ test('the project of the game is sent beside the folder, and what it says is sho
 
 test('a folder without a project is refused as one, and the plan stays', async () => {
   open()
-  const field = await screen.findByLabelText('Folder', undefined, { timeout: 5000 })
+  const field = await screen.findByLabelText('Folder')
   fireEvent.change(field, { target: { files: folderOf('ui/click.wav') } })
   await screen.findByRole('region', { name: 'What happens to each file' })
   fireEvent.change(screen.getByLabelText('Project of the game'), { target: { files: folderOf('ui/click.wav') } })

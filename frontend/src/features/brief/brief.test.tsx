@@ -182,7 +182,7 @@ describe('answering', () => {
     const server = new BriefServer()
     openApp('/projects/p1/brief')
     await userEvent.type(await genre(), 'A platformer ')
-    await waitFor(() => expect(server.saves).toHaveLength(1), { timeout: 3000 })
+    await waitFor(() => expect(server.saves).toHaveLength(1))
     expect(server.saves[0]).toEqual({
       revision: 0,
       answers: { genre: { value: 'A platformer ', is_unknown: false, note: '' } },
@@ -204,7 +204,7 @@ describe('answering', () => {
     await userEvent.keyboard('j0')
     const card = screen.getByRole('region', { name: NAMING.text })
     expect(within(card).getByText('Undecided')).toBeVisible()
-    await waitFor(() => expect(server.kept.naming?.is_unknown).toBe(true), { timeout: 3000 })
+    await waitFor(() => expect(server.kept.naming?.is_unknown).toBe(true))
     expect(server.kept.playback?.value).toBe('headphones')
     await userEvent.keyboard('p')
     expect(await screen.findByRole('heading', { level: 1, name: 'The game' })).toBeVisible()
@@ -219,13 +219,13 @@ describe('answering', () => {
     server.refuseWith = refusal(409, 'answer-changed', 'Audio director changed this answer', {
       errors: [{ where: 'genre', message: 'Audio director changed this answer' }],
     })
-    const alert = await screen.findByRole('alert', {}, { timeout: 3000 })
+    const alert = await screen.findByRole('alert')
     expect(alert).toHaveTextContent('Audio director changed this answer.')
     await waitFor(() => expect(screen.getByRole('alert')).toHaveTextContent('Theirs: A racing game'))
     expect(await genre()).toHaveValue('Chess')
     server.refuseWith = null
     await userEvent.click(within(screen.getByRole('alert')).getByRole('button', { name: 'Save mine' }))
-    await waitFor(() => expect(server.kept.genre?.value).toBe('Chess'), { timeout: 3000 })
+    await waitFor(() => expect(server.kept.genre?.value).toBe('Chess'))
     expect(server.saves.at(-1)).toMatchObject({ revision: 4 })
   })
 
@@ -234,11 +234,11 @@ describe('answering', () => {
     server.refuseWith = answer({ detail: 'broken' }, 503)
     openApp('/projects/p1/brief')
     await userEvent.type(await genre(), 'Chess')
-    expect(await screen.findByText(/kept here and sent again/, {}, { timeout: 3000 })).toBeVisible()
+    expect(await screen.findByText(/kept here and sent again/)).toBeVisible()
     server.refuseWith = null
-    await waitFor(() => expect(server.kept.genre?.value).toBe('Chess'), { timeout: 9000 })
+    await waitFor(() => expect(server.kept.genre?.value).toBe('Chess'))
     expect(await screen.findByText('Saved')).toBeVisible()
-  }, 15_000)
+  })
 
   test('a name is built from its parts, and tried on the list', async () => {
     const server = new BriefServer()
@@ -248,12 +248,12 @@ describe('answering', () => {
     await userEvent.click(within(card).getByRole('button', { name: 'detail' }))
     expect(await within(card).findByText('1 of 2 names on the list fits.')).toBeVisible()
     expect(within(card).getByText('does not fit; airlock_cycle.wav would')).toBeVisible()
-    await waitFor(() => expect(server.kept.naming?.value).toMatchObject({ separator: '_' }), { timeout: 3000 })
+    await waitFor(() => expect(server.kept.naming?.value).toMatchObject({ separator: '_' }))
     await userEvent.click(within(card).getByRole('button', { name: 'Paste names already in the code' }))
     const names = within(card).getByRole('textbox', { name: 'File names, one a line' })
     fireEvent.change(names, { target: { value: 'Door-Open-1\nGate-Shut-2' } })
     await userEvent.click(within(card).getByRole('button', { name: 'Use this convention' }))
-    await waitFor(() => expect(server.kept.naming?.value).toMatchObject({ separator: '-' }), { timeout: 3000 })
+    await waitFor(() => expect(server.kept.naming?.value).toMatchObject({ separator: '-' }))
   })
 })
 

@@ -254,12 +254,12 @@ test('notes are kept while the line is lost, and sent in order, once each', asyn
   const kept = Object.keys(localStorage).find((key) => key.startsWith('soundlist-listening'))
   expect(JSON.parse(localStorage.getItem(kept ?? '') ?? '{}')).toMatchObject({ pending: [{}, {}] })
   isAway = false
-  await waitFor(() => expect(screen.queryByText(/kept in this browser/)).toBeNull(), { timeout: 8_000 })
+  await waitFor(() => expect(screen.queryByText(/kept in this browser/)).toBeNull())
   const sent = bodies(asked, NOTES) as { note_id: string; said: string }[]
   const ids = [...new Set(sent.map(({ note_id }) => note_id))]
   expect(ids.map((id) => sent.find(({ note_id }) => note_id === id)?.said)).toEqual(['good', 'too-long'])
   expect(localStorage.getItem(kept ?? '')).toBeNull()
-}, 15_000)
+})
 
 test('a note that the server refuses is shown with what was said, not lost', async () => {
   serve(listening({ [NOTES]: refusal(409, 'listening-pass-closed', 'this listening pass is closed') }))

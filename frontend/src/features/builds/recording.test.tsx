@@ -1,7 +1,7 @@
-import { act, fireEvent, screen, within } from '@testing-library/react'
+import { act, fireEvent, screen, within, waitFor } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { beforeEach, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { inProject } from '@/test/project'
@@ -129,7 +129,7 @@ test('a key marks the moment, and the sound is named by an event afterwards', as
   await user.type(within(marks).getByLabelText('Sound at 1:10.0'), 'play_steps')
   expect(within(marks).getByText(/Several sounds, or none/)).toBeVisible()
   await user.type(within(marks).getByLabelText('Comment at 1:05.2'), 'over the dialogue{Enter}')
-  await vi.waitFor(() => expect(wrote(asked, NOTES)).toHaveLength(1))
+  await waitFor(() => expect(wrote(asked, NOTES)).toHaveLength(1))
   const [sent] = wrote(asked, NOTES)
   const body = sent?.body
   expect(body).toMatchObject({

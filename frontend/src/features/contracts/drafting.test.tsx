@@ -1,6 +1,6 @@
 import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { describe, expect, test, vi } from 'vitest'
+import { describe, expect, test } from 'vitest'
 
 import { block, CONTRACT, contractAnswers, MAY, PAGE, PROJECT, VERSION } from '@/test/contract'
 import { openApp } from '@/test/openApp'
@@ -192,7 +192,7 @@ describe('a producer', () => {
     await userEvent.type(screen.getByLabelText('Text'), 'At four.')
     await press('Move Tea up')
     expect(screen.getByText('Tea is clause 3 of 4.')).toBeInTheDocument()
-    await vi.waitFor(() => expect(screen.getByRole('button', { name: 'Move Tea up' })).toHaveFocus())
+    await waitFor(() => expect(screen.getByRole('button', { name: 'Move Tea up' })).toHaveFocus())
     await press('Move Rounds down')
     await press('Remove Bonus')
     await press('Remove Rounds')

@@ -33,7 +33,7 @@ describe('what came back', () => {
     openApp('/desk')
     expect(await screen.findByText(/^No waveform: the file could not be read/)).toBeInTheDocument()
     given['GET /v1/projects/p1/desk'] = { ...DESK, came_back: drawn }
-    expect(await screen.findByRole('slider', {}, { timeout: 3_000 })).toBeInTheDocument()
+    expect(await screen.findByRole('slider')).toBeInTheDocument()
   })
 
   test('the next one opens by its key, with what is to change and where', async () => {

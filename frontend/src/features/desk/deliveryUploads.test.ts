@@ -1,7 +1,8 @@
+import { waitFor } from '@testing-library/react'
 import { File as NodeFile } from 'node:buffer'
 
 import { QueryClient } from '@tanstack/react-query'
-import { expect, test, vi } from 'vitest'
+import { expect, test } from 'vitest'
 
 import { serve } from '@/test/server'
 import { ANY_FILE } from '@/uploads'
@@ -22,6 +23,6 @@ test('a renamed file is sent with the name that it had', async () => {
   const uploads = new DeliveryUploads(new QueryClient(), 'p1', ANY_FILE)
   await uploads.add([pick('big laser.wav', 'laser.wav'), pick('step.wav', 'steps/step.wav')])
   const sent = () => asked.filter(({ path }) => path.endsWith('/files')).map(({ query }) => Object.fromEntries(query))
-  await vi.waitFor(() => expect(sent()).toHaveLength(2))
+  await waitFor(() => expect(sent()).toHaveLength(2))
   expect(sent()).toEqual([{ file_name: 'laser.wav', received_name: 'big laser.wav' }, { file_name: 'steps/step.wav' }])
 })

@@ -1,3 +1,4 @@
+import { waitFor } from '@testing-library/react'
 import { expect, test, vi } from 'vitest'
 
 import { HandContext } from '@/test/audioContext'
@@ -13,7 +14,7 @@ test('the waveform that Review opens with is asked for before its cue is here', 
     .on('GET /v1/cues/shield/review', () => new Promise(() => undefined))
     .on('GET /v1/sounds/a/peaks.json', somePeaks)
   openApp(`/projects/${PROJECT}/review`)
-  await vi.waitFor(() => expect(server.of('GET /v1/sounds/a/peaks.json')).toHaveLength(1), { timeout: 10_000 })
+  await waitFor(() => expect(server.of('GET /v1/sounds/a/peaks.json')).toHaveLength(1))
   expect(server.of('GET /v1/cues/shield/review')).toHaveLength(1)
   expect(server.of('GET /v1/sounds/b/peaks.json')).toHaveLength(0)
 })

@@ -55,7 +55,7 @@ test('what is played for long enough is reported, and its mark goes', async () =
   await opened()
   expect(line(/shield_hit/)).toHaveTextContent('not heard')
   await userEvent.keyboard(' ')
-  await waitFor(() => expect(line(/shield_hit/)).not.toHaveTextContent('not heard'), { timeout: 10_000 })
+  await waitFor(() => expect(line(/shield_hit/)).not.toHaveTextContent('not heard'))
   await waitFor(
     () => expect(server.of(`POST /v1/projects/${PROJECT}/heard-takes`)[0]?.body).toEqual({ take_ids: ['a'] }),
     {

@@ -70,11 +70,9 @@ test('what is played for long enough is reported, and its mark goes', async () =
   const asked = open({ ...THREE, position: null })
   await screen.findByText('2 not heard yet')
   await userEvent.keyboard(' ')
-  await waitFor(() => expect(sound(/^laser/)).not.toHaveTextContent('not heard yet'), { timeout: 10_000 })
+  await waitFor(() => expect(sound(/^laser/)).not.toHaveTextContent('not heard yet'))
   expect(screen.getByText('1 not heard yet')).toBeVisible()
-  await waitFor(() => expect(wrote(asked, 'POST /v1/projects/p1/heard-takes')[0]?.body).toEqual({ take_ids: ['t1'] }), {
-    timeout: 10_000,
-  })
+  await waitFor(() => expect(wrote(asked, 'POST /v1/projects/p1/heard-takes')[0]?.body).toEqual({ take_ids: ['t1'] }))
 })
 
 test('of a designer nothing is recorded: there are no marks, and the key does nothing', async () => {

@@ -81,10 +81,8 @@ describe('reverb beside the dry stem', () => {
     await userEvent.click(within(shown).getByRole('button', { name: 'Remove stem' }))
     await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('Checking again without the stem…'))
     server.on('GET /v1/takes/t1/check', aCheck({ judgements: { reverb } }))
-    expect(await within(shown).findByRole('button', { name: 'Add dry stem' }, { timeout: 3000 })).toBeVisible()
-    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('measure the reverb exactly'), {
-      timeout: 3000,
-    })
+    expect(await within(shown).findByRole('button', { name: 'Add dry stem' })).toBeVisible()
+    await waitFor(() => expect(within(shown).getByRole('status')).toHaveTextContent('measure the reverb exactly'))
   })
 
   test('cannot be changed once a verdict stands, nor by others', async () => {

@@ -1,4 +1,4 @@
-import { screen, within } from '@testing-library/react'
+import { screen, within, waitFor } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeEach, expect, test, vi } from 'vitest'
 
@@ -51,7 +51,7 @@ test('a category gets its own approver, and undo gives it back', { tags: ['slow'
   expect(await screen.findByText('Producer approves ui now.')).toBeVisible()
   expect(ui).toHaveValue('Producer')
   await userEvent.click(screen.getByRole('button', { name: /Undo/ }))
-  await vi.waitFor(() => expect(ui).toHaveValue('Audio director (project)'))
+  await waitFor(() => expect(ui).toHaveValue('Audio director (project)'))
   expect(wrote(asked, 'PUT /v1/projects/p1/category-approvers').map(({ body }) => body)).toEqual([
     { category: 'ui', person_id: people.producer.id },
     { category: 'ui', person_id: null },

@@ -1,6 +1,6 @@
-import { cleanup, screen, within } from '@testing-library/react'
+import { cleanup, screen, within, waitFor } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
-import { beforeEach, expect, test, vi } from 'vitest'
+import { beforeEach, expect, test } from 'vitest'
 
 import { openApp } from '@/test/openApp'
 import { inProject } from '@/test/project'
@@ -40,7 +40,7 @@ test('a producer writes the checklist of a category and says what blocks approva
     items: ['Short', 'Not harsh'],
   })
   await userEvent.selectOptions(before.getByLabelText(/A version is not approved/), 'both')
-  await vi.waitFor(() =>
+  await waitFor(() =>
     expect(wrote(asked, 'PUT /v1/projects/p1/approval-blockers')[0]?.body).toEqual({ blockers: 'both' }),
   )
 })

@@ -152,10 +152,8 @@ test('a version that was not heard says so, until it is played for long enough',
   const versions = await screen.findByRole('region', { name: 'Versions' })
   expect(await within(versions).findByText('not heard yet')).toBeVisible()
   await userEvent.click(screen.getByRole('button', { name: 'Play version 1' }))
-  await waitFor(() => expect(within(versions).queryByText('not heard yet')).toBeNull(), { timeout: 10_000 })
-  await waitFor(() => expect(server.sent('POST', `${server.at}/heard-takes`)[0]?.body).toEqual({ take_ids: ['t1'] }), {
-    timeout: 10_000,
-  })
+  await waitFor(() => expect(within(versions).queryByText('not heard yet')).toBeNull())
+  await waitFor(() => expect(server.sent('POST', `${server.at}/heard-takes`)[0]?.body).toEqual({ take_ids: ['t1'] }))
   expect(id).toBe(unheard.cue_id)
 })
 

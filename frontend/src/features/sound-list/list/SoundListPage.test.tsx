@@ -6,7 +6,7 @@ import { openApp } from '@/test/openApp'
 import { answer, type Asked, refusal } from '@/test/server'
 import { aCue, ListServer } from '@/test/soundList'
 
-beforeAll(() => import('./SoundListPage'), 60_000)
+beforeAll(() => import('./SoundListPage'))
 
 const three = (part: 'team' | 'designer' = 'team') =>
   new ListServer(

@@ -7,7 +7,7 @@ import { openApp } from '@/test/openApp'
 import { answer, type Asked, refusal } from '@/test/server'
 import { aCue, ListServer } from '@/test/soundList'
 
-beforeAll(() => import('./SoundListPage'), 60_000)
+beforeAll(() => import('./SoundListPage'))
 
 const COLUMNS = [
   { id: 'c-mood', name: 'Mood', kind: 'choice', choices: ['calm', 'tense'] },

@@ -8,7 +8,7 @@ import { aPreview } from '@/test/review'
 import { answer } from '@/test/server'
 import { aCue, aNewestTake, ListServer } from '@/test/soundList'
 
-beforeAll(() => import('./SoundListPage'), 60_000)
+beforeAll(() => import('./SoundListPage'))
 
 function three(part: 'team' | 'designer' = 'team') {
   const server = new ListServer(
@@ -66,11 +66,9 @@ test('what is played for long enough is reported, its mark goes, and its row sta
   openApp(`${server.path}?heard=no`)
   await row('shield_hit')
   await userEvent.click(screen.getByRole('button', { name: 'Play shield_hit' }))
-  await waitFor(async () => expect(await row('shield_hit')).not.toHaveTextContent('not heard yet'), { timeout: 10_000 })
+  await waitFor(async () => expect(await row('shield_hit')).not.toHaveTextContent('not heard yet'))
   expect(await chip()).toHaveTextContent('0')
-  await waitFor(() => expect(server.sent('POST', `${server.at}/heard-takes`)[0]?.body).toEqual({ take_ids: ['t2'] }), {
-    timeout: 10_000,
-  })
+  await waitFor(() => expect(server.sent('POST', `${server.at}/heard-takes`)[0]?.body).toEqual({ take_ids: ['t2'] }))
 })
 
 test('a designer has no marks and no filter', async () => {
