@@ -39,8 +39,8 @@ def main() -> None:
         results[subject] = plain(rows)
         measured_on = f"{machine()}; load average {os.getloadavg()[0]:.1f}."
         print(f"\n## {subject.capitalize()}\n\n{markdown(rows)}\n\n{measured_on}", flush=True)
-        if asked.docs:
-            write_between(DOCS / "reference/benchmarks.md", subject, f"{markdown(promised(rows))}\n\n{measured_on}")
+        if asked.docs and (kept := promised(rows)):
+            write_between(DOCS / "reference/benchmarks.md", subject, f"{markdown(kept)}\n\n{measured_on}")
     RESULTS.write_text(json.dumps(results, indent=1) + "\n")
 
 

@@ -11,7 +11,7 @@ import httpx
 
 from benchmarks.served import Place
 from benchmarks.tables import DOCS, machine, table, write_between
-from benchmarks.team_screens import ask
+from benchmarks.team_screens import SHOWN, ask
 from tests.support.postgres import running_postgres
 
 Times = dict[str, tuple[float, float, float]]
@@ -57,4 +57,8 @@ def write_down(times: Mapping[str, Times], about: str, section: str, *, in_docs:
     text = f"One web process; {about}; {machine()}; {load}.\n\n{table(head, rows)}"
     print(text)
     if in_docs:
+        slowest = sorted(pages, key=lambda page: -max(of_one[page][1] for of_one in times.values()))[:SHOWN]
+        head = ["ms, the slowest three", *(f"{database} {figure}" for database in times for figure in ("p95", "CPU"))]
+        rows = [[page, *(f"{one:.0f}" for of_one in times.values() for one in of_one[page][1:])] for page in slowest]
+        text = f"One web process; {about}; {machine()}; {load}.\n\n{table(head, rows)}"
         write_between(DOCS / "reference/benchmarks.md", section, text)

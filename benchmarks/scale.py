@@ -221,7 +221,7 @@ def plans(place: Place, made: Made) -> tuple[dict[str, set[str]], dict[str, set[
 
 def in_docs(name: str) -> bool:
     """Return whether docs/reference/benchmarks.md shows this row of the table."""
-    return name.removesuffix(FURTHER) in IN_DOCS
+    return name in IN_DOCS
 
 
 def policies_cost(place: Place, server: Server, made: Made) -> dict[str, tuple[float, float]]:

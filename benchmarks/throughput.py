@@ -81,7 +81,7 @@ def main() -> None:
     parser.add_argument("--takes", type=int, default=200, help="to each number of workers")
     parser.add_argument("--workers", type=int, nargs="+", default=[1, 2, 4], help="numbers of workers to try")
     parser.add_argument("--postgres", action="store_true", help="on PostgreSQL in place of SQLite")
-    parser.add_argument("--docs", action="store_true", help="write the table into docs/reference/benchmarks.md")
+    parser.add_argument("--docs", action="store_true", help="write PostgreSQL's table into docs/reference/benchmarks")
     options = parser.parse_args()
     registry.rooms_in_use(is_commercial=True).connect()
     kind = "PostgreSQL" if options.postgres else "SQLite"
@@ -103,8 +103,8 @@ def main() -> None:
     text = f"{kind}, {options.takes} takes, {machine()}; load average {os.getloadavg()[0]:.1f}. {note}"
     text = f"{text}\n\n{table(HEAD, rows)}"
     print(f"\n{text}")
-    if options.docs:
-        write_between(DOCS / "reference/benchmarks.md", f"throughput {kind.lower()}", text)
+    if options.docs and options.postgres:
+        write_between(DOCS / "reference/benchmarks.md", "throughput", text)
 
 
 def sound(seed: int) -> bytes:

@@ -1,4 +1,4 @@
-"""Writes the table of docs/reference/audit.md: `SOUNDS_DIR=... make audit`.
+"""Writes a table of docs/reference/judgements.md: `SOUNDS_DIR=... make audit`.
 
 The real masters are looked at here alone, and each look is written down in looks.csv.
 """
@@ -12,12 +12,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from benchmarks.audits.changes import CHANGES, MEASURED_GAIN, TRIMS
-from benchmarks.audits.trial import OF_EACH, Found, generated, real, trial
-from benchmarks.faults.sounds import FAMILIES
+from benchmarks.audits.trial import Found, generated, real, trial
+from benchmarks.tables import DOCS, write_between
 
-PAGE = Path("docs/reference/audit.md")
+PAGE = DOCS / "reference/judgements.md"
 LOOKS = Path(__file__).with_name("looks.csv")
-MARK = "<!-- From here to the end made by `SOUNDS_DIR=... make audit`. Change it there. -->\n"
 MASTERS = 128
 WANTED, WANTED_TRIMMED, WANTED_OFF_DB = 0.99, 0.98, 0.45
 KNOWN_SEED, FINAL_SEED = 3, 20
@@ -41,8 +40,9 @@ def main() -> int:
         row = [f"{100 * share:.1f}" for share in (final.share(CHANGES), final.share(TRIMS))]
         now = f"{datetime.now(UTC):%Y-%m-%d %H:%M}"
         csv.writer(file, lineterminator="\n").writerow([now, *row, len(final.false)])
-    prose = PAGE.read_text(encoding="utf-8").partition(MARK)[0]
-    PAGE.write_text(prose + MARK + _table(known, final, len(masters), len(made)), encoding="utf-8")
+    write_between(PAGE, "audits", _table(known, final))
+    for who, tally in (("known sounds", known), ("masters", final)):
+        sys.stdout.write(f"{who}: not found: {_listed(tally.missed)}; taken for another: {_listed(tally.false)}\n")
     kept = [
         one.share(CHANGES) >= WANTED
         and one.share(TRIMS) >= WANTED_TRIMMED
@@ -54,19 +54,13 @@ def main() -> int:
     return 0 if all(kept) else 1
 
 
-def _table(known: Found, final: Found, masters: int, made: int) -> str:
+def _table(known: Found, final: Found) -> str:
     rows = "".join(
         f"| {name} | {_count(known, [name])} | {_count(final, [name])} | {_off(known, name)} | {_off(final, name)} |\n"
         for name in (*CHANGES, *TRIMS)
     )
-    looks = list(csv.reader(LOOKS.open(encoding="utf-8", newline="")))
-    return f"""
-{OF_EACH} sounds of {MASTERS} are changed in each way, written as files, and looked for among all {MASTERS}. Known
-sounds, by which the thresholds were set, are generated: variations of {len(FAMILIES)} families. The others are
-{masters} real masters, used for this table alone, and {made} generated sounds of other seeds. Found means that the
-right approved sound is among the matches.
-
-| changed by | known: found | masters: found | known: gain off by, at most | masters: gain off by, at most |
+    return f"""| changed by | known: found | masters: found | known: gain off by, at most | masters: gain off by, \
+at most |
 |---|---|---|---|---|
 {rows}| all but cuts (99 % wanted) | {_count(known, CHANGES)} | {_count(final, CHANGES)} | | |
 | cuts (98 % wanted) | {_count(known, TRIMS)} | {_count(final, TRIMS)} | | |
@@ -75,25 +69,7 @@ Gain is compared with the gain applied, for gain and other rates ({WANTED_OFF_DB
 a codec there is no such figure.
 
 False matches: {len(known.false)} with known sounds, {len(final.false)} with the masters, among {known.pairs:,} and
-{final.pairs:,} pairs of different sounds as they are, and in all audits above.
-
-Not found, known sounds: {_listed(known.missed)}.
-
-Not found, masters: {_listed(final.missed)}.
-
-Taken for another, known sounds: {_listed(known.false)}.
-
-Taken for another, masters: {_listed(final.false)}.
-
-### Looks at the masters
-
-Nothing was changed on what they showed. Before the second the known and the generated sounds were taken from all
-{len(FAMILIES)} families, where the first had left out the last of them; before the third, fewer of the sounds that
-are less likely are compared, for speed.
-
-| when | found, per cent | found after cuts, per cent | false matches |
-|---|---|---|---|
-{"".join(f"| {' | '.join(look)} |{chr(10)}" for look in looks)}"""
+{final.pairs:,} pairs of different sounds as they are, and in all audits above."""
 
 
 def _count(tally: Found, names: Iterable[str]) -> str:

@@ -1,4 +1,4 @@
-"""Writes docs/reference/false-alarms.md and RESULTS.md, its full tables: `SOUNDS_DIR=... make false-alarms`.
+"""Writes tables of docs/reference/judgements.md, and RESULTS.md in full: `SOUNDS_DIR=... make false-alarms`.
 
 The held-out set is evaluated here alone, and each run appends its figures to looks.csv.
 """
@@ -19,11 +19,10 @@ from benchmarks.faults.promise import BEYOND, PROMISED
 from benchmarks.faults.sounds import Family
 from benchmarks.faults.thresholds import thresholds
 from benchmarks.faults.trial import AUDIBLE, CHECKS, NO_PLACE, Trial, counts, false_alarms, trials
+from benchmarks.tables import DOCS, write_between
 
-PAGE = Path("docs/reference/false-alarms.md")
+PAGE = DOCS / "reference/judgements.md"
 RESULTS = Path(__file__).with_name("RESULTS.md")
-RECORDINGS = Path(__file__).with_name("RECORDINGS.md")  # by `on_recordings`
-WARNINGS = Path(__file__).with_name("WARNINGS.md")  # by `warnings`
 MARK = "<!-- Made by `SOUNDS_DIR=... make false-alarms`. Change it there. -->"
 LOOKS = Path(__file__).with_name("looks.csv")
 FOUND = 0.95  # of the faults at levels that count
@@ -54,7 +53,8 @@ def main() -> int:
     whole = (false_alarms(sounds.FAMILIES, seeds), false_alarms(held_out_sounds.FAMILIES, seeds))
     count, flagged = flagged_masters(folder)
     _write_down(held_out)
-    PAGE.write_text(_page(development, held_out, whole, count, flagged), encoding="utf-8")
+    for mark, text in _tables(development, held_out, whole, count, flagged).items():
+        write_between(PAGE, mark, text)
     RESULTS.write_text(_results(development, held_out, whole, len(seeds)), encoding="utf-8")
     too_many = [check for check, names in flagged.items() if len(names) > MOST]
     missed = [check for check in CHECKS for tried in (development, held_out) if _share(tried, check) < FOUND]
@@ -100,76 +100,28 @@ def _looks_table() -> str:
     return f"| {' | '.join(head)} |\n|{'---|' * len(head)}\n{rows}"
 
 
-def _page(
+def _tables(
     development: list[Trial],
     held_out: list[Trial],
     whole: tuple[tuple[int, Counter[tuple[str, str]]], ...],
     masters: int,
     flagged: dict[str, set[str]],
-) -> str:
-    looks = _looks()[1:]
-    return f"""{MARK}
-
-# False alarms
-
-A detector that raises false alarms is switched off, and then finds nothing. So each detector of faults is held to
-two figures: how many of {masters} real, accepted game sounds it flags ({MOST} at most, each named below), and how many
-of the faults that were put into whole sounds on purpose it finds ({MUST} at audible levels).
-
-Both sets of the trial are synthetic: families of sounds, with faults put in. The development set was used to set
-thresholds. The held-out set has other families, and faults of its own beside those of the development set. Its author
-ran no detector and read none of their code, but once saw the thresholds. It was looked at {len(looks)} times, the last
-time on {looks[-1][0][:10]}, and no detector was changed because of what a look showed.
-
-## What is promised
-{_list(PROMISED)}
-
-## How often it is right
-| check | real masters flagged, of {masters} | faults found, development set | faults found, held-out set | \
-whole sounds flagged, development set, of {whole[0][0]} | held-out set, of {whole[1][0]} |
+) -> dict[str, str]:
+    """Return the tables of the page by their marks."""
+    return {
+        "promised": _list(PROMISED),
+        "false alarms": f"""| check | real masters flagged, of {masters} | faults found, development set | \
+faults found, held-out set | whole sounds flagged, development set, of {whole[0][0]} | held-out set, of {whole[1][0]} |
 |---|---|---|---|---|---|
 {_right_rows(development, held_out, whole, flagged)}
-Short of {MUST}: {_short_of(development, held_out)}.
-
-Counted are the levels that a listener hears: a click from {AUDIBLE["click"]:g} dB over the sound around it in its most
-audible Bark band, clipping from five crests cut off for three samples each, hum whose third line is as loud as the
-sound around it in its quietest quarter, noise 15 dB or more under the sound.
-
-## Flagged masters
-| check | flagged of {masters} | what is there |
+Short of {MUST}: {_short_of(development, held_out)}.""",
+        "flagged masters": f"""| check | flagged of {masters} | what is there |
 |---|---|---|
-{_masters_rows(flagged)}
-## Where they fail
-These faults were tried and are not promised:
-
-| check | fault | development set | held-out set | why it is not promised |
+{_masters_rows(flagged)}""".strip(),
+        "beyond the promise": f"""| check | fault | development set | held-out set | why it is not promised |
 |---|---|---|---|---|
-{_beyond_rows(development, held_out)}
-- Not every way within the promise is tried: the tables of RESULTS.md name each fault that is. Faults of a new shape are
-  found less often than these ([why no more is promised](../decisions/0013-what-a-detector-promises.md)).
-- A sound may have by its nature what a fault would leave. These were left out: {_left_out()}.
-
-## On real recordings
-{_on_recordings()}
-
-## Warnings on recordings as they are
-{_warnings()}
-
-`benchmarks/faults/RESULTS.md` has every fault at every level, the families in which it was missed, the
-thresholds, and each look at the held-out set with its date.
-"""
-
-
-def _on_recordings() -> str:
-    """What `on_recordings` wrote of the checks."""
-    return (
-        RECORDINGS.read_text(encoding="utf-8").partition("# On real recordings\n")[2].partition("Reversed:")[0].strip()
-    )
-
-
-def _warnings() -> str:
-    """What `warnings` wrote of each source."""
-    return WARNINGS.read_text(encoding="utf-8").partition("# Warnings on recordings as they are\n")[2].strip()
+{_beyond_rows(development, held_out)}""".strip(),
+    }
 
 
 def _right_rows(
@@ -197,7 +149,7 @@ def _results(
 
 # Every fault that was tried
 
-docs/reference/false-alarms.md has the summary.
+docs/reference/judgements.md has the summary.
 
 ## Thresholds
 {_list(thresholds())}

@@ -5,7 +5,7 @@ import { addressOf, Party, PASSWORD } from './party'
 import type { SharedServer } from './server'
 import { wav } from './sounds'
 
-// The amounts of docs/explanation/money.md; nothing here waits for days to pass, so dock_clamp is approved by a person.
+// The amounts of docs/explanation/contracts-and-money.md; nothing here waits for days to pass, so dock_clamp is approved by a person.
 const ALPHA = ['radar_ping', 'dock_clamp', 'mine_arm']
 const BETA = ['missile_launch', 'hull_hit', 'warp_in']
 const RATES = 'Rates beyond the price'

@@ -46,7 +46,7 @@ def tree(tmp_path: Path) -> Path:
         ("tests/app/hiring/test_bids.py", ["tests/app/hiring/test_bids.py"]),
         ("tests/app/money/conftest.py", ["tests/app/money/test_invoices.py", "tests/app/money/test_rules.py"]),
         ("tests/support/server.py", ["tests/app/hiring/test_bids.py", "tests/app/money/test_invoices.py"]),
-        ("docs/explanation/money.md", []),
+        ("docs/explanation/contracts-and-money.md", []),
     ],
 )
 def test_the_nearest_come_first_and_the_whole_server_is_no_way(tree: Path, changed: str, tests: list[str]):

@@ -88,6 +88,8 @@ USER_PAGES = [*(ROOT / "docs" / "how-to").glob("*.md"), *(ROOT / "docs" / "tutor
 FOR_OPERATORS = {"operate.md"}  # what a proxy passes on
 # What the product says with a name, a figure or a word of a sheet in it, or what another program shows.
 COMPOSED = {
+    "Accept 3 sure matches",
+    "All 4 are Shield hit",
     "Bedarf",
     "Download game",
     "Former user",

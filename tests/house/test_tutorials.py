@@ -51,7 +51,7 @@ def output_of(command: str, capsys: pytest.CaptureFixture[str]) -> str:
 
 @pytest.mark.slow
 def test_the_check_of_the_first_change_in_python_passes_its_test_and_says_what_the_page_shows(tmp_path: Path):
-    blocks = BLOCK.findall((TUTORIALS / "first-change.md").read_text(encoding="utf-8"))
+    blocks = BLOCK.findall((TUTORIALS / "first-python-change.md").read_text(encoding="utf-8"))
     sound, test, check = (block for language, block in blocks if language == "python")
     outputs = [block for language, block in blocks if language == "" and "conforming" in block]
     tree = copy_of_library(tmp_path)

@@ -20,7 +20,7 @@ from tests.support.server import RunningServer
 
 pytestmark = pytest.mark.both_databases
 
-PAGE = Path(__file__).parents[2] / "docs/explanation/money.md"
+PAGE = Path(__file__).parents[2] / "docs/explanation/contracts-and-money.md"
 ROW = re.compile(r"^\| (?P<label>[^|]+) \| [^|]+ \| (?P<amount>[\d,]+\.\d\d) \|$", re.MULTILINE)
 ALPHA, BETA = ("radar_ping", "dock_clamp", "mine_arm"), ("missile_launch", "hull_hit", "warp_in")
 

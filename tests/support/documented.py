@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
-PAGES = ("how-to/operate", "how-to/privacy", "how-to/accounts", "reference/monitoring")
+PAGES = ("how-to/operate", "how-to/accounts")
 BLOCK = re.compile(r"^ *```(\w*)\n(.*?)^ *```$", re.DOTALL | re.MULTILINE)
 SHELLS = ("", "sh", "shell", "bash", "console")
 COMMENT = re.compile(r"\s{2,}#.*$")

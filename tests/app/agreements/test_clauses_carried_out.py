@@ -1,4 +1,4 @@
-"""docs/reference/contracts.md says of each clause who carries it out, and by which terms the software goes."""
+"""docs/how-to/contracts.md says of each clause who carries it out, and by which terms the software goes."""
 
 import dataclasses
 import re
@@ -13,7 +13,7 @@ from app.agreements.clauses.terms import MoneyTerms
 from app.operations.retention.service import TERM
 
 ROOT = Path(__file__).resolve().parents[3]
-DOCUMENT = ROOT / "docs/reference/contracts.md"
+DOCUMENT = ROOT / "docs/how-to/contracts.md"
 BY = {"Soundlist", "parties", "both"}
 
 

@@ -1,4 +1,4 @@
-"""The worked example of docs/explanation/money.md, walked through row by row."""
+"""The worked example of docs/explanation/contracts-and-money.md, walked through row by row."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -22,7 +22,7 @@ from app.money.ledger.book import (
 )
 from app.money.ledger.rules import LineKind
 
-DOCUMENT = Path(__file__).resolve().parents[3] / "docs/explanation/money.md"
+DOCUMENT = Path(__file__).resolve().parents[3] / "docs/explanation/contracts-and-money.md"
 DEPOSIT_MINOR, TAX_BP, ROUND_BP = 25_000, 1_900, 1_250
 
 

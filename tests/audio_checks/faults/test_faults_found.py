@@ -1,4 +1,4 @@
-"""A small form of the trial of docs/reference/false-alarms.md. The held-out set is left alone here."""
+"""A small form of the trial of docs/reference/judgements.md. The held-out set is left alone here."""
 
 import pickle
 

@@ -107,5 +107,5 @@ def test_another_kind_of_file_is_not_fixed():
 
 
 def test_the_guide_names_every_finding_that_a_fix_answers():
-    reported = (Path(__file__).parents[3] / "docs/reference/deliveries.md").read_text(encoding="utf-8")
+    reported = (Path(__file__).parents[3] / "docs/reference/command-line.md").read_text(encoding="utf-8")
     assert [code for code in offers._OFFERS if f"`{code}`" not in reported] == []
