@@ -53,9 +53,10 @@ def main() -> int:
     to = parser.parse_args().to
     copy_guides()
     program = Path(sys.executable).with_name("zensical")
-    built = subprocess.run(
-        [program, "build", "--clean", "--strict"], cwd=ROOT, capture_output=True, text=True, check=False
-    )
+    command = [program, "build", "--clean", "--strict"]
+    built = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    if "caught panic" in built.stderr:  # zensical 0.0.73 was seen to miss a page that is there
+        built = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     if built.returncode:
         sys.stderr.write(built.stdout + built.stderr)
         return 1

@@ -1,4 +1,4 @@
-"""Writes a table of docs/reference/judgements.md: `SOUNDS_DIR=... make audit`.
+"""Writes a table of RESULTS.md: `SOUNDS_DIR=... make audit`.
 
 The real masters are looked at here alone, and each look is written down in looks.csv.
 """
@@ -13,9 +13,9 @@ from pathlib import Path
 
 from benchmarks.audits.changes import CHANGES, MEASURED_GAIN, TRIMS
 from benchmarks.audits.trial import Found, generated, real, trial
-from benchmarks.tables import DOCS, write_between
+from benchmarks.tables import write_between
 
-PAGE = DOCS / "reference/judgements.md"
+PAGE = Path(__file__).with_name("RESULTS.md")
 LOOKS = Path(__file__).with_name("looks.csv")
 MASTERS = 128
 WANTED, WANTED_TRIMMED, WANTED_OFF_DB = 0.99, 0.98, 0.45

@@ -1,4 +1,4 @@
-"""Writes the table of planted gains in docs/reference/judgements.md: `MIDDLEWARE_DIR=... make audit-levels`.
+"""Writes the table of planted gains in RESULTS.md: `MIDDLEWARE_DIR=... make audit-levels`.
 
 Gains are planted at every level of the tree, in generated projects and in copies of the real ones below MIDDLEWARE_DIR.
 Right means that the sound file is said to be louder by what was planted, with the property that moved; false is a file
@@ -26,7 +26,7 @@ from benchmarks.audits.apart import APART
 from benchmarks.audits.projects import KINDS
 from benchmarks.audits.real_projects import BY_DB, PLANTS
 
-PAGE = Path("docs/reference/judgements.md")
+PAGE = Path(__file__).with_name("RESULTS.md")
 BEGIN, END = (
     ("<!-- planted gains: made by `MIDDLEWARE_DIR=... make audit-levels` -->\n"),
     "<!-- end of planted gains -->\n",

@@ -55,7 +55,7 @@ def main() -> int:
     _write_down(held_out)
     for mark, text in _tables(development, held_out, whole, count, flagged).items():
         write_between(PAGE, mark, text)
-    RESULTS.write_text(_results(development, held_out, whole, len(seeds)), encoding="utf-8")
+    RESULTS.write_text(_results(development, held_out, whole, len(seeds), count, flagged), encoding="utf-8")
     too_many = [check for check, names in flagged.items() if len(names) > MOST]
     missed = [check for check in CHECKS for tried in (development, held_out) if _share(tried, check) < FOUND]
     sys.stdout.write(
@@ -115,12 +115,6 @@ faults found, held-out set | whole sounds flagged, development set, of {whole[0]
 |---|---|---|---|---|---|
 {_right_rows(development, held_out, whole, flagged)}
 Short of {MUST}: {_short_of(development, held_out)}.""",
-        "flagged masters": f"""| check | flagged of {masters} | what is there |
-|---|---|---|
-{_masters_rows(flagged)}""".strip(),
-        "beyond the promise": f"""| check | fault | development set | held-out set | why it is not promised |
-|---|---|---|---|---|
-{_beyond_rows(development, held_out)}""".strip(),
     }
 
 
@@ -144,6 +138,8 @@ def _results(
     held_out: list[Trial],
     whole: tuple[tuple[int, Counter[tuple[str, str]]], ...],
     seeds: int,
+    masters: int,
+    flagged: dict[str, set[str]],
 ) -> str:
     return f"""{MARK}
 
@@ -151,6 +147,16 @@ def _results(
 
 docs/reference/judgements.md has the summary.
 
+## Flagged masters
+| check | flagged of {masters} | what is there |
+|---|---|---|
+{_masters_rows(flagged)}
+## Not promised
+These faults were tried and are not promised.
+
+| check | fault | development set | held-out set | why it is not promised |
+|---|---|---|---|---|
+{_beyond_rows(development, held_out)}
 ## Thresholds
 {_list(thresholds())}
 

@@ -54,7 +54,37 @@ const SHOWN: Shown[] = [
       await expect(page.getByRole('region', { name: /Needs your fix/ })).toBeVisible()
     },
   },
+  ...producerPages({
+    brief: ['brief', 'The game and its feel'],
+    spec: ['spec', 'Delivery spec'],
+    money: ['money', 'Money'],
+    builds: ['builds', 'Builds'],
+  }),
+  {
+    name: 'contract',
+    part: 'Producer',
+    person: 'Producer',
+    open: async (page, project) => {
+      await page.goto(`${project}/contracts`)
+      await page.getByRole('link', { name: /Effects/ }).click()
+      await expect(page.getByRole('heading', { level: 1, name: /Effects/ })).toBeVisible()
+    },
+  },
 ]
+
+/** Pages of the producer by the name of their picture: path below the project, and heading. */
+function producerPages(pages: Record<string, [string, string]>): Shown[] {
+  return Object.entries(pages).map(([name, [path, heading]]) => ({
+    name,
+    part: 'Producer',
+    person: 'Producer',
+    open: async (page, project) => {
+      await page.goto(`${project}/${path}`)
+      await expect(page.getByRole('heading', { level: 1, name: heading })).toBeVisible()
+      await page.waitForLoadState('networkidle')
+    },
+  }))
+}
 
 test('the pictures of the guides, in light and in dark @slow', async ({ demo, browser }, testInfo) => {
   const context = await browser.newContext({ baseURL: demo.url, viewport: { width: 1280, height: 800 } })
