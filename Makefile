@@ -78,7 +78,7 @@ coverage: setup .make/postgresql .make/s3 .make/librosa  # Lines and branches th
 	@$(BIN)/coverage report --include='app/*/rules.py,app/*/*_rules.py,app/*/service.py,app/*/queries.py,app/*/*_queries.py' --fail-under=95
 
 unit-postgres: setup .make/postgresql  # Fast tests of what differs on PostgreSQL
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m 'both_databases and $(FAST)' --database postgres tests/app $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m 'both_databases and $(FAST)' --database postgres $$(grep -rlw --include='test_*.py' both_databases tests/app) $(ARGS)
 
 slow-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  # On PostgreSQL and S3, the slow tests and every statement that make unit recorded
 	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)

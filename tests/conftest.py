@@ -58,7 +58,7 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out what this database and store do not need, and keep tests that share a fixture of their module together.
 
-    A module's fixture would otherwise be made once in every process.
+    A module's fixture would otherwise be made once in every process, and beside SQLite a PostgreSQL server started.
     """
     kept = items[:]
     if config.getoption("--database") == POSTGRES:
@@ -67,13 +67,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     kept = [item for item in kept if item.get_closest_marker(other) is None]
     if config.getoption("--recorded"):
         kept = needed(kept, config.getoption("--recorded"))
-    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+    kept_ids = {id(item) for item in kept}
+    config.hook.pytest_deselected(items=[item for item in items if id(item) not in kept_ids])
     items[:] = kept
     for item in items:
         if "s3" in getattr(item, "fixturenames", ()):  # its server is built from source, which takes minutes
             item.add_marker(pytest.mark.slow)
             item.add_marker(pytest.mark.timeout(BUILT_WITHIN_S + float(item.config.getini("timeout"))))
-        if isinstance(item, pytest.Function) and any(
+        if config.getoption("--database") == SQLITE and "postgres" in getattr(item, "fixturenames", ()):
+            item.add_marker(pytest.mark.xdist_group("postgres"))
+        elif isinstance(item, pytest.Function) and any(
             found[-1].scope == "module" for found in item._fixtureinfo.name2fixturedefs.values() if found
         ):
             item.add_marker(pytest.mark.xdist_group(item.nodeid.split("::")[0]))

@@ -24,6 +24,13 @@ SCORES = {
 CALL = "Twenty minutes. Asked about the footsteps at once; begins on Monday."
 
 
+def link_to(producer: Visitor, studio_id: str, address: str, kind: str) -> str | None:
+    """Return the newest link of a kind, such as "/posting/", that was mailed to an address."""
+    mails = producer.ask("GET", f"/studios/{studio_id}/outbox")["mails"]
+    links = (mail["link"] for mail in mails if mail["recipient"] == address)
+    return next((link for link in links if link and kind in link), None)
+
+
 class Hiring:
     """Goes through a posting by the same requests as the people's clicks."""
 
@@ -84,7 +91,7 @@ class Hiring:
             self._producer.ask("POST", f"{path}/candidates", json={"email": address})
 
     def _bid(self, posting: dict[str, Any], designer: Visitor, address: str, at: int) -> None:
-        link = self._await(lambda: self._link_to(address))
+        link = self._await(lambda: link_to(self._producer, self._studio_id, address, "/posting/"))
         designer.ask("POST", f"/posting-links/{link.rsplit('/', 1)[1]}/join")
         path = f"/postings/{posting['id']}"
         own_bid = designer.ask("GET", path)["own_bid"]
@@ -111,11 +118,6 @@ class Hiring:
         }
         saved = designer.ask("PUT", f"{path}/bid", json=content)["own_bid"]
         designer.ask("POST", f"{path}/bid/send", json={"revision": saved["revision"]})
-
-    def _link_to(self, address: str) -> str | None:
-        mails = self._producer.ask("GET", f"/studios/{self._studio_id}/outbox")["mails"]
-        links = (mail["link"] for mail in mails if mail["recipient"] == address)
-        return next((link for link in links if link and "/posting/" in link), None)
 
     def _note_call(self, bid: dict[str, Any]) -> None:
         if not bid["notes"]:

@@ -13,11 +13,12 @@ from app.core import clock
 from app.core.runtime import Runtime
 from app.demo import brief, cues, extras, voice
 from app.demo.game_ci import GameCi
-from app.demo.hiring import Hiring
+from app.demo.hiring import ADDRESSES, Hiring, link_to
+from app.demo.joint_work import divide_voice_lines
 from app.demo.people import SECOND_DESIGNER, make_people
 from app.demo.progress import Progress
 from app.demo.references import demo_references
-from app.demo.sounds import DemoSound, demo_sounds, warp_in_stem
+from app.demo.sounds import DemoSound, demo_sounds, thrusters_in_one_file, warp_in_stem
 from app.demo.visitors import Visitor, signed_in_visitor
 from app.demo.whole_files import write_whole
 from app.settings import Settings
@@ -138,9 +139,11 @@ class _Maker:
                 self._sounds["missile_launch_take3"],
                 self._sounds["final_FINAL_sting2"],
                 warp_in_stem(),
-                *self._files(("thruster_burst", "warp_in", "drone_swarm_loop", "vo_oath")),
+                *self._files(("warp_in", "drone_swarm_loop", "vo_oath")),
+                thrusters_in_one_file(),
             ],
         )
+        self._split(thrusters_in_one_file().file_name)
         self._request_changes(cues.THIRD_CHANGE)
         self._ask(*cues.QUESTION)
         self._cut(*cues.CUT)
@@ -150,6 +153,7 @@ class _Maker:
         self._ci.audit(self._producer.ask, {"481": {}, "482": {cues.FOOTSTEPS: cues.FOOTSTEPS_LOUDER_DB}})
         self._begin("Adding voice lines")
         self._add_voice_lines()
+        self._divide_voice_lines()
         extras.add_extras(self._producer, self._people["studio"], self._project, self._cues)
         extras.hand_off_newest(self._designer, self._project)
         extras.add_own_time(self._designer, self._project)
@@ -167,6 +171,10 @@ class _Maker:
         self._deliver("First session of scene 14.", voice.voice_takes())
         self._accept(voice.APPROVED)
         voice.change_text(self._producer.ask, path)
+
+    def _divide_voice_lines(self) -> None:
+        people = self._producer, self._second_designer
+        divide_voice_lines(*people, self._people["studio"], self._project, self._cues, self._await)
 
     def _files(self, names: Iterable[str]) -> list[DemoSound]:
         return [
@@ -226,16 +234,12 @@ class _Maker:
         project = self._producer.ask("GET", f"/projects/{self._project}")
         if project["engagements"]:
             return
-        body = {"email": "sound.designer@soundlist.example", "kind": "contract", "note": "Six palette sounds first."}
+        body = {"email": ADDRESSES[0], "kind": "contract", "note": "Six palette sounds first."}
         path = f"/projects/{self._project}/invitations"
         if not self._producer.ask("GET", path):  # a second one would withdraw the link of the first
             self._producer.ask("POST", path, json=body)
-        link = self._await(self._invitation_link)
+        link = self._await(lambda: link_to(self._producer, self._people["studio"], ADDRESSES[0], "/invitation/"))
         self._designer.ask("POST", f"/invitations/{link.rsplit('/', 1)[1]}/accept", json={})
-
-    def _invitation_link(self) -> str | None:
-        mails = self._producer.ask("GET", f"/studios/{self._people['studio']}/outbox")["mails"]
-        return next((mail["link"] for mail in mails if mail["link"] and "/invitation/" in mail["link"]), None)
 
     def _post_list(self) -> None:
         path = f"/projects/{self._project}"
@@ -285,6 +289,17 @@ class _Maker:
         upload = self._designer.ask("PUT", "/uploads", params=destination, content=sound.wav_bytes())
         body = {"upload_id": upload["upload_id"], "file_name": sound.file_name}
         self._designer.ask("POST", f"/deliveries/{delivery_id}/takes", json=body)
+
+    def _split(self, file_name: str) -> None:
+        """Make the sounds of one file variations of its cue, once, as the designer does on arrival."""
+        for take in self._takes():
+            if take["file_name"] == file_name:
+                path = f"/takes/{take['id']}/split"
+                if self._designer.ask("GET", path)["state"] != "used":
+                    self._designer.ask("POST", path, json={})
+                    self._await(lambda at=path: self._designer.ask("GET", at)["state"] == "made")
+                    self._designer.ask("POST", f"{path}/use", json={})
+        self._await(self._queue_is_empty)
 
     def _takes(self, **filters: str) -> list[dict[str, Any]]:
         answer = self._producer.ask("GET", f"/projects/{self._project}/takes", params={"limit": "200"} | filters)

@@ -74,7 +74,7 @@ def demo_sounds() -> dict[str, DemoSound]:
         *_set("foot_deck_walk", 6, 48_000, 0.40, 150, recipes.step_on_deck),
         DemoSound("airlock_cycle.wav", 48_000, 24, 2.412, 160, recipes.airlock_cycle),
         DemoSound("suit_hit.wav", 48_000, 24, 0.50, 170, partial(recipes.suit_hit, clank_db=None)),
-        *_set("thruster_burst", 4, 48_000, 0.80, 180, recipes.thruster_burst),
+        *_thrusters(),
         DemoSound("final_FINAL_sting2.wav", 96_000, 24, 3.02, 190, recipes.victory_sting),
         DemoSound("alarm_red_alert.wav", 44_100, 16, 2.00, 195, recipes.alarm),
         DemoSound("mine_arm.wav", 44_100, 16, 0.50, 196, recipes.mine_arm),
@@ -100,6 +100,21 @@ def demo_sounds() -> dict[str, DemoSound]:
 def warp_in_stem() -> DemoSound:
     """Return the dry stem that comes with `warp_in`."""
     return DemoSound("warp_in__dry.wav", 48_000, 24, 2.15, 198, questioned_sounds.warp_in_dry)
+
+
+def _thrusters() -> list[DemoSound]:
+    return _set("thruster_burst", 4, 48_000, 0.80, 180, recipes.thruster_burst)
+
+
+def thrusters_in_one_file() -> DemoSound:
+    """Return the four thrusters in one file, a second of silence between them."""
+
+    def in_one_file(clock: Clock) -> Signal:
+        sounds = [burst.samples() for burst in _thrusters()]
+        pause = np.zeros((clock.sample_rate_hz, sounds[0].shape[1]))
+        return np.concatenate([part for sound in sounds for part in (sound, pause)][:-1])
+
+    return DemoSound("thruster_burst.wav", 48_000, 24, 6.20, 180, in_one_file)
 
 
 def _set(

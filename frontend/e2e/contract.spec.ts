@@ -13,7 +13,7 @@ interface Take {
   state: string
 }
 
-const JOURNEY = 'a contract from the template to the last payment, in two browsers'
+const JOURNEY = 'a contract from the template to the last payment, in two browsers @slow'
 
 test(JOURNEY, ({ server, browser }) => journey(server, browser))
 

@@ -16,7 +16,7 @@ interface Take {
   fix_of_id: string | null
 }
 
-test('what was returned as too loud is fixed in one press, and the approver gets it without a round', async ({
+test('what was returned as too loud is fixed in one press, and the approver gets it without a round @slow', async ({
   server: { url },
   browser,
 }) => {

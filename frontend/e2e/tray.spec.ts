@@ -21,7 +21,7 @@ const sound = (): Buffer => wav({ seconds: 0.3, pitchHz: (pitchHz += 37) })
 const named = (name: string, buffer = sound()) => ({ name, mimeType: 'audio/wav', buffer })
 const toast = (page: Page, text: string) => expect(page.getByRole('status').filter({ hasText: text })).toBeVisible()
 
-test('messy names find their cues, a wrong folder goes away, and every act comes back', async ({
+test('messy names find their cues, a wrong folder goes away, and every act comes back @slow', async ({
   server: { url },
   browser,
 }, testInfo) => {

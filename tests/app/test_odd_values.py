@@ -3,7 +3,7 @@
 from uuid import uuid4
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.authentication import CSRF_HEADER
 from tests.support.server import World
@@ -92,11 +92,11 @@ def test_an_odd_origin_is_another_page(world: World, origin: str):
     assert world.producer.headers[CSRF_HEADER]
 
 
-def test_an_address_of_5000_letters_is_a_page_or_nothing(nobody: TestClient):
+def test_an_address_of_5000_letters_is_a_page_or_nothing(nobody: Client):
     for path in ("/" + "a" * 5_000, "/" + "a/" * 2_500, "/assets/" + "a" * 5_000):
         assert nobody.get(path).status_code in (200, 404), path[:20]
 
 
 @pytest.fixture
-def nobody(world: World) -> TestClient:
+def nobody(world: World) -> Client:
     return world.nobody

@@ -20,7 +20,7 @@ from typing import Any
 from urllib.parse import quote, unquote
 
 from anyio.from_thread import start_blocking_portal
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app import logs
 from app.core.runtime import Runtime
@@ -281,7 +281,7 @@ def send_to_application(server: RunningServer, seed: int, count: int) -> Outcome
     return outcome
 
 
-def _sent(server: RunningServer, client: TestClient, request: HostileRequest) -> tuple[int, str]:
+def _sent(server: RunningServer, client: Client, request: HostileRequest) -> tuple[int, str]:
     """Return the status of an answer, and where the application failed if it did; no client tidies the request."""
     path, _, query = request.target.partition("?")
     cookies = "; ".join(f"{name}={value}" for name, value in client.cookies.items())

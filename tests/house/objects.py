@@ -5,7 +5,7 @@ from functools import cache, cached_property
 from typing import Any
 from uuid import UUID
 
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.accounts.authentication import new_secret
@@ -379,19 +379,19 @@ class House(World):
             scopes=scopes,
         )
 
-    def build(self, secret: str) -> TestClient:
+    def build(self, secret: str) -> Client:
         """Return a client that carries a token."""
         client = self.server.browser()
         client.headers["Authorization"] = f"Bearer {secret}"
         return client
 
     @cached_property
-    def rival(self) -> TestClient:
+    def rival(self) -> Client:
         """The browser of a designer who is engaged on the same project, and made none of it."""
         return self.signed_in(self.rival_id)
 
     @cached_property
-    def operator(self) -> TestClient:
+    def operator(self) -> Client:
         """The browser of an operator who belongs to no studio."""
         with self.server.runtime.database.writing() as session:
             person_id = self._person(session, "Operator")
@@ -399,7 +399,7 @@ class House(World):
         return self.signed_in(person_id)
 
     @cached_property
-    def guest(self) -> TestClient:
+    def guest(self) -> Client:
         """A browser that has opened the invitation's link and nothing else."""
         client = self.server.browser()
         client.get("/v1/session")

@@ -63,6 +63,7 @@ def test_each_encoding_of_an_asset_has_its_own_tag(served: RunningServer):
     assert served.browser().get("/assets/index-1a2b.js", headers=again).status_code == 304
 
 
+@pytest.mark.slow
 def test_a_range_of_an_asset_is_of_its_plain_bytes(served: RunningServer):
     asked = {"Accept-Encoding": "br", "Range": "bytes=0-5"}
     answer = served.browser().get("/assets/index-1a2b.js", headers=asked)

@@ -68,6 +68,7 @@ def test_it_reads_no_file_of_the_server(initialised: Postgres):
         connection.execute("copy (select 1) to program 'id'")
 
 
+@pytest.mark.slow
 def test_a_superuser_is_named(initialised: Postgres):
     url = make_url(initialised.url("soundlist")).set(username=SUPERUSER)
     database = Database(url.render_as_string(hide_password=False))

@@ -59,6 +59,7 @@ def names_served(runtime: Runtime) -> set[str]:
     return {f"{family.name}{suffix}" for family in families for suffix in SUFFIXES.get(family.type, ("",))}
 
 
+@pytest.mark.slow
 def test_every_metric_that_is_named_is_served(runtime: Runtime):
     page = (ROOT / "docs" / "reference" / "settings.md").read_text()
     documented = re.findall(r"`(soundlist_\w+)`", page.partition("\n## Metrics\n")[2])
@@ -87,6 +88,7 @@ def test_every_alert_says_what_is_wrong():
         assert job.startswith("soundlist-") or job in job_names()
 
 
+@pytest.mark.slow
 def test_mails_backups_and_the_disk_are_reported(runtime: Runtime):
     before = served(runtime)
     assert ("soundlist_backup_age_seconds", "") not in before, "absent() tells that there is none"

@@ -4,7 +4,7 @@ import base64
 from typing import Any
 from uuid import uuid4
 
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.authentication import CSRF_COOKIE, CSRF_HEADER
 from tests.support.links import secret_for
@@ -19,7 +19,7 @@ class Person:
 
     def __init__(self, server: RunningServer) -> None:
         self.server = server
-        self.browser: TestClient = server.browser()
+        self.browser: Client = server.browser()
         self.address = f"{uuid4()}@example.test"
         self.browser.get("/v1/session")
 

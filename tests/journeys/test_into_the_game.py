@@ -337,6 +337,7 @@ def real_game(tmp_path: Path) -> Game:
     pytest.skip("MIDDLEWARE_DIR does not name a folder with a project of Wwise, its sounds and a volume")
 
 
+@pytest.mark.slow
 def test_a_real_project_of_wwise(
     server: RunningServer, real_game: Game, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

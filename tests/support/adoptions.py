@@ -4,8 +4,8 @@ import hashlib
 from collections.abc import Mapping
 from typing import Any
 
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from tests.support.deliver import BYTES, TUS, metadata
 from tests.support.server import World
@@ -20,21 +20,21 @@ def folder(files: Mapping[str, bytes], **facts: Any) -> dict[str, Any]:
     return {"folder": "Sounds", "files": listed}
 
 
-def plan(world: World, files: Mapping[str, bytes], by: TestClient | None = None, **facts: Any) -> dict[str, Any]:
+def plan(world: World, files: Mapping[str, bytes], by: Client | None = None, **facts: Any) -> dict[str, Any]:
     """Return what adopting files would do."""
     answer = (by or world.producer).post(f"/v1/projects/{world.project_id}/adoption-plan", json=folder(files, **facts))
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
 
 
-def opened(world: World, files: Mapping[str, bytes], by: TestClient | None = None) -> dict[str, Any]:
+def opened(world: World, files: Mapping[str, bytes], by: Client | None = None) -> dict[str, Any]:
     """Open an adoption."""
     answer = (by or world.producer).post(f"/v1/projects/{world.project_id}/adoptions", json=folder(files))
     assert answer.status_code == 201, answer.text
     return dict(answer.json())
 
 
-def send(world: World, adoption_id: str, name: str, content: bytes, by: TestClient | None = None) -> Response:
+def send(world: World, adoption_id: str, name: str, content: bytes, by: Client | None = None) -> Response:
     """Send one file of an adoption in one request."""
     headers = {**TUS, **BYTES, "Upload-Length": str(len(content))}
     headers["Upload-Metadata"] = metadata(adoption_id=adoption_id, file_name=name)
@@ -42,7 +42,7 @@ def send(world: World, adoption_id: str, name: str, content: bytes, by: TestClie
     return answer
 
 
-def sent(world: World, files: Mapping[str, bytes], by: TestClient | None = None) -> str:
+def sent(world: World, files: Mapping[str, bytes], by: Client | None = None) -> str:
     """Open an adoption and send what it asks for; return its id."""
     adoption = opened(world, files, by)
     for path in adoption["missing"]:
@@ -51,13 +51,13 @@ def sent(world: World, files: Mapping[str, bytes], by: TestClient | None = None)
     return str(adoption["id"])
 
 
-def adopt(world: World, adoption_id: str, by: TestClient | None = None) -> Response:
+def adopt(world: World, adoption_id: str, by: Client | None = None) -> Response:
     """Adopt what was sent."""
     answer: Response = (by or world.producer).post(f"/v1/adoptions/{adoption_id}/adopt")
     return answer
 
 
-def adopted(world: World, files: Mapping[str, bytes], by: TestClient | None = None) -> dict[str, Any]:
+def adopted(world: World, files: Mapping[str, bytes], by: Client | None = None) -> dict[str, Any]:
     """Adopt a folder, and wait for its checks and game files; return what the server answered."""
     answer = adopt(world, sent(world, files, by), by)
     assert answer.status_code == 200, answer.text
@@ -65,7 +65,7 @@ def adopted(world: World, files: Mapping[str, bytes], by: TestClient | None = No
     return dict(answer.json())
 
 
-def undo(world: World, adoption_id: str, by: TestClient | None = None) -> Response:
+def undo(world: World, adoption_id: str, by: Client | None = None) -> Response:
     """Undo an adoption."""
     answer: Response = (by or world.producer).post(f"/v1/adoptions/{adoption_id}/undo")
     return answer

@@ -1,12 +1,12 @@
 """Reads calendars behind their secret addresses, as a calendar program does."""
 
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from icalendar import Calendar
 
 from tests.support.server import World
 
 
-def calendar_of(world: World, by: TestClient) -> str:
+def calendar_of(world: World, by: Client) -> str:
     """Make a person's calendar link of the project, and return its path."""
     made = by.post(f"/v1/projects/{world.project_id}/calendar")
     assert made.status_code == 201, made.text
@@ -26,6 +26,6 @@ def events_at(world: World, path: str) -> list[tuple[str, str, str]]:
     ]
 
 
-def events_of(world: World, by: TestClient) -> list[tuple[str, str, str]]:
+def events_of(world: World, by: Client) -> list[tuple[str, str, str]]:
     """Return the events of a new calendar of a person."""
     return events_at(world, calendar_of(world, by))

@@ -3,7 +3,7 @@
 import base64
 from typing import Any
 
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from tests.support.server import World
 
@@ -23,14 +23,14 @@ def add_cues(world: World, *cues: dict[str, Any]) -> list[dict[str, Any]]:
     return list(added.json())
 
 
-def open_delivery(world: World, by: TestClient | None = None) -> str:
+def open_delivery(world: World, by: Client | None = None) -> str:
     """Open a delivery as the designer, and return its id."""
     opened = (by or world.designer).post(f"/v1/projects/{world.project_id}/deliveries", json={"note": "first batch"})
     assert opened.status_code == 201, opened.text
     return str(opened.json()["id"])
 
 
-def upload(world: World, delivery_id: str, name: str, content: bytes, by: TestClient | None = None) -> str:
+def upload(world: World, delivery_id: str, name: str, content: bytes, by: Client | None = None) -> str:
     """Send a whole file into a delivery, and return the id of the upload."""
     sent = (by or world.designer).put(
         "/v1/uploads", params={"delivery_id": delivery_id, "file_name": name[:100_000]}, content=content
@@ -50,7 +50,7 @@ def deliver(world: World, name: str, content: bytes, *, delivery_id: str | None 
     return dict(made.json())
 
 
-def checked(world: World, take_id: str, by: TestClient | None = None) -> dict[str, Any]:
+def checked(world: World, take_id: str, by: Client | None = None) -> dict[str, Any]:
     """Wait for the jobs, and return what the check says."""
     world.server.wait_for_jobs()
     answer = (by or world.designer).get(f"/v1/takes/{take_id}/check")

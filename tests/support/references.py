@@ -5,29 +5,29 @@ import struct
 import zlib
 from typing import Any
 
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 from PIL import Image
 
 from tests.support.deliver import BYTES, TUS, metadata
 from tests.support.server import World
 
 
-def begin_upload(world: World, name: str, content: bytes, by: TestClient | None = None, **more: str) -> Response:
+def begin_upload(world: World, name: str, content: bytes, by: Client | None = None, **more: str) -> Response:
     """Send a whole file towards the references of the project, by tus."""
     said = metadata(**({"project_id": str(world.project_id), "file_name": name} | more))
     headers = {**TUS, **BYTES, "Upload-Length": str(len(content)), "Upload-Metadata": said}
     return (by or world.producer).post("/v1/uploads", headers=headers, content=content)
 
 
-def uploaded(world: World, name: str, content: bytes, by: TestClient | None = None) -> str:
+def uploaded(world: World, name: str, content: bytes, by: Client | None = None) -> str:
     """Send a whole file, and return the id of its upload."""
     begun = begin_upload(world, name, content, by)
     assert begun.status_code == 201, begun.text
     return begun.headers["location"].rpartition("/")[2]
 
 
-def add(world: World, by: TestClient | None = None, **body: Any) -> Response:
+def add(world: World, by: Client | None = None, **body: Any) -> Response:
     """Put something on the board of the project."""
     return (by or world.producer).post(f"/v1/projects/{world.project_id}/references", json=body)
 
@@ -39,14 +39,14 @@ def added(world: World, name: str, content: bytes, **body: Any) -> dict[str, Any
     return dict(made.json())
 
 
-def board(world: World, by: TestClient | None = None, **query: str) -> list[dict[str, Any]]:
+def board(world: World, by: Client | None = None, **query: str) -> list[dict[str, Any]]:
     """Return what is on the board."""
     answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/references", params=query)
     assert answer.status_code == 200, answer.text
     return list(answer.json()["items"])
 
 
-def opened(world: World, reference: dict[str, Any], part: str = "file", by: TestClient | None = None) -> Response:
+def opened(world: World, reference: dict[str, Any], part: str = "file", by: Client | None = None) -> Response:
     """Open a reference as the page does: recorded first, then fetched."""
     client, version = by or world.producer, f"/v1/reference-versions/{reference['version']['id']}"
     recorded = client.post(f"{version}/openings")

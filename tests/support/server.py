@@ -13,7 +13,7 @@ from uuid import UUID
 
 import sqlalchemy as sa
 from anyio.from_thread import BlockingPortal, start_blocking_portal
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from pwdlib import PasswordHash
 from pwdlib.hashers.argon2 import Argon2Hasher
 from sqlalchemy.orm import Session
@@ -36,6 +36,7 @@ from app.projects.models import ApproverChange, Engagement, Liaison, Project, Sp
 from app.projects.rules import EngagementKind
 from app.settings import Settings
 from app.worker import start_worker
+from tests.support.client import browser
 from tests.support.statements import Recorder
 
 LONG_AGO_S = 300.0  # ends what hangs, however busy the machine is
@@ -53,11 +54,9 @@ class RunningServer:
     worker: Worker | None = None  # where one runs
     recorder: Recorder | None = None  # where what is sent is recorded
 
-    def browser(self) -> TestClient:
-        """Return a client without credentials; all share one event loop, where each request would start its own."""
-        client = TestClient(self.application, base_url="http://127.0.0.1:8000", raise_server_exceptions=False)
-        client.portal = self.portal
-        return client
+    def browser(self) -> Client:
+        """Return a client without credentials."""
+        return browser(self.application, self.portal)
 
     def wait_for_jobs(self, seconds: float = LONG_AGO_S) -> None:
         """Return when no job waits or runs."""
@@ -188,7 +187,7 @@ class World:
         session.add(Person(id=person_id, email=f"{person_id}@example.test", name=name))
         return person_id
 
-    def signed_in(self, person_id: UUID) -> TestClient:
+    def signed_in(self, person_id: UUID) -> Client:
         """Return a browser in which this person is signed in."""
         secret = f"secret of {new_id()}"
         expires_at = clock.now() + timedelta(days=365)
@@ -208,36 +207,36 @@ class World:
         return next(kinds, "another")
 
     @cached_property
-    def producer(self) -> TestClient:
+    def producer(self) -> Client:
         """The producer's browser."""
         return self.signed_in(self.producer_id)
 
     @cached_property
-    def approver(self) -> TestClient:
+    def approver(self) -> Client:
         """The browser of the audio director, who decides."""
         return self.signed_in(self.approver_id)
 
     @cached_property
-    def reviewer(self) -> TestClient:
+    def reviewer(self) -> Client:
         """The browser of the composer, who advises."""
         return self.signed_in(self.reviewer_id)
 
     @cached_property
-    def designer(self) -> TestClient:
+    def designer(self) -> Client:
         """The browser of the designer who is engaged on the project."""
         return self.signed_in(self.designer_id)
 
     @cached_property
-    def other_designer(self) -> TestClient:
+    def other_designer(self) -> Client:
         """The browser of a designer who is engaged on nothing here."""
         return self.signed_in(self.other_designer_id)
 
     @cached_property
-    def stranger(self) -> TestClient:
+    def stranger(self) -> Client:
         """The browser of another studio's producer."""
         return self.signed_in(self.stranger_id)
 
     @cached_property
-    def nobody(self) -> TestClient:
+    def nobody(self) -> Client:
         """A browser without credentials."""
         return self.server.browser()

@@ -18,8 +18,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from fastapi.testclient import TestClient
-    from httpx2 import Response
+    from httpx2 import Client, Response
     from sqlalchemy import Engine
 
 PARAMETERS = re.compile(r"\?(, \?)+")
@@ -51,7 +50,7 @@ class Recorder:
 
         event.listen(engine, "before_cursor_execute", note)
 
-    def watch_requests(self, client: "TestClient", person: str) -> None:
+    def watch_requests(self, client: "Client", person: str) -> None:
         """Record from now on which requests of a person's browser succeed."""
 
         def note(response: "Response") -> None:

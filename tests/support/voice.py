@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import xlsxwriter
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from tests.support.deliver import checked, deliver, open_delivery
 from tests.support.server import World
@@ -20,7 +20,7 @@ maya_010,Maya,Hangar,out of breath,It is still open!,Es ist noch offen!
 """
 
 
-def send(world: World, by: TestClient | None = None, *, dry_run: bool = False, **body: Any) -> Response:
+def send(world: World, by: Client | None = None, *, dry_run: bool = False, **body: Any) -> Response:
     """Send a script as it is."""
     ask = {"format": "csv", "dry_run": dry_run} | body
     return (by or world.producer).post(f"/v1/projects/{world.project_id}/voice-lines/import", json=ask)
@@ -61,14 +61,14 @@ def workbook(rows: Sequence[Sequence[Any]], merged: Sequence[str] = ()) -> bytes
     return out.getvalue()
 
 
-def lines(world: World, by: TestClient | None = None, **query: Any) -> dict[str, dict[str, Any]]:
+def lines(world: World, by: Client | None = None, **query: Any) -> dict[str, dict[str, Any]]:
     """Return the voice lines of a language by their ids in the script."""
     answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/voice-lines", params=query)
     assert answer.status_code == 200, answer.text
     return {line["key"]: line for line in answer.json()["lines"]}
 
 
-def pick_ups(world: World, by: TestClient | None = None, **query: Any) -> dict[tuple[str, str], str]:
+def pick_ups(world: World, by: Client | None = None, **query: Any) -> dict[tuple[str, str], str]:
     """Return why which line must be recorded, by language and id."""
     answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/pick-ups", params=query)
     assert answer.status_code == 200, answer.text

@@ -20,7 +20,7 @@ beforeEach(() => {
 
 const reported = async (sent: () => unknown) => waitFor(() => expect(sent()).toEqual({ take_ids: ['t1'] }))
 
-test('a sound of the palette that is played is reported as heard', async () => {
+test('a sound of the palette that is played is reported as heard', { tags: ['slow'] }, async () => {
   const palette = [
     {
       cue: { id: 'c1', label: 'SW-001', name: 'shield_hit' },
@@ -51,14 +51,14 @@ function takePage(): ReturnType<typeof aServer> {
     .on(`POST /v1/projects/${PROJECT}/heard-takes`, answer(null, 204))
 }
 
-test('a version that is played on its page is reported as heard', async () => {
+test('a version that is played on its page is reported as heard', { tags: ['slow'] }, async () => {
   const server = takePage()
   openApp('/takes/t1')
   await userEvent.click(await screen.findByRole('button', { name: /^Play(?! (original|fixed))/ }))
   await reported(() => server.of(`POST /v1/projects/${PROJECT}/heard-takes`)[0]?.body)
 })
 
-test('its fixed copy is another sound: to play it reports nothing', async () => {
+test('its fixed copy is another sound: to play it reports nothing', { tags: ['slow'] }, async () => {
   const server = takePage()
   openApp('/takes/t1')
   const heard = () => server.of(`POST /v1/projects/${PROJECT}/heard-takes`).map(({ body }) => body)

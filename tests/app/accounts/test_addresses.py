@@ -5,7 +5,7 @@ from typing import Any
 from uuid import uuid4
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select
 from typer.testing import CliRunner
 
@@ -30,7 +30,7 @@ def mails(server: RunningServer) -> Iterator[MailServer]:
 
 
 @pytest.fixture
-def account(server: RunningServer) -> tuple[TestClient, str]:
+def account(server: RunningServer) -> tuple[Client, str]:
     browser, email = server.browser(), address()
     assert sign_up(browser, email).status_code == 201
     return with_csrf(browser), email
@@ -41,20 +41,18 @@ def proof_of(server: RunningServer, email: str) -> AddressProof | None:
         return session.scalars(select(Person).where(Person.email == email)).one().email_proof
 
 
-def ask_link(browser: TestClient) -> int:
+def ask_link(browser: Client) -> int:
     return browser.post("/v1/me/email-verifications").status_code
 
 
 @pytest.mark.slow
-def test_a_new_account_is_not_verified(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_new_account_is_not_verified(server: RunningServer, account: tuple[Client, str]) -> None:
     assert account[0].get("/v1/me").json()["email_verified_at"] is None
     assert proof_of(server, account[1]) is None
 
 
 @pytest.mark.slow
-def test_the_mailed_link_verifies_once(
-    server: RunningServer, account: tuple[TestClient, str], mails: MailServer
-) -> None:
+def test_the_mailed_link_verifies_once(server: RunningServer, account: tuple[Client, str], mails: MailServer) -> None:
     browser, email = account
     assert ask_link(browser) == 202
     path = f"/v1/email-verifications/{mails.secret_for(email)}"
@@ -66,7 +64,7 @@ def test_the_mailed_link_verifies_once(
 
 @pytest.mark.slow
 def test_the_link_verifies_nobody_elses_account(
-    server: RunningServer, account: tuple[TestClient, str], mails: MailServer
+    server: RunningServer, account: tuple[Client, str], mails: MailServer
 ) -> None:
     """Opening an account with a stranger's address gains nothing by the stranger's click."""
     browser, email = account
@@ -83,7 +81,7 @@ def test_the_link_verifies_nobody_elses_account(
 
 
 @pytest.mark.slow
-def test_a_link_asked_for_again_replaces_the_one_before(account: tuple[TestClient, str], mails: MailServer) -> None:
+def test_a_link_asked_for_again_replaces_the_one_before(account: tuple[Client, str], mails: MailServer) -> None:
     browser, email = account
     ask_link(browser)
     first = mails.secret_for(email)
@@ -93,7 +91,7 @@ def test_a_link_asked_for_again_replaces_the_one_before(account: tuple[TestClien
     assert browser.post(f"/v1/email-verifications/{second}").status_code == 200
 
 
-def test_a_link_grows_old(server: RunningServer, account: tuple[TestClient, str], mails: MailServer) -> None:
+def test_a_link_grows_old(server: RunningServer, account: tuple[Client, str], mails: MailServer) -> None:
     browser, email = account
     ask_link(browser)
     secret = mails.secret_for(email)
@@ -104,7 +102,7 @@ def test_a_link_grows_old(server: RunningServer, account: tuple[TestClient, str]
 
 
 def test_without_a_mail_server_the_command_line_reads_the_link(
-    server: RunningServer, account: tuple[TestClient, str], soundlist: Callable[..., Any]
+    server: RunningServer, account: tuple[Client, str], soundlist: Callable[..., Any]
 ) -> None:
     browser, email = account
     ask_link(browser)
@@ -118,7 +116,7 @@ def test_without_a_mail_server_the_command_line_reads_the_link(
 
 
 def test_a_new_password_by_mail_verifies_too(
-    server: RunningServer, account: tuple[TestClient, str], mails: MailServer
+    server: RunningServer, account: tuple[Client, str], mails: MailServer
 ) -> None:
     assert server.browser().post("/v1/password-resets", json={"email": account[1]}).status_code == 202
     secret = mails.secret_for(account[1])
@@ -208,7 +206,7 @@ def soundlist(server: RunningServer, monkeypatch: pytest.MonkeyPatch) -> Callabl
 
 @pytest.mark.slow
 def test_an_operator_is_named_by_the_command_line_alone(
-    server: RunningServer, account: tuple[TestClient, str], mails: MailServer, soundlist: Callable[..., Any]
+    server: RunningServer, account: tuple[Client, str], mails: MailServer, soundlist: Callable[..., Any]
 ) -> None:
     browser, email = account
     refused = soundlist("operators", "add", email)
@@ -229,7 +227,7 @@ def test_an_operator_is_named_by_the_command_line_alone(
 
 @pytest.mark.slow
 def test_the_command_line_signs_an_account_out_everywhere(
-    server: RunningServer, account: tuple[TestClient, str], world: World, soundlist: Callable[..., Any]
+    server: RunningServer, account: tuple[Client, str], world: World, soundlist: Callable[..., Any]
 ) -> None:
     browser, email = account
     other = server.browser()
@@ -256,5 +254,5 @@ def test_nobody_is_an_operator_by_an_unverified_address(server: RunningServer, w
         operators.add_operator(session, f"{world.producer_id}@example.test")
 
 
-def test_signing_in_still_works_for_who_is_not_verified(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_signing_in_still_works_for_who_is_not_verified(server: RunningServer, account: tuple[Client, str]) -> None:
     assert sign_in(server.browser(), account[1]).status_code == 200

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.models import EmailChange, Person
 from app.accounts.rules import AddressProof
@@ -36,7 +36,7 @@ class Change:
         with_csrf(self.browser)
         self.asked = self.browser.post("/v1/me/email-change", json={"email": f" {self.new.upper()} "})
 
-    def confirm(self, recipient: str, browser: TestClient | None = None) -> Any:
+    def confirm(self, recipient: str, browser: Client | None = None) -> Any:
         return (browser or self.browser).post(f"/v1/email-changes/{self.mails.secret_for(recipient)}/confirm")
 
     def me(self) -> str:

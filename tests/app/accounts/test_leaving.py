@@ -24,7 +24,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import delete, func, select
 from sqlalchemy.orm import Session
 
@@ -53,7 +53,7 @@ class Leaver:
     world: World
     stage: Stage
     email: str
-    build: TestClient
+    build: Client
     posting_secret: str
     calendar: str
     opened_project_id: str  # approved by who opened it
@@ -151,7 +151,7 @@ def rejoin(server: RunningServer, world: World, email: str, *roles: str) -> None
     assert world.approver.post(f"/v1/studio-invitations/{secret}/accept", json={}).status_code == 200
 
 
-def only_advises(world: World, stage: Stage, person: TestClient) -> None:
+def only_advises(world: World, stage: Stage, person: Client) -> None:
     """Check that a member has the rights of a reviewer and no more."""
     path = f"/v1/projects/{world.project_id}"
     mine = body_of(person.get(path))["mine"]

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from uuid import uuid4
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts import rate_limits
 from app.accounts.authentication import (
@@ -23,19 +23,17 @@ from app.accounts.rules import network_of
 from app.core.db import Database
 from app.main import create_app
 from tests.app.accounts.test_sign_in import address, sign_in, sign_up, with_csrf
+from tests.support import client as clients
 from tests.support.server import RunningServer, World
 
 PROXY = "10.9.0.2"
 
 
-def behind_proxy(
-    server: RunningServer, visitor: str, *, proxy: str = PROXY, trusted: str = "10.9.0.0/24"
-) -> TestClient:
+def behind_proxy(server: RunningServer, visitor: str, *, proxy: str = PROXY, trusted: str = "10.9.0.0/24") -> Client:
     """A browser whose requests come through a proxy, which appends the visitor's address as proxies do."""
     settings = server.runtime.settings.model_copy(update={"trusted_proxies": (trusted,)})
     application = create_app(dataclasses.replace(server.runtime, settings=settings))
-    client = TestClient(application, base_url="http://127.0.0.1:8000", client=(proxy, 50_000))
-    client.portal = server.portal
+    client = clients.browser(application, server.portal, (proxy, 50_000))
     client.headers["X-Forwarded-For"] = f"203.0.113.99, {visitor}"  # the left one is whatever the visitor sent
     return client
 
@@ -47,7 +45,7 @@ def account(server: RunningServer) -> str:
     return email
 
 
-def wrong_guesses(browser: TestClient, email: str, count: int) -> list[int]:
+def wrong_guesses(browser: Client, email: str, count: int) -> list[int]:
     return [sign_in(browser, email, f"guess {n} of many").status_code for n in range(count)]
 
 
@@ -175,7 +173,7 @@ def test_evidence_of_a_sign_in_names_the_visitor_and_not_the_proxy(server: Runni
     assert current["place"] == "198.51.100.30"
 
 
-def key_of(browser: TestClient | None = None, *, cookie: str = "", bearer: str = "", address: str = "192.0.2.1") -> str:
+def key_of(browser: Client | None = None, *, cookie: str = "", bearer: str = "", address: str = "192.0.2.1") -> str:
     """Return by whom a request counts: with a browser's cookie, another cookie, a token, or nothing."""
     secret = browser.cookies[SESSION_COOKIE] if browser else cookie
     headers = {"authorization": f"bEARER  {bearer} "} if bearer else {}

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.authentication import RECENT_SIGN_IN
 from app.accounts.models import SignIn
@@ -42,12 +42,12 @@ def account(server: RunningServer) -> Account:
     return account
 
 
-def challenge(browser: TestClient) -> dict[str, Any]:
+def challenge(browser: Client) -> dict[str, Any]:
     options: dict[str, Any] = browser.post("/v1/passkeys/options").json()["public_key"]
     return options
 
 
-def sign_in(browser: TestClient, credential: dict[str, Any]) -> Any:
+def sign_in(browser: Client, credential: dict[str, Any]) -> Any:
     return browser.post("/v1/passkeys/sign-in", json={"credential": credential})
 
 
@@ -80,7 +80,7 @@ def test_an_answer_counts_once_and_for_five_minutes(account: Account, monkeypatc
     assert "five minutes" in sign_in(browser, account.authenticator.answer(late)).json()["detail"]
 
 
-def wrong_answers(account: Account, browser: TestClient) -> Iterator[tuple[str, dict[str, Any]]]:
+def wrong_answers(account: Account, browser: Client) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield what somebody else, another page or a program could send, each to a challenge of its own."""
     mine = account.authenticator
     yield "another key", SoftwareAuthenticator(ORIGIN).answer(challenge(browser))

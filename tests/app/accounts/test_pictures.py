@@ -4,8 +4,8 @@ import io
 import zlib
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 from PIL import Image
 from sqlalchemy import select
 from sqlalchemy.orm import Session
@@ -20,11 +20,11 @@ from tests.support.server import World
 RED = picture("PNG", (300, 200))
 
 
-def save(client: TestClient, content: bytes) -> Response:
+def save(client: Client, content: bytes) -> Response:
     return client.put("/v1/me/picture", content=content)
 
 
-def address(client: TestClient, content: bytes = RED) -> str:
+def address(client: Client, content: bytes = RED) -> str:
     saved = save(client, content)
     assert saved.status_code == 200, saved.text
     return str(saved.json()["picture"])

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.authentication import RECENT_SIGN_IN
 from app.accounts.models import Membership, SignIn
@@ -50,7 +50,7 @@ def age_sign_ins(world: World, age: timedelta) -> None:
     world.server.in_database(lambda session: session.execute(aged))
 
 
-def refusal_of(by: TestClient, method: str, path: str, body: Any) -> str | None:
+def refusal_of(by: Client, method: str, path: str, body: Any) -> str | None:
     answer = by.request(method, path, json=body)
     return str(answer.json()["code"]) if answer.status_code >= 400 else None
 
@@ -104,6 +104,6 @@ def test_it_is_asked_of_strangers_alike(world: World) -> None:
 
 @pytest.mark.parametrize("who", ["producer", "designer"])
 def test_reading_needs_no_recent_sign_in(world: World, who: str) -> None:
-    by: TestClient = getattr(world, who)
+    by: Client = getattr(world, who)
     age_sign_ins(world, timedelta(days=13))
     assert by.get(f"/v1/projects/{world.project_id}").status_code == 200

@@ -5,7 +5,7 @@ from typing import Any
 
 import pyotp
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.authentication import AuthResult, ensure_second_factor
 from app.accounts.errors import SecondFactorRequired
@@ -22,7 +22,7 @@ def require_second_factor(world: World, *uses: str) -> Any:
     return world.producer.put(f"/v1/studios/{world.studio_id}/second-factor", json={"required_for": list(uses)})
 
 
-def set_up_totp(browser: TestClient) -> None:
+def set_up_totp(browser: Client) -> None:
     secret = browser.post("/v1/me/totp").json()["secret"]
     code = pyotp.TOTP(secret).at(clock.now())
     assert browser.post("/v1/me/totp/confirm", json={"code": code}).status_code == 200

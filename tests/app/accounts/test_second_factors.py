@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 import pyotp
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from typer.testing import CliRunner
 
 from app.accounts import rate_limits
@@ -57,7 +57,7 @@ class Account:
         """Return what the app shows now."""
         return pyotp.TOTP(self.setup["secret"]).at(clock.now())
 
-    def sign_in(self, code: str | None = None, browser: TestClient | None = None, password: str = PASSWORD) -> Any:
+    def sign_in(self, code: str | None = None, browser: Client | None = None, password: str = PASSWORD) -> Any:
         body = {"email": self.email, "password": password} | ({"code": code} if code is not None else {})
         return (browser or self.server.browser()).post("/v1/sign-in", json=body)
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person
@@ -30,14 +30,14 @@ pytestmark = pytest.mark.both_databases
 FIREFOX = "Mozilla/5.0 (X11; Linux x86_64; rv:145.0) Gecko/20100101 Firefox/145.0"
 
 
-def log_of(browser: TestClient, studio_id: Any, **asked: str) -> list[dict[str, Any]]:
+def log_of(browser: Client, studio_id: Any, **asked: str) -> list[dict[str, Any]]:
     answer = browser.get(f"/v1/studios/{studio_id}/security-events", params=asked)
     assert answer.status_code == 200, answer.text
     items: list[dict[str, Any]] = answer.json()["items"]
     return items
 
 
-def lines(browser: TestClient, studio_id: Any, **asked: str) -> list[tuple[str, str]]:
+def lines(browser: Client, studio_id: Any, **asked: str) -> list[tuple[str, str]]:
     return [(line["kind"], line["summary"]) for line in log_of(browser, studio_id, **asked)]
 
 
@@ -108,7 +108,7 @@ def test_tokens_are_recorded_when_made_and_once_when_revoked(world: World) -> No
     ]
 
 
-def studio_of(browser: TestClient) -> str:
+def studio_of(browser: Client) -> str:
     return str(browser.get("/v1/me").json()["studios"][0]["id"])
 
 

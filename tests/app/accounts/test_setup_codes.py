@@ -105,6 +105,7 @@ def test_no_link_is_mailed_without_the_code(
     assert browser.post("/v1/sign-ups", json=asked).status_code == 202
 
 
+@pytest.mark.slow
 def test_guesses_are_counted(empty: Runtime, browser: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
     few = replace(rate_limits.SIGN_UPS_FROM_NETWORK, burst=2)
     monkeypatch.setattr(rate_limits, "SIGN_UPS_FROM_NETWORK", few)

@@ -4,8 +4,8 @@ from types import SimpleNamespace
 from uuid import uuid4
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 from sqlalchemy import select
 
 from app.accounts import passwords, rate_limits
@@ -24,22 +24,22 @@ def address() -> str:
     return f"producer-{uuid4().hex}@studio.example"
 
 
-def sign_up(browser: TestClient, email: str) -> Response:
+def sign_up(browser: Client, email: str) -> Response:
     body = {"email": email, "name": "Producer", "password": PASSWORD, "studio_name": "Night Studio"}
     return browser.post("/v1/sign-up", json=body)
 
 
-def sign_in(browser: TestClient, email: str, password: str = PASSWORD) -> Response:
+def sign_in(browser: Client, email: str, password: str = PASSWORD) -> Response:
     return browser.post("/v1/sign-in", json={"email": email, "password": password})
 
 
-def with_csrf(browser: TestClient) -> TestClient:
+def with_csrf(browser: Client) -> Client:
     browser.headers["X-CSRF-Token"] = browser.cookies[CSRF_COOKIE]
     return browser
 
 
 @pytest.fixture
-def account(server: RunningServer) -> tuple[TestClient, str]:
+def account(server: RunningServer) -> tuple[Client, str]:
     """A browser that has signed up, and the address."""
     browser, email = server.browser(), address()
     assert sign_up(browser, email).status_code == 201
@@ -62,7 +62,7 @@ def test_the_session_cookie_is_out_of_reach_of_scripts(server: RunningServer) ->
     assert "httponly" not in cookies[CSRF_COOKIE]
 
 
-def test_secrets_are_kept_as_hashes_only(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_secrets_are_kept_as_hashes_only(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     with server.runtime.database.reading() as session:
         person = session.scalars(select(Person).where(Person.email == email)).one()
@@ -80,7 +80,7 @@ def test_no_answer_with_a_secret_is_kept_for_replay(server: RunningServer) -> No
         assert not [saved for saved in session.scalars(select(SavedResponse)) if email in (saved.body or "")]
 
 
-def test_an_address_has_one_account(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_an_address_has_one_account(server: RunningServer, account: tuple[Client, str]) -> None:
     answer = sign_up(server.browser(), account[1])
     assert (answer.status_code, answer.json()["code"]) == (409, "address-taken")
     assert answer.json()["errors"][0]["where"] == "email"
@@ -105,7 +105,7 @@ def test_what_is_wrong_with_a_sign_up_is_reported_at_its_field(
     assert (problem["status"], problem["code"], problem["errors"][0]["where"]) == (422, code, field)
 
 
-def test_signing_in_and_out(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_signing_in_and_out(server: RunningServer, account: tuple[Client, str]) -> None:
     browser = server.browser()
     assert sign_in(browser, account[1]).status_code == 200
     assert browser.get("/v1/session").json()["signed_in"] is True
@@ -117,7 +117,7 @@ def test_signing_in_and_out(server: RunningServer, account: tuple[TestClient, st
     assert thief.get("/v1/me").status_code == 401
 
 
-def test_a_sign_in_ends_by_itself(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_sign_in_ends_by_itself(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     with server.runtime.database.writing() as session:
         person = session.scalars(select(Person).where(Person.email == email)).one()
@@ -126,7 +126,7 @@ def test_a_sign_in_ends_by_itself(server: RunningServer, account: tuple[TestClie
     assert browser.get("/v1/me").status_code == 401
 
 
-def test_wrong_and_unknown_are_one_answer(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_wrong_and_unknown_are_one_answer(server: RunningServer, account: tuple[Client, str]) -> None:
     wrong = sign_in(server.browser(), account[1], "not the password")
     unknown = sign_in(server.browser(), address(), "not the password")
     assert wrong.status_code == unknown.status_code == 401
@@ -162,7 +162,7 @@ def test_an_unknown_address_costs_a_hash_too(monkeypatch: pytest.MonkeyPatch) ->
 
 
 @pytest.mark.slow
-def test_guessing_is_slowed_down_and_says_for_how_long(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_guessing_is_slowed_down_and_says_for_how_long(server: RunningServer, account: tuple[Client, str]) -> None:
     for _ in range(10):
         assert sign_in(server.browser(), account[1], "a guess").status_code == 401
     answer = sign_in(server.browser(), account[1])
@@ -172,7 +172,7 @@ def test_guessing_is_slowed_down_and_says_for_how_long(server: RunningServer, ac
     assert sign_in(server.browser(), address(), "a guess").status_code == 401  # others are not locked out
 
 
-def test_being_right_clears_the_count(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_being_right_clears_the_count(server: RunningServer, account: tuple[Client, str]) -> None:
     for _ in range(2):
         with server.runtime.database.writing() as session:
             for _ in range(9):
@@ -181,7 +181,7 @@ def test_being_right_clears_the_count(server: RunningServer, account: tuple[Test
         assert sign_in(server.browser(), account[1]).status_code == 200
 
 
-def test_a_write_needs_the_token_of_our_page(account: tuple[TestClient, str]) -> None:
+def test_a_write_needs_the_token_of_our_page(account: tuple[Client, str]) -> None:
     browser, _ = account
     del browser.headers["X-CSRF-Token"]
     answer = browser.put("/v1/me", json={"name": "Someone else"})
@@ -194,7 +194,7 @@ def test_a_write_needs_the_token_of_our_page(account: tuple[TestClient, str]) ->
 
 @pytest.mark.parametrize("origin", ["https://evil.example", "null", "http://127.0.0.1:9999"])
 def test_a_write_from_another_sites_page_is_refused(
-    server: RunningServer, account: tuple[TestClient, str], origin: str
+    server: RunningServer, account: tuple[Client, str], origin: str
 ) -> None:
     browser, email = account
     assert browser.put("/v1/me", json={"name": "Renamed"}, headers={"Origin": origin}).status_code == 403
@@ -202,13 +202,13 @@ def test_a_write_from_another_sites_page_is_refused(
     assert server.browser().post("/v1/sign-in", json=body, headers={"Origin": origin}).status_code == 403
 
 
-def test_a_write_from_our_own_page_passes(account: tuple[TestClient, str]) -> None:
+def test_a_write_from_our_own_page_passes(account: tuple[Client, str]) -> None:
     browser, _ = account
     answer = browser.put("/v1/me", json={"name": "Renamed"}, headers={"Origin": "http://127.0.0.1:8000"})
     assert answer.json()["name"] == "Renamed"
 
 
-def test_a_page_that_starts_gets_its_token(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_page_that_starts_gets_its_token(server: RunningServer, account: tuple[Client, str]) -> None:
     browser = server.browser()
     browser.cookies.set(SESSION_COOKIE, account[0].cookies[SESSION_COOKIE])
     assert browser.get("/v1/session").json()["signed_in"] is True
@@ -216,7 +216,7 @@ def test_a_page_that_starts_gets_its_token(server: RunningServer, account: tuple
     assert server.browser().get("/v1/session").json() == {"signed_in": False, "demo": False, "person": None}
 
 
-def test_changing_the_password_ends_the_other_sign_ins(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_changing_the_password_ends_the_other_sign_ins(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     elsewhere = server.browser()
     sign_in(elsewhere, email)
@@ -232,7 +232,7 @@ def test_changing_the_password_ends_the_other_sign_ins(server: RunningServer, ac
     assert sign_in(server.browser(), email, NEW_PASSWORD).status_code == 200
 
 
-def desk_token(server: RunningServer, browser: TestClient) -> Callable[[], int]:
+def desk_token(server: RunningServer, browser: Client) -> Callable[[], int]:
     """Make a desk token; return a function that asks for the desk with it, and returns the status."""
     made = browser.post("/v1/me/desk-tokens", json={"name": "Laptop"})
     assert made.status_code == 201, made.text
@@ -241,7 +241,7 @@ def desk_token(server: RunningServer, browser: TestClient) -> Callable[[], int]:
 
 
 @pytest.mark.slow
-def test_a_changed_password_ends_the_desk_tokens(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_changed_password_ends_the_desk_tokens(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, _ = account
     token = desk_token(server, browser)
     refused = browser.put("/v1/me/password", json={"current": "not it, really", "new": NEW_PASSWORD})
@@ -253,7 +253,7 @@ def test_a_changed_password_ends_the_desk_tokens(server: RunningServer, account:
 
 
 def test_a_password_set_by_mail_ends_the_desk_tokens_of_that_person_alone(
-    server: RunningServer, account: tuple[TestClient, str]
+    server: RunningServer, account: tuple[Client, str]
 ) -> None:
     browser, email = account
     other = server.browser()
@@ -265,12 +265,12 @@ def test_a_password_set_by_mail_ends_the_desk_tokens_of_that_person_alone(
     assert (token(), others()) == (401, 200)
 
 
-def test_spaces_are_part_of_a_password(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_spaces_are_part_of_a_password(server: RunningServer, account: tuple[Client, str]) -> None:
     assert sign_in(server.browser(), account[1], f" {PASSWORD} ").status_code == 401
 
 
 @pytest.mark.slow
-def test_a_forgotten_password_is_reset_once_by_mail(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_forgotten_password_is_reset_once_by_mail(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     secrets = []
     for _ in range(2):
@@ -288,14 +288,14 @@ def test_a_forgotten_password_is_reset_once_by_mail(server: RunningServer, accou
     assert sign_in(server.browser(), email, NEW_PASSWORD).status_code == 200
 
 
-def test_a_weak_new_password_does_not_use_the_link_up(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_weak_new_password_does_not_use_the_link_up(server: RunningServer, account: tuple[Client, str]) -> None:
     server.browser().post("/v1/password-resets", json={"email": account[1]})
     path = f"/v1/password-resets/{secret_for(server, account[1])}"
     assert server.browser().post(path, json={"password": "short"}).status_code == 422
     assert server.browser().post(path, json={"password": NEW_PASSWORD}).status_code == 200
 
 
-def test_a_link_for_a_new_password_grows_old(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_link_for_a_new_password_grows_old(server: RunningServer, account: tuple[Client, str]) -> None:
     server.browser().post("/v1/password-resets", json={"email": account[1]})
     server.wait_for_jobs()
     with server.runtime.database.writing() as session:
@@ -308,7 +308,7 @@ def test_a_link_for_a_new_password_grows_old(server: RunningServer, account: tup
 
 
 def test_asking_for_a_new_password_does_not_reveal_who_has_an_account(
-    server: RunningServer, account: tuple[TestClient, str]
+    server: RunningServer, account: tuple[Client, str]
 ) -> None:
     unknown = address()
     answers = [server.browser().post("/v1/password-resets", json={"email": email}) for email in (account[1], unknown)]
@@ -317,7 +317,7 @@ def test_asking_for_a_new_password_does_not_reveal_who_has_an_account(
     assert mailed_links(server, unknown) == []
 
 
-def test_a_mailbox_cannot_be_flooded(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_a_mailbox_cannot_be_flooded(server: RunningServer, account: tuple[Client, str]) -> None:
     asked = [server.browser().post("/v1/password-resets", json={"email": account[1]}).status_code for _ in range(6)]
     assert asked == [202] * 5 + [429]
 

@@ -15,8 +15,8 @@ import httpx
 import pyotp
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 from joserfc.jwk import OctKey
 
 from app.accounts.errors import DomainTaken, ProviderRefused
@@ -59,12 +59,12 @@ class Studio:
         values = {"email_verified_at": clock.now(), "email_proof": AddressProof.MAIL}
         self.server.in_database(lambda session: session.execute(changed.values(**values)))
 
-    def begin(self, browser: TestClient) -> dict[str, str]:
+    def begin(self, browser: Client) -> dict[str, str]:
         started = browser.post("/v1/sign-in/oidc/start", json={"studio_id": self.id, "next_path": "/account"})
         assert started.status_code == 200, started.text
         return self.provider.redirect(started.json()["url"])
 
-    def sign_in(self, browser: TestClient, email: str, **claims: Any) -> Response:
+    def sign_in(self, browser: Client, email: str, **claims: Any) -> Response:
         self.provider.claims = {"email": email, **claims}
         return browser.post("/v1/sign-in/oidc/callback", json=self.begin(browser))
 
@@ -93,7 +93,7 @@ def fresh_studio(studio: Studio) -> Studio:
     return Studio(studio.server, studio.provider)
 
 
-def assert_refused(answer: Response, words: str, browser: TestClient) -> None:
+def assert_refused(answer: Response, words: str, browser: Client) -> None:
     assert (answer.status_code, answer.json()["code"]) == (403, "provider-sign-in-refused"), answer.text
     assert words in answer.json()["detail"]
     assert browser.get("/v1/me").status_code == 401

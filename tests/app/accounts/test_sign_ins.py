@@ -4,7 +4,7 @@ from datetime import timedelta
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from structlog.testing import capture_logs
 
 from app.accounts.authentication import SESSION_COOKIE
@@ -19,25 +19,25 @@ FIREFOX = "Mozilla/5.0 (X11; Linux x86_64; rv:140.0) Gecko/20100101 Firefox/140.
 
 
 @pytest.fixture
-def account(server: RunningServer) -> tuple[TestClient, str]:
+def account(server: RunningServer) -> tuple[Client, str]:
     browser, email = server.browser(), address()
     browser.headers["User-Agent"] = FIREFOX
     assert sign_up(browser, email).status_code == 201
     return with_csrf(browser), email
 
 
-def elsewhere(server: RunningServer, email: str) -> TestClient:
+def elsewhere(server: RunningServer, email: str) -> Client:
     browser = server.browser()
     assert sign_in(browser, email).status_code == 200
     return with_csrf(browser)
 
 
-def listed(browser: TestClient) -> list[dict[str, str]]:
+def listed(browser: Client) -> list[dict[str, str]]:
     found: list[dict[str, str]] = browser.get("/v1/me/sign-ins").json()
     return found
 
 
-def test_the_owner_sees_every_browser(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_the_owner_sees_every_browser(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     elsewhere(server, email)
     found = listed(browser)
@@ -46,7 +46,7 @@ def test_the_owner_sees_every_browser(server: RunningServer, account: tuple[Test
     assert (current["device"], current["place"]) == ("Firefox on Linux", "testclient")
 
 
-def test_one_is_ended(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_one_is_ended(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     other = elsewhere(server, email)
     (other_id,) = [each["id"] for each in listed(browser) if not each["is_current"]]
@@ -56,7 +56,7 @@ def test_one_is_ended(server: RunningServer, account: tuple[TestClient, str]) ->
     assert browser.delete(f"/v1/me/sign-ins/{other_id}").json()["code"] == "sign-in-not-found"
 
 
-def test_all_others_are_ended(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_all_others_are_ended(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     others = [elsewhere(server, email) for _ in range(2)]
     assert browser.delete("/v1/me/sign-ins").status_code == 204
@@ -65,16 +65,14 @@ def test_all_others_are_ended(server: RunningServer, account: tuple[TestClient, 
 
 
 def test_nobody_ends_the_sign_in_of_another_person(
-    server: RunningServer, account: tuple[TestClient, str], world: World
+    server: RunningServer, account: tuple[Client, str], world: World
 ) -> None:
     (own,) = listed(account[0])
     assert world.producer.delete(f"/v1/me/sign-ins/{own['id']}").status_code == 404
     assert account[0].get("/v1/me").status_code == 200
 
 
-def test_a_new_sign_in_replaces_the_one_of_the_same_browser(
-    server: RunningServer, account: tuple[TestClient, str]
-) -> None:
+def test_a_new_sign_in_replaces_the_one_of_the_same_browser(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, email = account
     before = browser.cookies[SESSION_COOKIE]
     assert sign_in(browser, email).status_code == 200
@@ -86,7 +84,7 @@ def test_a_new_sign_in_replaces_the_one_of_the_same_browser(
 
 
 def test_a_sign_in_of_another_account_in_the_same_browser_ends_too(
-    server: RunningServer, account: tuple[TestClient, str]
+    server: RunningServer, account: tuple[Client, str]
 ) -> None:
     before = account[0].cookies[SESSION_COOKIE]
     assert sign_up(account[0], address()).status_code == 201
@@ -100,7 +98,7 @@ def set_last_seen(server: RunningServer, sign_in_id: str, ago: timedelta) -> Non
         session.get_one(SignIn, UUID(sign_in_id)).last_seen_at = clock.now() - ago
 
 
-def test_an_idle_browser_is_signed_out(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_an_idle_browser_is_signed_out(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, _ = account
     (own,) = listed(browser)
     set_last_seen(server, own["id"], IDLE_FOR - timedelta(hours=1))
@@ -109,7 +107,7 @@ def test_an_idle_browser_is_signed_out(server: RunningServer, account: tuple[Tes
     assert browser.get("/v1/me").status_code == 401
 
 
-def test_use_is_noted_to_within_ten_minutes(server: RunningServer, account: tuple[TestClient, str]) -> None:
+def test_use_is_noted_to_within_ten_minutes(server: RunningServer, account: tuple[Client, str]) -> None:
     browser, _ = account
     (own,) = listed(browser)
     set_last_seen(server, own["id"], timedelta(hours=3))

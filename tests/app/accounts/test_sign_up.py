@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.rules import AddressProof
 from tests.app.accounts.test_addresses import proof_of
@@ -18,7 +18,7 @@ def mails(server: RunningServer) -> Iterator[MailServer]:
         yield box
 
 
-def ask(browser: TestClient, email: str) -> int:
+def ask(browser: Client, email: str) -> int:
     return browser.post("/v1/sign-ups", json={"email": email}).status_code
 
 

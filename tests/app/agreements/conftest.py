@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from tests.support.server import World
 
@@ -14,7 +14,7 @@ class Contracts:
     def __init__(self, world: World) -> None:
         self.world = world
 
-    def ask(self, by: TestClient, method: str, path: str, **more: Any) -> Any:
+    def ask(self, by: Client, method: str, path: str, **more: Any) -> Any:
         """Send a request that must succeed and return its body."""
         answer = by.request(method, f"/v1{path}", **more)
         assert answer.is_success, f"{method} {path}: {answer.status_code} {answer.text}"
@@ -39,7 +39,7 @@ class Contracts:
         sent: dict[str, Any] = self.ask(self.world.producer, "POST", f"/contracts/{contract['id']}/send", json={})
         return sent
 
-    def accept(self, contract: dict[str, Any], by: TestClient, name: str) -> dict[str, Any]:
+    def accept(self, contract: dict[str, Any], by: Client, name: str) -> dict[str, Any]:
         """Say yes to the text that was sent."""
         body = {"name": name, "text_sha256": contract["version"]["text_sha256"]}
         accepted: dict[str, Any] = self.ask(by, "POST", f"/contracts/{contract['id']}/accept", json=body)
@@ -74,7 +74,7 @@ class Contracts:
         saved: dict[str, Any] = self.ask(self.world.producer, "PUT", path, json=body)
         return saved
 
-    def entries(self, contract: dict[str, Any], by: TestClient | None = None) -> list[dict[str, Any]]:
+    def entries(self, contract: dict[str, Any], by: Client | None = None) -> list[dict[str, Any]]:
         """Return the entries of a contract's record, which is whole."""
         record = self.ask(by or self.world.producer, "GET", f"/contracts/{contract['id']}/record")
         assert record["faults"] == []

@@ -6,7 +6,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import update
 
 from app.accounts.models import Membership, Person
@@ -37,7 +37,7 @@ def prove(world: World, person_id: UUID, proof: AddressProof = AddressProof.MAIL
     )
 
 
-def accept(sent: dict[str, Any], by: TestClient) -> Any:
+def accept(sent: dict[str, Any], by: Client) -> Any:
     body = {"name": "Full Name", "text_sha256": sent["version"]["text_sha256"]}
     return by.post(f"/v1/contracts/{sent['id']}/accept", json=body)
 

@@ -122,6 +122,7 @@ REFUSALS: dict[str, tuple[Callable[[], bytes], str]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", list(REFUSALS))
 def test_it_is_refused_with_what_was_found_and_what_to_do(name: str):
     made, words = REFUSALS[name]

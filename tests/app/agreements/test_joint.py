@@ -4,7 +4,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.agreements.clauses.rules import Clause
@@ -19,8 +19,6 @@ from tests.app.money.agreed import deposit, milestone
 from tests.app.reviews.making import Stage
 from tests.support.deliver import open_delivery, upload
 from tests.support.server import World
-
-pytestmark = pytest.mark.both_databases
 
 
 class Joint:
@@ -51,10 +49,10 @@ class Joint:
             self.world.producer, "PUT", f"/contracts/{contract['id']}/milestones", json={"milestones": list(milestones)}
         )
 
-    def request(self, method: str, by: TestClient | None = None, **body: Any) -> Any:
+    def request(self, method: str, by: Client | None = None, **body: Any) -> Any:
         return (by or self.world.producer).request(method, f"/v1/contracts/{self.draft['id']}/joint", json=body)
 
-    def divide(self, *cue_ids: UUID, by: TestClient | None = None, **share: int) -> Any:
+    def divide(self, *cue_ids: UUID, by: Client | None = None, **share: int) -> Any:
         body = {"engagement_id": str(self.engagement_id), "cue_ids": [str(cue_id) for cue_id in cue_ids]}
         return self.request("POST", by, **body, **share)
 
@@ -65,7 +63,7 @@ class Joint:
         (other_id,) = [part["contract_id"] for part in answer.json()["joint"] if not part["is_own"]]
         return answer.json(), self.read(other_id)
 
-    def read(self, contract_id: str, by: TestClient | None = None) -> dict[str, Any]:
+    def read(self, contract_id: str, by: Client | None = None) -> dict[str, Any]:
         contract: dict[str, Any] = self.contracts.ask(by or self.world.producer, "GET", f"/contracts/{contract_id}")
         return contract
 
@@ -159,6 +157,7 @@ def test_without_a_share_the_amounts_follow_the_cues(joint: Joint) -> None:
     assert (joint.amounts(first), joint.amounts(second)) == ([6_667, 60_000], [3_334, 29_999])
 
 
+@pytest.mark.slow
 def test_the_split_of_drafts_is_changed_and_the_sum_stays(joint: Joint) -> None:
     first, second = joint.divided()
     assert joint.request("PUT", share_minor=33_333).status_code == 200
@@ -198,6 +197,7 @@ def test_both_are_agreed_once_all_have_signed_both(joint: Joint) -> None:
     assert by_other[0]["role"] == "designer of the other contract"
 
 
+@pytest.mark.slow
 def test_what_takes_one_back_takes_the_other_back(joint: Joint) -> None:
     first, second = joint.sent()
     joint.contracts.accept(first, joint.world.designer, "N. Designer")
@@ -211,6 +211,7 @@ def test_what_takes_one_back_takes_the_other_back(joint: Joint) -> None:
     assert joint.states(first, second) == ["draft", "draft"]
 
 
+@pytest.mark.slow
 def test_where_one_is_given_up_the_other_stands_alone(joint: Joint) -> None:
     first, second = joint.sent()
     joint.contracts.ask(joint.second, "POST", f"/contracts/{second['id']}/end", json={"reason": "No time."})
@@ -226,6 +227,7 @@ def test_where_one_is_given_up_the_other_stands_alone(joint: Joint) -> None:
     joint.contracts.agree(joint.contracts.save(alone, clauses=clauses))
 
 
+@pytest.mark.slow
 def test_money_follows_each_designers_sounds(joint: Joint) -> None:
     first, second = joint.agreed(share_bp=4_000)
     world = joint.world
@@ -241,6 +243,7 @@ def test_money_follows_each_designers_sounds(joint: Joint) -> None:
     assert (own["agreed_minor"], own["due_minor"]) == (40_000, 40_000)
 
 
+@pytest.mark.slow
 def test_each_designer_delivers_and_sees_their_own_contract_and_the_others_part(joint: Joint) -> None:
     first, second = joint.divided()
     world = joint.world
@@ -275,6 +278,7 @@ def test_only_a_producer_divides_a_single_draft_once(joint: Joint) -> None:
     assert len(joint.contracts.ask(joint.world.producer, "GET", f"/projects/{joint.world.project_id}/contracts")) == 2
 
 
+@pytest.mark.slow
 def test_a_refusal_names_the_other_contract_where_that_cannot_be_sent(joint: Joint) -> None:
     first, second = joint.divided()
     clauses = [clause for clause in second["version"]["clauses"] if clause["key"] != "joint"]

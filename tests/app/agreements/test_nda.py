@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select
 
 from app.projects.models import Engagement
@@ -32,7 +32,7 @@ def request_nda(world: World) -> None:
     assert answer.json()["nda_needed"] is True
 
 
-def listed_open(caller: TestClient) -> bool:
+def listed_open(caller: Client) -> bool:
     (project,) = caller.get("/v1/me").json()["projects"]
     return bool(project["nda_open"])
 

@@ -9,7 +9,7 @@ from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.models import Membership, Person
 from app.accounts.rules import AddressProof, Role
@@ -70,7 +70,7 @@ def name_signers(world: World, contract: dict[str, Any], *people: UUID, first: s
     return world.producer.put(f"/v1/contracts/{contract['id']}/signers", json=body)
 
 
-def sign(by: TestClient, contract: dict[str, Any], code: str | None = None, name: str = "Full Name") -> Any:
+def sign(by: Client, contract: dict[str, Any], code: str | None = None, name: str = "Full Name") -> Any:
     body = {"name": name, "text_sha256": contract["version"]["text_sha256"]}
     return by.post(f"/v1/contracts/{contract['id']}/accept", json=body | ({"code": code} if code else {}))
 
@@ -162,7 +162,7 @@ def mails(world: World) -> Iterator[MailServer]:
         yield box
 
 
-def code_for(world: World, mails: MailServer, contract: dict[str, Any], by: TestClient, person_id: UUID) -> str:
+def code_for(world: World, mails: MailServer, contract: dict[str, Any], by: Client, person_id: UUID) -> str:
     body = {"text_sha256": contract["version"]["text_sha256"]}
     asked = by.post(f"/v1/contracts/{contract['id']}/signing-codes", json=body)
     assert asked.status_code == 201, asked.text

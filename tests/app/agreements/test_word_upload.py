@@ -4,8 +4,8 @@ import base64
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from tests.app.agreements.conftest import Contracts
 from tests.app.agreements.redlining import Redlining, refusal
@@ -25,7 +25,7 @@ class Upload(Redlining):
         assert taken.status_code == 200, taken.text
         return taken.content
 
-    def try_to_upload(self, document: bytes, by: TestClient | None = None) -> Response:
+    def try_to_upload(self, document: bytes, by: Client | None = None) -> Response:
         """Upload a document as the designer."""
         body = {"content_base64": base64.b64encode(document).decode()}
         return (by or self.world.designer).post(f"/v1{self.path}/redlines/word", json=body)

@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from app.briefs.questions import QUESTIONS
 from app.projects.models import Engagement
@@ -16,13 +16,13 @@ def path(world: World, rest: str = "") -> str:
     return f"/v1/projects/{world.project_id}/brief{rest}"
 
 
-def read(world: World, by: TestClient | None = None) -> dict[str, Any]:
+def read(world: World, by: Client | None = None) -> dict[str, Any]:
     answer = (by or world.producer).get(path(world))
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
 
 
-def save(world: World, revision: int, by: TestClient | None = None, **values: Any) -> Response:
+def save(world: World, revision: int, by: Client | None = None, **values: Any) -> Response:
     body = {"revision": revision, "answers": {key: {"value": value} for key, value in values.items()}}
     return (by or world.producer).patch(path(world), json=body)
 

@@ -10,7 +10,7 @@ from typing import Any
 from uuid import uuid4
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from tests.app.builds.approved import accepted_list, sound
 from tests.app.builds.test_packs import listening
@@ -38,7 +38,7 @@ def entry(verdict: str, *findings: dict[str, Any]) -> dict[str, Any]:
     return {"path": "a.wav", "verdict": verdict, "findings": list(findings), "facts": None}
 
 
-def token(world: World, *scopes: str) -> TestClient:
+def token(world: World, *scopes: str) -> Client:
     made = world.producer.post(f"/v1/projects/{world.project_id}/tokens", json={"name": "CI", "scopes": list(scopes)})
     assert made.status_code == 201, made.text
     client = world.server.browser()
@@ -46,7 +46,7 @@ def token(world: World, *scopes: str) -> TestClient:
     return client
 
 
-def post(world: World, client: TestClient, sent: dict[str, Any], label: str = "1") -> Any:
+def post(world: World, client: Client, sent: dict[str, Any], label: str = "1") -> Any:
     body = {"label": label, "commit": "abc123", "target": "game", "report": sent}
     return client.post(f"/v1/projects/{world.project_id}/builds", json=body)
 

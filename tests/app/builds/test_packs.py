@@ -11,7 +11,7 @@ import httpx
 import pytest
 import python_calamine
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 import audio_checks
 from app.accounts.authentication import SESSION_COOKIE
@@ -28,7 +28,7 @@ KEY = ["documentation-key.csv", "documentation-key.xlsx", "documentation-key.pdf
 FORMULAS = ("=", "+", "-", "@", "\t", "\r")
 
 
-def download(world: World, by: TestClient | None = None, **params: Any) -> bytes:
+def download(world: World, by: Client | None = None, **params: Any) -> bytes:
     answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/pack.zip", params={"target": "game"} | params)
     assert answer.status_code == 200, answer.text
     assert int(answer.headers["content-length"]) == len(answer.content)
@@ -219,7 +219,7 @@ def test_a_render_that_names_no_file_of_its_size_is_damage(world: World) -> None
     ("who", "status"), [("stranger", 404), ("other_designer", 404), ("designer", 403), ("nobody", 401)]
 )
 def test_who_may_not(world: World, who: str, status: int) -> None:
-    client: TestClient = getattr(world, who)
+    client: Client = getattr(world, who)
     key = tuple(f"documentation-key.{ending}" for ending in ("csv", "xlsx", "pdf"))
     for path in ("pack", "pack.zip", *key, "builds", "ci", "packs"):
         assert client.get(f"/v1/projects/{world.project_id}/{path}").status_code == status, path

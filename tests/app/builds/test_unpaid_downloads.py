@@ -178,6 +178,7 @@ def test_a_refund_closes_and_a_cut_before_acceptance_never_opens(world: World) -
     assert work.master().status_code == 403
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("terms", [{}, {"downloads_open": "at_once"}])
 def test_without_the_clause_everything_is_open(world: World, terms: dict[str, Any]) -> None:
     work = Work(world, "laser", terms=terms)

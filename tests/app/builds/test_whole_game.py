@@ -101,6 +101,7 @@ def add_target(world: World) -> None:
     assert answer.status_code in (200, 201), answer.text
 
 
+@pytest.mark.slow
 def test_what_we_hand_out_passes_our_own_checks(
     world: World,
     tmp_path: Path,

@@ -52,6 +52,7 @@ def posted(client: Client, what: str) -> list[dict[str, Any]]:
     return items
 
 
+@pytest.mark.slow
 def test_a_build_as_it_was_approved(building: Client) -> None:
     options = ("--target", "game", "--fail-level", "warning")
     code, out, err = run(building, *options, GITHUB_RUN_NUMBER="7", GITHUB_SHA="abc")

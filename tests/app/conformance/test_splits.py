@@ -105,6 +105,7 @@ def test_parts_become_variations_sample_for_sample(world: World, cue: dict[str, 
     assert world.designer.get(f"/v1/projects/{world.project_id}/splits").json() == []
 
 
+@pytest.mark.slow
 def test_a_split_is_undone_and_done_again(world: World, cue: dict[str, Any]) -> None:
     take = delivered(world, steps())
     found(world, take)

@@ -52,6 +52,7 @@ def opened(postgres: Postgres, settings: Settings) -> int:
     return int(row[0])
 
 
+@pytest.mark.slow
 def test_a_web_process_opens_as_many_as_it_may(postgres: Postgres, settings: Settings):
     runtime = Runtime.of(settings)
     with ExitStack() as kept:
@@ -79,6 +80,7 @@ def run_worker_and_wait(settings: str) -> None:
     runtime.close()
 
 
+@pytest.mark.slow
 def test_a_worker_opens_as_many_as_it_may(postgres: Postgres, settings: Settings):
     program = f"import sys\nfrom {__name__} import run_worker_and_wait\nrun_worker_and_wait(sys.argv[1])"
     given = settings.model_dump_json(include={"data_dir", "database_url"})

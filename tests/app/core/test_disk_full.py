@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 import sqlalchemy as sa
 from anyio.from_thread import start_blocking_portal
 
@@ -12,6 +13,7 @@ from app.settings import Settings
 from tests.support.server import RunningServer, World
 
 
+@pytest.mark.slow
 def test_a_full_database_is_reported_and_nothing_is_saved(tmp_path: Path):
     runtime = Runtime.of(Settings(data_dir=tmp_path, secret_key="only for tests"))
     migrate(runtime.database)

@@ -37,6 +37,7 @@ def asked(runtime: Runtime) -> tuple[int, dict[str, str]]:
     return answer.status_code, answer.json()
 
 
+@pytest.mark.slow
 def test_a_load_balancer_keeps_a_web_process_while_no_worker_runs(runtime: Runtime):
     client = TestClient(create_app(runtime))
     answer = client.get("/readyz/web")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from anyio.from_thread import start_blocking_portal
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.core.runtime import Runtime
 from app.core.web.host_cookies import PREFIX, bound, unbound
@@ -31,7 +31,7 @@ def behind_tls(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunningServ
     runtime.database.dispose()
 
 
-def browser_of(server: RunningServer) -> TestClient:
+def browser_of(server: RunningServer) -> Client:
     browser = server.browser()
     browser.base_url = "https://sounds.example"
     return browser

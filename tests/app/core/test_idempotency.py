@@ -5,7 +5,7 @@ from uuid import uuid4
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership, SignIn, Token
@@ -18,7 +18,7 @@ from tests.support.deliver import open_delivery
 from tests.support.server import World
 
 
-def create_project(client: TestClient, world: World, key: str) -> tuple[int, str]:
+def create_project(client: Client, world: World, key: str) -> tuple[int, str]:
     body = {"studio_id": str(world.studio_id), "name": "Secret", "cue_prefix": "SE", "preset": "48k"}
     answer = client.post("/v1/projects", json=body, headers={"Idempotency-Key": key})
     return answer.status_code, answer.json().get("code", answer.headers.get("idempotent-replayed", "new"))

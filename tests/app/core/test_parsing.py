@@ -47,6 +47,7 @@ def test_it_answers_as_the_function_does(parsers: Parsers):
         parsers.call(parse_spec, "a" + ".a" * 30_000 + "=1", refusal=Unreadable)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("function", "arguments", "words"),
     [

@@ -97,6 +97,7 @@ def head(*headers: str) -> bytes:
     return "\r\n".join(["GET / HTTP/1.1", "Host: 127.0.0.1:8000", *headers, "", ""]).encode()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sent", [b"", b"GET / HT", b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: "])
 def test_a_head_that_does_not_end_is_cut(served: Served, sent: bytes):
     assert served.answer_to(sent) == b""

@@ -127,6 +127,7 @@ def test_an_engaged_designer_is_notified_at_once_and_one_who_left_is_not(server:
         assert "sound_lists" not in leaver.rooms_of(world.project_id)
 
 
+@pytest.mark.slow
 def test_signing_out_closes_the_stream(monkeypatch: pytest.MonkeyPatch, web: str, world: World):
     monkeypatch.setattr(change_feed, "CHECK_SIGHT_EVERY_S", 0.2)
     with listening_for_changes(web, world.designer.cookies) as designer:
@@ -160,6 +161,7 @@ def test_a_person_has_so_many_streams_and_gets_them_back(monkeypatch: pytest.Mon
     until(lambda: httpx.get(f"{web}/v1/events?seconds=0", cookies=cookies).status_code == 200)
 
 
+@pytest.mark.slow
 def test_an_unchanged_connection_beats(monkeypatch: pytest.MonkeyPatch, web: str, world: World):
     monkeypatch.setattr("app.dashboards.live_changes.endpoints.BEAT_S", 0.05)
     with listening_for_changes(web, world.designer.cookies) as designer:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.dashboards.search.service import OF_A_KIND
 from tests.app.reviews.making import Stage, body_of
@@ -29,7 +29,7 @@ def search(request: pytest.FixtureRequest, stage: Stage) -> Search:
     """Search one project, or all that the person sees; return the reasons and labels."""
     path = f"/v1/projects/{stage.world.project_id}/find" if request.param == "in the project" else "/v1/find"
 
-    def find(typed: str, by: TestClient | None = None) -> list[dict[str, Any]]:
+    def find(typed: str, by: Client | None = None) -> list[dict[str, Any]]:
         found = body_of((by or stage.world.reviewer).get(path, params={"q": typed}))
         return [hit for hit in found["hits"] if hit["kind"] in KINDS]
 
@@ -43,7 +43,7 @@ def change(stage: Stage, cue_name: str, *reasons: str, **facts: Any) -> str:
     return str(take_id)
 
 
-def label(stage: Stage, words: str, by: TestClient, **facts: Any) -> str:
+def label(stage: Stage, words: str, by: Client, **facts: Any) -> str:
     take_id = stage.take(stage.cue(), **facts)
     body_of(by.put(f"/v1/takes/{take_id}/label", json={"label": words}))
     return str(take_id)

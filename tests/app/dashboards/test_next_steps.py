@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from tests.app.agreements.conftest import Contracts
 from tests.app.amendments.test_change_orders import Order, about
@@ -18,7 +18,7 @@ GOOD = wav_bytes(noise(dbfs=-20, seconds=0.2))
 LOUD = wav_bytes(sine(hz=997, dbfs=0.0, seconds=0.2))
 
 
-def asked(by: TestClient, project_id: Any) -> dict[str, Any]:
+def asked(by: Client, project_id: Any) -> dict[str, Any]:
     answer = by.get(f"/v1/projects/{project_id}/next-steps")
     assert answer.status_code == 200, answer.text
     return dict(answer.json())

@@ -4,7 +4,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import update
 from sqlalchemy.orm import Session
 
@@ -16,7 +16,7 @@ from tests.app.reviews.making import body_of
 from tests.support.server import World
 
 
-def own(by: TestClient) -> list[dict[str, Any]]:
+def own(by: Client) -> list[dict[str, Any]]:
     answer = by.get("/v1/me/own-projects")
     assert answer.status_code == 200, answer.text
     return list(answer.json())

@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import pytest
+
 from app.dashboards.phases.rules import PhaseAct, PhaseCount, act_for, open_phases
 from app.dashboards.rules import CueStatus
 from app.sound_lists.rules import Phase
@@ -31,6 +33,7 @@ def approve_palette(world: World) -> Any:
     return world.approver.post(f"/v1/projects/{world.project_id}/palette-approval")
 
 
+@pytest.mark.slow
 def test_the_palette_is_approved_as_a_set_and_opens_the_next_phase(world: World) -> None:
     add_cues(
         world,

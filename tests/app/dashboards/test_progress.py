@@ -8,7 +8,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -126,13 +126,13 @@ def _question(world: World, cue_id: UUID) -> Question:
     )
 
 
-def read(world: World, by: TestClient, path: str, **query: Any) -> dict[str, Any]:
+def read(world: World, by: Client, path: str, **query: Any) -> dict[str, Any]:
     answer = by.get(f"/v1/projects/{world.project_id}/{path}", params=query)
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
 
 
-def all_progress(world: World, by: TestClient) -> dict[str, dict[str, Any]]:
+def all_progress(world: World, by: Client) -> dict[str, dict[str, Any]]:
     """Return where every cue stands, gathered from short pages."""
     found, page = {}, read(world, by, "sound-list/progress", limit=7)
     while True:

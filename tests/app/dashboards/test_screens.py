@@ -1,7 +1,7 @@
 """The joining screens over HTTP: who sees what, and that a longer list costs no more queries."""
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from tests.support.deliver import add_cues, deliver
 from tests.support.server import World
@@ -100,7 +100,7 @@ def test_a_search_shows_a_designer_no_people_and_no_work_of_others(begun: World)
     assert people == []
 
 
-def elsewhere(client: TestClient, typed: str, **more: str) -> set[tuple[str, str, str]]:
+def elsewhere(client: Client, typed: str, **more: str) -> set[tuple[str, str, str]]:
     hits = client.get("/v1/find", params={"q": typed, **more}).json()["hits"]
     return {(hit["kind"], hit["title"], hit["project_id"]) for hit in hits}
 

@@ -4,7 +4,7 @@ import hashlib
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select
 
 from app.core.uploads import Upload
@@ -17,7 +17,7 @@ SHA256 = hashlib.sha256(CONTENT).hexdigest()
 
 
 def send(
-    client: TestClient,
+    client: Client,
     delivery_id: str,
     content: bytes = CONTENT,
     *,

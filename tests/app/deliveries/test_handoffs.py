@@ -5,7 +5,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.agreements.queries import events_of
@@ -33,15 +33,15 @@ class Handed(Stage):
         self.second_id, self.second = second_designer(world)
         self.path = f"/v1/cues/{self.cue_id}/handoffs"
 
-    def hand_off(self, by: TestClient | None = None, **more: Any) -> Any:
+    def hand_off(self, by: Client | None = None, **more: Any) -> Any:
         return (by or self.world.designer).post(self.path, json=UNFINISHED | more)
 
-    def name(self, handoff: dict[str, Any], by: TestClient | None = None, to: UUID | None = None) -> Any:
+    def name(self, handoff: dict[str, Any], by: Client | None = None, to: UUID | None = None) -> Any:
         body = {"designer_id": str(to or self.second_id)}
         return (by or self.world.producer).put(f"/v1/handoffs/{handoff['id']}/next-maker", json=body)
 
 
-def second_designer(world: World) -> tuple[UUID, TestClient]:
+def second_designer(world: World) -> tuple[UUID, Client]:
     """Engage a second designer on the project."""
 
     def engage(session: Session) -> UUID:

@@ -5,7 +5,7 @@ from collections.abc import Collection
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -119,7 +119,7 @@ class Course:
         return self.dice.choice(takes) if takes else None
 
 
-def _done(by: TestClient, path: str, body: dict) -> bool:
+def _done(by: Client, path: str, body: dict) -> bool:
     return by.post(path, json=body).status_code < 300
 
 

@@ -7,7 +7,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.authentication import SESSION_COOKIE
 from app.accounts.models import Token
@@ -23,13 +23,13 @@ CONTENT = b"RIFF" + bytes(range(256)) * 1_000
 SHA256 = hashlib.sha256(CONTENT).hexdigest()
 
 
-def begin(client: TestClient, delivery_id: str, length: int | str = len(CONTENT), **more: Any) -> Any:
+def begin(client: Client, delivery_id: str, length: int | str = len(CONTENT), **more: Any) -> Any:
     names = {"file_name": "laser.wav"} | more.pop("names", {})
     headers = {"Upload-Length": str(length), "Upload-Metadata": metadata(delivery_id=delivery_id, **names)}
     return client.post("/v1/uploads", headers=TUS | headers | more.pop("headers", {}), **more)
 
 
-def patch(client: TestClient, location: str, offset: int | str, content: bytes, **headers: str) -> Any:
+def patch(client: Client, location: str, offset: int | str, content: bytes, **headers: str) -> Any:
     return client.patch(location, headers=TUS | BYTES | {"Upload-Offset": str(offset)} | headers, content=content)
 
 

@@ -9,7 +9,7 @@ from urllib.parse import urlsplit
 
 import pytest
 from anyio.from_thread import start_blocking_portal
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.core.runtime import Runtime
 from app.core.storage import BucketStore, multipart
@@ -45,7 +45,7 @@ def world(direct: RunningServer, monkeypatch: pytest.MonkeyPatch) -> World:
     return World(direct)
 
 
-def begun(world: World, length: int = len(CONTENT), by: TestClient | None = None) -> str:
+def begun(world: World, length: int = len(CONTENT), by: Client | None = None) -> str:
     names = metadata(delivery_id=open_delivery(world), file_name="ambience.wav")
     headers = TUS | {"Upload-Length": str(length), "Upload-Metadata": names}
     return str((by or world.designer).post("/v1/uploads", headers=headers).headers["location"])

@@ -128,6 +128,8 @@ def test_the_demo_is_made_kept_and_stopped(tmp_path: Path):
             "captain_010": "stale", "mate_010": "no_take", "mate_020": "no_take", "captain_030": "no_take",
             "mate_030": "no_take",
         }  # fmt: skip
+        whole = next(take for take in takes if take["file_name"] == "thruster_burst.wav")
+        assert client.get(f"/v1/takes/{whole['id']}/split").json()["state"] == "used"
         thruster = next(take["cue"]["id"] for take in takes if take["file_name"] == "thruster_burst_03.wav")
         standing = client.get(f"{path}/sound-list/progress").json()
         (row,) = [row for row in standing["cues"] if row["cue_id"] == thruster]
@@ -192,7 +194,7 @@ def ensure_money(client: httpx.Client, path: str, shield_id: str) -> None:
 
 
 def ensure_hired(client: httpx.Client, path: str) -> None:
-    """Hold the demo to one posting with two bids that were compared, whose award opened its only contract."""
+    """Hold the demo to a posting with two bids, whose award opened its contract, and to a draft that is divided."""
     as_producer = {"Cookie": f"{DEMO_COOKIE}=producer"}
     (posting,) = client.get(f"{path}/postings", headers=as_producer).json()
     assert (posting["title"], posting["state"], posting["bids"]) == ("Effects", "awarded", 2)
@@ -203,8 +205,16 @@ def ensure_hired(client: httpx.Client, path: str) -> None:
     assert (chosen["is_shortlisted"], chosen["missing"], other["missing"]) == (True, [], [])
     assert chosen["over_budget_minor"] <= 0 < other["over_budget_minor"]
     assert [chosen["scored_by"], other["scored_by"]] == [2, 2]
-    (contract,) = client.get(f"{path}/contracts", headers=as_producer).json()
-    assert (contract["id"], contract["title"]) == (compared["contract_id"], "Effects")
+    contracts = client.get(f"{path}/contracts", headers=as_producer).json()
+    assert {contract["title"]: contract["state"] for contract in contracts} == {
+        "Effects": "agreed", "Voice lines": "draft", "Voice lines, Second designer": "draft",
+    }  # fmt: skip
+    ids = {contract["title"]: contract["id"] for contract in contracts}
+    assert ids["Effects"] == compared["contract_id"]
+    shared = client.get(f"/v1/contracts/{ids['Voice lines']}", headers=as_producer).json()["joint"]
+    assert {part["designer"]["name"]: part["amount_minor"] for part in shared} == {
+        "Sound designer": 18_000, "Second designer": 27_000,
+    }  # fmt: skip
 
 
 @pytest.fixture
@@ -259,7 +269,7 @@ def ensure_no_empty_page(client: httpx.Client, path: str, studio_id: str) -> Non
     assert playlist["name"] == "Palette, for the kick-off"
     (webhook,) = client.get(f"/v1/studios/{studio_id}/webhooks").json()["items"]
     assert webhook["disabled_at"] is not None
-    (contract,) = client.get(f"{path}/contracts").json()
+    contract = next(each for each in client.get(f"{path}/contracts").json() if each["title"] == "Effects")
     redlines = client.get(f"/v1/contracts/{contract['id']}").json()["redlines"]
     assert (redlines["rounds"], redlines["count"], redlines["unanswered"]) == (1, 1, 0)
     listening = client.get(f"{path}/listening-pass").json()["listening_pass"]

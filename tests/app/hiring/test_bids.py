@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 from sqlalchemy import select, update
 
 from app.hiring.roster import service as roster
@@ -33,14 +33,12 @@ def line(key: str, price_minor: int, quantity: int, **more: Any) -> dict[str, An
 WHOLE = [line("footsteps", 27_000, 3), line("ui", 15_000, 1)]
 
 
-def save(by: TestClient, posting: dict[str, Any], lines: list[dict[str, Any]], **more: Any) -> Response:
+def save(by: Client, posting: dict[str, Any], lines: list[dict[str, Any]], **more: Any) -> Response:
     body = {"lines": lines, "revision": 0, **more}
     return by.put(f"/v1/postings/{posting['id']}/bid", json=body)
 
 
-def send(
-    world: World, posting: dict[str, Any], by: TestClient, lines: list[dict[str, Any]], **more: Any
-) -> dict[str, Any]:
+def send(world: World, posting: dict[str, Any], by: Client, lines: list[dict[str, Any]], **more: Any) -> dict[str, Any]:
     """Join, save and send; return the posting as its candidate sees it."""
     join(world, posting, by)
     saved = save(by, posting, lines, **more)
@@ -50,7 +48,7 @@ def send(
     return dict(sent.json())
 
 
-def compared(world: World, posting: dict[str, Any], by: TestClient | None = None) -> dict[str, Any]:
+def compared(world: World, posting: dict[str, Any], by: Client | None = None) -> dict[str, Any]:
     answer = (by or world.producer).get(f"/v1/postings/{posting['id']}/bids")
     assert answer.status_code == 200, answer.text
     return dict(answer.json())

@@ -4,8 +4,8 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 from sqlalchemy import select
 
 from app.core import clock
@@ -39,7 +39,7 @@ def add_cues(world: World) -> list[str]:
     return list(world.server.in_database(add))
 
 
-def create(world: World, by: TestClient | None = None, **fields: Any) -> Response:
+def create(world: World, by: Client | None = None, **fields: Any) -> Response:
     body = {"title": "Effects for Alpha", **fields}
     return (by or world.producer).post(f"/v1/projects/{world.project_id}/postings", json=body)
 
@@ -57,7 +57,7 @@ def link_of(world: World, posting: dict[str, Any]) -> str:
     return str(answer.json()["url"]).rpartition("/")[2]
 
 
-def join(world: World, posting: dict[str, Any], by: TestClient) -> str:
+def join(world: World, posting: dict[str, Any], by: Client) -> str:
     """Let a person come by the posting's link."""
     secret = link_of(world, posting)
     answer = by.post(f"/v1/posting-links/{secret}/join")

@@ -5,8 +5,8 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from app.accounts.models import Person
 from app.accounts.quotas.service import QuotaKind, set_limit
@@ -34,12 +34,12 @@ A_PERSON: dict[str, Any] = {
 RATE = {"amount_minor": 4_500, "currency": "EUR", "unit": "hour"}
 
 
-def add(world: World, by: TestClient | None = None, **facts: Any) -> Response:
+def add(world: World, by: Client | None = None, **facts: Any) -> Response:
     body = {**A_PERSON, **facts}
     return (by or world.producer).post(f"/v1/studios/{world.studio_id}/roster", json=body)
 
 
-def roster(world: World, by: TestClient | None = None, **params: str) -> dict[str, Any]:
+def roster(world: World, by: Client | None = None, **params: str) -> dict[str, Any]:
     answer = (by or world.producer).get(f"/v1/studios/{world.studio_id}/roster", params=params)
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
@@ -190,7 +190,7 @@ def test_a_calendar_file_is_read_again_and_dropped_without_touching_what_was_typ
     assert (dropped["calendar_name"], [one["from_on"] for one in dropped["busy"]]) == (None, [typed["from_on"]])
 
 
-def send_sheet(world: World, text: str, by: TestClient | None = None, **more: Any) -> Response:
+def send_sheet(world: World, text: str, by: Client | None = None, **more: Any) -> Response:
     body = {"format": "paste", "text": text, "dry_run": False, **more}
     return (by or world.producer).post(f"/v1/studios/{world.studio_id}/roster/import", json=body)
 
@@ -321,7 +321,7 @@ def test_nobody_is_asked_where_one_is_not_on_file(world: World) -> None:
     assert world.stranger.post(path, json={"entry_ids": [entry["id"]]}).status_code == 404
 
 
-def send_sound(world: World, entry: str, content: bytes, by: TestClient | None = None) -> Response:
+def send_sound(world: World, entry: str, content: bytes, by: Client | None = None) -> Response:
     said = metadata(roster_entry_id=entry, file_name="reel.wav")
     headers = {**TUS, **BYTES, "Upload-Length": str(len(content)), "Upload-Metadata": said}
     return (by or world.producer).post("/v1/uploads", headers=headers, content=content)

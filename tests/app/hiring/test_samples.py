@@ -6,8 +6,8 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from app.core import clock
 from app.deliveries.models import Take
@@ -29,13 +29,13 @@ def posting(world: World) -> dict[str, Any]:
     return opened(world, **DATES)
 
 
-def add(by: TestClient, posting: dict[str, Any], content: bytes = GOOD, line: str = "ui", **more: Any) -> Response:
+def add(by: Client, posting: dict[str, Any], content: bytes = GOOD, line: str = "ui", **more: Any) -> Response:
     encoded = base64.b64encode(content).decode()
     body = {"line_key": line, "file_name": "click.wav", "content_base64": encoded, **more}
     return by.post(f"/v1/postings/{posting['id']}/bid/samples", json=body)
 
 
-def own(by: TestClient, posting: dict[str, Any]) -> list[dict[str, Any]]:
+def own(by: Client, posting: dict[str, Any]) -> list[dict[str, Any]]:
     samples: list[dict[str, Any]] = by.get(f"/v1/postings/{posting['id']}").json()["own_bid"]["samples"]
     return samples
 

@@ -26,7 +26,6 @@ def agreed(world: World) -> Agreed:
     return Agreed(world)
 
 
-@pytest.mark.both_databases
 def test_time_is_logged_without_a_contract_and_seen_by_its_person_alone(world: World) -> None:
     [cue] = add_cues(world, {"name": "Door"})
     made = log(world, cue_id=cue["id"])
@@ -54,7 +53,6 @@ def test_it_says_what_it_went_into_and_when(world: World) -> None:
     assert (unknown.status_code, unknown.json()["code"]) == (404, "cue-not-found")
 
 
-@pytest.mark.both_databases
 def test_a_bidder_logs_time_on_the_bid(world: World) -> None:
     add_cues(world, {"name": "Door"})
     posting = opened(world)

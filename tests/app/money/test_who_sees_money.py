@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.models import Membership
 from app.accounts.rules import Role
@@ -25,7 +25,7 @@ def invoiced(world: World) -> tuple[Agreed, dict[str, Any]]:
 
 
 @pytest.fixture
-def deputy(world: World) -> TestClient:
+def deputy(world: World) -> Client:
     """Sign in another producer of the studio."""
     world.server.in_database(
         lambda session: setattr(
@@ -65,9 +65,7 @@ def test_sight_is_not_yet_a_right(invoiced: tuple[Agreed, dict[str, Any]]) -> No
     assert refused(mine) == (403, "other-party-needed")
 
 
-def test_a_studio_requires_a_second_factor_of_who_pays(
-    invoiced: tuple[Agreed, dict[str, Any]], deputy: TestClient
-) -> None:
+def test_a_studio_requires_a_second_factor_of_who_pays(invoiced: tuple[Agreed, dict[str, Any]], deputy: Client) -> None:
     agreed, invoice = invoiced
     world, path = agreed.world, f"/v1/invoices/{invoice['id']}"
     set_up_totp(world.producer)

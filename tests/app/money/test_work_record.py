@@ -5,7 +5,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -101,7 +101,7 @@ def test_what_is_asked_and_answered(world: World, agreed: Agreed) -> None:
     assert row["answer"] == "Large"
 
 
-def ask(client: TestClient, cue: UUID, text: str) -> dict[str, Any]:
+def ask(client: Client, cue: UUID, text: str) -> dict[str, Any]:
     answer = client.post(f"/v1/cues/{cue}/questions", json={"text": text})
     assert answer.is_success, answer.text
     return answer.json()

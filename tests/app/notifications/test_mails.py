@@ -9,7 +9,7 @@ from uuid import UUID, uuid4
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.conformance import service as conformance
@@ -53,7 +53,7 @@ def test_without_a_server_the_invitation_waits_with_its_link(world: World):
     assert mail["sent_at"] is None
 
 
-def links_of(world: World, by: TestClient | None = None) -> dict[str, dict[str, object]]:
+def links_of(world: World, by: Client | None = None) -> dict[str, dict[str, object]]:
     world.server.wait_for_jobs()
     answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/mailed-links")
     assert answer.status_code == 200, answer.text

@@ -5,7 +5,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.core import clock
 from app.core.db import new_id
@@ -31,17 +31,17 @@ def answer_a_question(world: World, text: str) -> str:
     return str(cue["id"])
 
 
-def read(by: TestClient, **query: str) -> Any:
+def read(by: Client, **query: str) -> Any:
     answer = by.get("/v1/me/notices", params=query)
     assert answer.status_code == 200, answer.text
     return answer.json()
 
 
-def talk(by: TestClient) -> list[dict[str, Any]]:
+def talk(by: Client) -> list[dict[str, Any]]:
     return [one for one in read(by)["items"] if one["news"] == "talk"]
 
 
-def unread(by: TestClient) -> int:
+def unread(by: Client) -> int:
     return int(by.get("/v1/me/notices/unread").json()["unread"])
 
 

@@ -5,7 +5,7 @@ from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.accounts.models import DeskToken, Person, Token
@@ -42,7 +42,7 @@ def age_account(server: RunningServer, email: str) -> None:
     server.in_database(lambda session: session.execute(aged))
 
 
-def build(world: World, secret: str) -> TestClient:
+def build(world: World, secret: str) -> Client:
     client = world.server.browser()
     client.headers["Authorization"] = f"Bearer {secret}"
     return client

@@ -6,8 +6,8 @@ from typing import Any
 from uuid import UUID, uuid4
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from app.accounts.models import Operator
 from app.builds.models import PackedFile, PlaceholderFile, SealedPack
@@ -51,7 +51,7 @@ def _no_second_tries(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def operator(world: World) -> TestClient:
+def operator(world: World) -> Client:
     """The browser of an operator who is a member of no studio."""
     world.server.in_database(lambda session: session.add(Operator(person_id=world.other_designer_id)))
     return world.other_designer
@@ -117,7 +117,7 @@ def test_nobody_sees_or_moves_another_studios_jobs(world: World) -> None:
     assert body_of(world.producer.post(of_studio(world, f"jobs/{key}/retry")))
 
 
-def test_work_for_no_person_is_the_operators_alone(world: World, operator: TestClient) -> None:
+def test_work_for_no_person_is_the_operators_alone(world: World, operator: Client) -> None:
     key = parked(world, studio_id=None)
     assert world.producer.post(of_studio(world, f"jobs/{key}/retry")).status_code == 404
     broken["is"] = False
@@ -126,7 +126,7 @@ def test_work_for_no_person_is_the_operators_alone(world: World, operator: TestC
     until(lambda: key in ran)
 
 
-def test_an_operator_sees_every_studios_jobs_with_the_whole_reason(world: World, operator: TestClient) -> None:
+def test_an_operator_sees_every_studios_jobs_with_the_whole_reason(world: World, operator: Client) -> None:
     key = parked(world, studio_id=world.studio_id)
     jobs: list[dict[str, Any]] = []
     page: dict[str, Any] = {"next": ""}
@@ -144,7 +144,7 @@ def test_an_operator_sees_every_studios_jobs_with_the_whole_reason(world: World,
 
 
 @pytest.mark.slow
-def test_those_who_do_not_run_the_server_are_refused(world: World, operator: TestClient) -> None:
+def test_those_who_do_not_run_the_server_are_refused(world: World, operator: Client) -> None:
     key = enqueue(world, studio_id=world.studio_id, delay_s=A_DAY_S)
     for who in (world.producer, world.approver, world.designer, world.stranger):
         for answer in (
@@ -168,14 +168,14 @@ def test_without_operators_nobody_is_one(world: World) -> None:
     ("who", "status"), [("approver", 403), ("reviewer", 403), ("designer", 404), ("stranger", 404)]
 )
 def test_only_a_producer_sees_a_studios_operations(world: World, who: str, status: int) -> None:
-    client: TestClient = getattr(world, who)
+    client: Client = getattr(world, who)
     for path in ("operations", "storage", "jobs"):
         assert client.get(of_studio(world, path)).status_code == status
     assert client.post(of_studio(world, "jobs/any/retry")).status_code == status
 
 
 def test_lanes_say_whose_work_waits_and_how_soon_it_is_wanted(
-    world: World, operator: TestClient, monkeypatch: pytest.MonkeyPatch
+    world: World, operator: Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("app.operations.service.LANES_SHOWN", 10_000)  # other tests leave lanes behind
     for priority, times in ((queue.URGENT, 1), (queue.BULK, 3)):
@@ -194,7 +194,7 @@ def test_lanes_say_whose_work_waits_and_how_soon_it_is_wanted(
 
 
 @pytest.mark.slow
-def test_a_lane_says_what_runs_and_since_when_the_rest_waits(world: World, operator: TestClient) -> None:
+def test_a_lane_says_what_runs_and_since_when_the_rest_waits(world: World, operator: Client) -> None:
     held, let_go = threading.Event(), threading.Event()
     steps["held"], steps["let_go"] = held, let_go
     at_once = world.server.runtime.settings.worker_jobs
@@ -267,7 +267,7 @@ def kinds(storage: dict[str, Any]) -> dict[str, tuple[int, int]]:
 
 @pytest.mark.slow
 def test_what_is_delivered_twice_is_kept_once(
-    world: World, operator: TestClient, kept: Callable[[], dict[str, Any]]
+    world: World, operator: Client, kept: Callable[[], dict[str, Any]]
 ) -> None:
     stage = Stage(world)
     cue_id, same = stage.cue("shield_hit"), "a" * 64

@@ -163,6 +163,7 @@ def test_masters_are_deleted_after_the_years_and_a_notice(keeping: Keeping, monk
     assert len(keeping.kinds()) == 2, "done once"
 
 
+@pytest.mark.slow
 def test_nothing_is_deleted_while_money_is_open(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     keeping = Keeping(world, monkeypatch, amount_minor=50_000)
     keeping.sign_and_deliver()
@@ -175,6 +176,7 @@ def test_nothing_is_deleted_while_money_is_open(world: World, monkeypatch: pytes
     assert keeping.read()["obstacles"] == ["the termination of Effects for Alpha is not settled"]
 
 
+@pytest.mark.slow
 def test_a_producer_keeps_masters_longer_by_one_press(keeping: Keeping) -> None:
     world = keeping.world
     keeping.sign_and_deliver()
@@ -197,6 +199,7 @@ def test_a_producer_keeps_masters_longer_by_one_press(keeping: Keeping) -> None:
         assert client.put(f"/v1{keeping.path}", json={"keep": True}).status_code == status
 
 
+@pytest.mark.slow
 def test_a_later_delivery_postpones_the_end(keeping: Keeping) -> None:
     keeping.sign_and_deliver()
     keeping.after(-30)
@@ -210,6 +213,7 @@ def test_a_later_delivery_postpones_the_end(keeping: Keeping) -> None:
     assert keeping.read()["masters"] == 2
 
 
+@pytest.mark.slow
 def test_a_contract_without_years_sets_no_end(keeping: Keeping) -> None:
     clauses = keeping.draft["version"]["clauses"]
     clauses = [clause | {"stands": clause["stands"] and clause["key"] != "retention"} for clause in clauses]
@@ -220,6 +224,7 @@ def test_a_contract_without_years_sets_no_end(keeping: Keeping) -> None:
     assert keeping.has_master
 
 
+@pytest.mark.slow
 def test_the_end_of_masters_is_told_to_producers_who_see_the_project(keeping: Keeping) -> None:
     world = keeping.world
     add_producer(world)

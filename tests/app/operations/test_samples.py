@@ -38,6 +38,7 @@ def test_a_sample_has_cues_and_sounds_to_review_and_goes_at_once(world: World) -
     world.server.wait_for_jobs()
 
 
+@pytest.mark.slow
 def test_only_its_producers_make_and_delete_a_sample(world: World) -> None:
     sample_id = open_sample(world)
     path = f"/v1/projects/{sample_id}/sample"

@@ -6,7 +6,7 @@ from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Membership
@@ -42,9 +42,9 @@ class Hidden:
     world: World
     project_id: UUID
     owner_id: UUID
-    owner: TestClient
+    owner: Client
     other_id: UUID
-    other: TestClient
+    other: Client
 
     @property
     def path(self) -> str:
@@ -61,7 +61,7 @@ class Hidden:
         assert answer.status_code == 204, answer.text
         assert self.world.producer.get(self.path).status_code == 404
 
-    def token(self) -> TestClient:
+    def token(self) -> Client:
         """Return a build with a token that the owner makes."""
         made = self.owner.post(f"{self.path}/tokens", json={"name": "Hidden CI", "scopes": ["spec:read"]})
         assert made.status_code == 201, made.text
@@ -70,7 +70,7 @@ class Hidden:
         assert self.may_build(build)
         return build
 
-    def may_build(self, build: TestClient) -> bool:
+    def may_build(self, build: Client) -> bool:
         return build.get(f"{self.path}/spec.toml").status_code == 200
 
     def webhook(self, project_id: UUID | None) -> dict[str, Any]:
@@ -160,7 +160,7 @@ def test_a_message_that_waits_is_not_sent_for_who_may_not_see_it(hidden: Hidden)
     assert not hidden.world.server.in_database(due)
 
 
-def log_of(browser: TestClient, hidden: Hidden) -> list[str]:
+def log_of(browser: Client, hidden: Hidden) -> list[str]:
     answer = browser.get(f"{hidden.studio}/security-events")
     assert answer.status_code == 200, answer.text
     return [line["summary"] for line in answer.json()["items"]]

@@ -43,6 +43,7 @@ def ensure_refused(world: World, method: str, path: str, body: dict[str, Any]) -
     assert len(answer.content) < 20_000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS)
 def test_hostile_text_is_refused_everywhere(world: World, text: str) -> None:
     spec = f"/v1/projects/{world.project_id}/spec"

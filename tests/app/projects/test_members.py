@@ -4,7 +4,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.accounts.models import Membership
 from app.accounts.rules import Audience, Role
@@ -17,12 +17,12 @@ from tests.support.server import World
 pytestmark = pytest.mark.both_databases
 
 
-def limit(world: World, browser: TestClient | None = None) -> None:
+def limit(world: World, browser: Client | None = None) -> None:
     answer = (browser or world.producer).put(f"/v1/studios/{world.studio_id}/members-see", json={"members_see": "own"})
     assert answer.status_code == 200, answer.text
 
 
-def add_producer(world: World, name: str = "A second producer", role: Role = Role.PRODUCER) -> tuple[UUID, TestClient]:
+def add_producer(world: World, name: str = "A second producer", role: Role = Role.PRODUCER) -> tuple[UUID, Client]:
     with world.server.runtime.database.writing() as session:
         person_id = world._person(session, name)
         session.flush()
@@ -30,7 +30,7 @@ def add_producer(world: World, name: str = "A second producer", role: Role = Rol
     return person_id, world.signed_in(person_id)
 
 
-def project_names(browser: TestClient) -> list[str]:
+def project_names(browser: Client) -> list[str]:
     return [project["name"] for project in browser.get("/v1/projects").json()["items"]]
 
 

@@ -4,7 +4,7 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.references import endpoints
@@ -16,7 +16,7 @@ from tests.support.server import World
 STORY = b"The ship is hit, and the lights go out."
 
 
-def log(world: World, by: TestClient | None = None, **query: str) -> dict[str, Any]:
+def log(world: World, by: Client | None = None, **query: str) -> dict[str, Any]:
     answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/reference-openings", params=query)
     assert answer.status_code == 200, answer.text
     return dict(answer.json())

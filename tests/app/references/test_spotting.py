@@ -3,8 +3,8 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from tests.support.deliver import add_cues
 from tests.support.references import add, added, board, opened, uploaded
@@ -16,7 +16,7 @@ DOOR = {"name": "Door slam", "category": "door", "start_s": 1.234, "duration_s":
 SHOT = {"name": "Shot", "start_s": 4.0}
 
 
-def make(world: World, clip: dict[str, Any], *marks: dict[str, Any], by: TestClient | None = None) -> Response:
+def make(world: World, clip: dict[str, Any], *marks: dict[str, Any], by: Client | None = None) -> Response:
     return (by or world.producer).post(f"/v1/references/{clip['id']}/cues", json={"marks": list(marks)})
 
 
@@ -119,7 +119,7 @@ def test_the_team_spots_and_no_one_else(world: World, clip: dict[str, Any]) -> N
 
 
 def test_a_category_is_guessed_from_the_list_then_from_the_words(world: World) -> None:
-    def guess(name: str, by: TestClient | None = None) -> str:
+    def guess(name: str, by: Client | None = None) -> str:
         found = (by or world.producer).get(f"/v1/projects/{world.project_id}/category-guess", params={"name": name})
         assert found.status_code == 200, found.text
         return str(found.json()["category"])

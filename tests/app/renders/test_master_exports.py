@@ -7,7 +7,7 @@ from uuid import UUID
 
 import pytest
 import soundfile
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.core.db import new_id
 from app.renders.master_exports import jobs as export_jobs
@@ -20,7 +20,7 @@ from tests.support.waves import chunk, sine, wav_bytes
 TONE = sine(hz=400, dbfs=-12, rate=48_000, seconds=0.1)
 
 
-def made(world: World, client: TestClient, take_id: str) -> dict[str, Any]:
+def made(world: World, client: Client, take_id: str) -> dict[str, Any]:
     """Ask for a take's master with its provenance, wait for it, and return it."""
     asked = client.post(f"/v1/takes/{take_id}/master-exports")
     assert asked.status_code == 201, asked.text

@@ -4,7 +4,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -19,8 +19,6 @@ from app.sound_lists.rules import CueState
 from tests.app.reviews.making import Stage
 from tests.support.server import World
 
-pytestmark = pytest.mark.both_databases
-
 
 @pytest.fixture
 def stage(world: World) -> Stage:
@@ -32,7 +30,7 @@ def stage(world: World) -> Stage:
     return Stage(world)
 
 
-def sounds(stage: Stage, client: TestClient | None = None, **params: Any) -> list[dict[str, Any]]:
+def sounds(stage: Stage, client: Client | None = None, **params: Any) -> list[dict[str, Any]]:
     answer = (client or stage.world.other_designer).get(
         f"/v1/projects/{stage.world.project_id}/other-sounds", params=params
     )

@@ -8,7 +8,7 @@ from uuid import UUID
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.core.db import new_id
 from app.deliveries.models import Take
@@ -39,14 +39,14 @@ def two_takes(world: World) -> tuple[str, list[str]]:
     return cue["id"], takes
 
 
-def ask(client: TestClient, cue_id: str, **how: Any) -> dict[str, Any]:
+def ask(client: Client, cue_id: str, **how: Any) -> dict[str, Any]:
     answer = client.post(f"/v1/cues/{cue_id}/reels", json=how)
     assert answer.status_code == 201, answer.text
     found: dict[str, Any] = answer.json()
     return found
 
 
-def made(world: World, client: TestClient, cue_id: str, **how: Any) -> dict[str, Any]:
+def made(world: World, client: Client, cue_id: str, **how: Any) -> dict[str, Any]:
     asked = ask(client, cue_id, **how)
     world.server.wait_for_jobs()
     reel: dict[str, Any] = client.get(f"/v1/reels/{asked['id']}").json()

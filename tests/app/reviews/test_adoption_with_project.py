@@ -18,7 +18,6 @@ from tests.support.adoptions import adopt, folder, send, undo
 from tests.support.server import World
 from tests.support.waves import noise, wav_bytes
 
-pytestmark = pytest.mark.both_databases
 RATE = 44_100
 
 

@@ -7,7 +7,7 @@ from uuid import UUID, uuid4
 from zoneinfo import ZoneInfo
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy import select, update
 from sqlalchemy.orm import joinedload
 
@@ -67,7 +67,7 @@ def today_and_on(world: World) -> tuple[Any, Any]:
     return clock.now().date() - timedelta(days=2), clock.now().date() + timedelta(days=2)
 
 
-def approves(client: TestClient, take_id: UUID) -> bool:
+def approves(client: Client, take_id: UUID) -> bool:
     """Whether a person's approval is taken."""
     answer = client.post(f"/v1/takes/{take_id}/verdict", json={"kind": "approve"})
     if answer.status_code != 200:
@@ -184,7 +184,7 @@ def test_the_approver_of_a_category_stays_an_audio_lead(stage: Stage) -> None:
 def test_producers_name_and_the_team_reads(stage: Stage) -> None:
     world = stage.world
     deputy = name_deputy(world, world.approver_id, world.producer_id)
-    acts: list[Callable[[TestClient], Any]] = [
+    acts: list[Callable[[Client], Any]] = [
         lambda client: client.put(path(world, "/category-approvers"), json={"category": "ui", "person_id": None}),
         lambda client: client.post(path(world, "/deputies"), json=days_of(world.approver_id, world.producer_id)),
         lambda client: client.delete(path(world, f"/deputies/{deputy}")),
@@ -225,7 +225,7 @@ def test_the_queue_can_be_ones_own(stage: Stage) -> None:
     assert [one["approves_all"] for one in world.approver.get("/v1/me").json()["projects"]] == [True]
 
 
-def next_steps(client: TestClient, world: World) -> tuple[dict[str, int], list[tuple[str, int]]]:
+def next_steps(client: Client, world: World) -> tuple[dict[str, int], list[tuple[str, int]]]:
     """Return a person's steps with their numbers, and for whose verdicts they wait."""
     found = body_of(client.get(path(world, "/next-steps")))
     awaited = [(one["who"], one["count"]) for one in found["awaited"] if one["kind"] == "verdicts"]

@@ -4,7 +4,7 @@ from typing import Any
 from uuid import uuid4
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.reviews.errors import NotMentionable
 from app.reviews.rules import names_mentioned
@@ -20,17 +20,17 @@ def stage(world: World) -> Stage:
     return Stage(world)
 
 
-def say(by: TestClient, take_id: Any, text: str, **more: Any) -> Any:
+def say(by: Client, take_id: Any, text: str, **more: Any) -> Any:
     return by.post(f"/v1/takes/{take_id}/comments", json={"text": text, **more})
 
 
-def names(by: TestClient, take_id: Any) -> list[str]:
+def names(by: Client, take_id: Any) -> list[str]:
     answer = by.get(f"/v1/takes/{take_id}/people")
     assert answer.status_code == 200, answer.text
     return [person["name"] for person in answer.json()]
 
 
-def mentions_of(world: World, by: TestClient) -> list[dict[str, Any]]:
+def mentions_of(world: World, by: Client) -> list[dict[str, Any]]:
     world.server.wait_for_jobs()
     return [one for one in by.get("/v1/me/notices").json()["items"] if one["news"] == "mentions"]
 

@@ -4,7 +4,7 @@ from typing import Any
 from uuid import uuid4
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from tests.app.reviews.making import Stage
 from tests.support.server import World
@@ -15,7 +15,7 @@ def stage(world: World) -> Stage:
     return Stage(world)
 
 
-def say(by: TestClient, take_id: Any, text: str, **more: Any) -> Any:
+def say(by: Client, take_id: Any, text: str, **more: Any) -> Any:
     return by.post(f"/v1/takes/{take_id}/comments", json={"text": text, **more})
 
 

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from tests.app.reviews.making import Stage
 from tests.app.scenes.making import approved, drawn_take, masking, opened_scene
@@ -14,7 +14,7 @@ from tests.support.waves import noise, sine, wav_bytes
 NOBODY_ID = "0197f8f0-0000-7000-8000-000000000000"
 
 
-def put(world: World, by: TestClient | None = None, **body: Any) -> Any:
+def put(world: World, by: Client | None = None, **body: Any) -> Any:
     return (by or world.approver).put(f"/v1/projects/{world.project_id}/beds", json=body)
 
 

@@ -3,7 +3,7 @@
 from typing import Any
 from uuid import UUID
 
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
@@ -28,7 +28,7 @@ def approve(world: World, take_id: str) -> None:
     world.server.in_database(write)
 
 
-def make(world: World, client: TestClient | None = None, **body: Any) -> Any:
+def make(world: World, client: Client | None = None, **body: Any) -> Any:
     """Ask for a guest link."""
     wanted = {"kind": "cues", "title": "For the composer", **body}
     return (client or world.producer).post(f"/v1/projects/{world.project_id}/guest-links", json=wanted)

@@ -313,6 +313,7 @@ def test_a_password_that_is_easily_guessed_protects_no_link(world: World, passwo
     assert [error["where"] for error in refused.json()["errors"]] == ["password"]
 
 
+@pytest.mark.slow
 def test_visits_from_one_place_are_limited_and_other_places_go_on(world: World) -> None:
     world.server.forget_tries()
     limit = GUEST_VISITS_FROM_NETWORK

@@ -5,7 +5,7 @@ from typing import Any
 from uuid import UUID, uuid4
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.core import clock
 from app.core.changes import ChangedRooms
@@ -25,21 +25,21 @@ class Live:
         self.takes = [sound(world, name)[1] for name in ("laser", "door")]
         self.playlist_id = playlist(world, *self.takes)["id"]
 
-    def put(self, client: TestClient, what: str, **body: Any) -> Any:
+    def put(self, client: Client, what: str, **body: Any) -> Any:
         return client.put(f"/v1/playlists/{self.playlist_id}/live/{what}", json=body)
 
-    def join(self, *clients: TestClient) -> None:
+    def join(self, *clients: Client) -> None:
         for client in clients:
             assert self.put(client, "presence").status_code == 200
 
-    def read(self, client: TestClient) -> dict[str, Any]:
+    def read(self, client: Client) -> dict[str, Any]:
         return dict(client.get(f"/v1/playlists/{self.playlist_id}/live").json())
 
-    def move(self, client: TestClient, **body: Any) -> Any:
+    def move(self, client: Client, **body: Any) -> Any:
         state = {"take_id": self.takes[0], "is_playing": True, "position_s": 0.0, **body}
         return self.put(client, "playhead", sequence=self.read(client)["sequence"], **state)
 
-    def take_keys(self, client: TestClient) -> Any:
+    def take_keys(self, client: Client) -> Any:
         return self.put(client, "keys", act="take")
 
     def silence(self, person_id: UUID, seconds: float) -> None:
@@ -170,7 +170,7 @@ def test_designers_and_strangers_are_not_in_it(world: World, live: Live) -> None
     assert clock.now().timestamp() * 1000 - live.read(world.producer)["server_ms"] < 5_000
 
 
-def on_page(live: Live, client: TestClient, page_id: UUID) -> dict[str, Any]:
+def on_page(live: Live, client: Client, page_id: UUID) -> dict[str, Any]:
     return dict(client.get(f"/v1/playlists/{live.playlist_id}/live", params={"page_id": str(page_id)}).json())
 
 

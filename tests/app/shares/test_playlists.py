@@ -4,7 +4,7 @@ from typing import Any
 from uuid import UUID
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.deliveries.models import Take
 from app.projects.models import Engagement
@@ -13,7 +13,7 @@ from tests.app.shares.making import approve, made, opened, sound
 from tests.support.server import World
 
 
-def add(world: World, client: TestClient | None = None, **body: Any) -> Any:
+def add(world: World, client: Client | None = None, **body: Any) -> Any:
     wanted = {"name": "Combat", **body}
     return (client or world.producer).post(f"/v1/projects/{world.project_id}/playlists", json=wanted)
 
@@ -152,7 +152,7 @@ def test_the_team_sees_labels_and_a_designer_those_of_their_own(world: World) ->
         assert answer.status_code == 200, answer.text
     url = f"/v1/playlists/{playlist(world, laser, steps)['id']}"
 
-    def labels(client: TestClient) -> list[str | None]:
+    def labels(client: Client) -> list[str | None]:
         return [one["label"] for one in client.get(url).json()["takes"]]
 
     assert labels(world.reviewer) == ["longer", "wild"]
@@ -209,7 +209,7 @@ def test_each_of_the_team_sees_what_they_have_not_heard_and_designers_nothing(wo
     takes = [sound(world, name)[1] for name in ("laser", "door")]
     url = f"/v1/playlists/{playlist(world, *takes)['id']}"
 
-    def heard(client: TestClient) -> list[bool | None]:
+    def heard(client: Client) -> list[bool | None]:
         return [one["is_heard"] for one in client.get(url).json()["takes"]]
 
     recorded = world.approver.post(f"/v1/projects/{world.project_id}/heard-takes", json={"take_ids": takes[1:]})

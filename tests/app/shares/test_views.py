@@ -3,18 +3,18 @@
 from typing import Any
 
 import pytest
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 from app.shares.rules import MAX_VIEWS
 from tests.support.server import World
 
 
-def save(world: World, client: TestClient, **body: Any) -> Any:
+def save(world: World, client: Client, **body: Any) -> Any:
     wanted = {"page": "sound_list", "name": "Mine", "query": "own=true", **body}
     return client.post(f"/v1/projects/{world.project_id}/saved-views", json=wanted)
 
 
-def views(world: World, client: TestClient) -> list[dict[str, Any]]:
+def views(world: World, client: Client) -> list[dict[str, Any]]:
     answer = client.get(f"/v1/projects/{world.project_id}/saved-views")
     assert answer.status_code == 200, answer.text
     return list(answer.json())

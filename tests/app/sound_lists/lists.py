@@ -3,7 +3,7 @@
 from typing import Any
 from uuid import UUID
 
-from fastapi.testclient import TestClient
+from httpx2 import Client
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor, Role
@@ -12,7 +12,7 @@ from app.sound_lists.models import Cue
 from tests.support.server import World
 
 
-def add(world: World, *rows: dict[str, object], by: TestClient | None = None) -> list[dict[str, Any]]:
+def add(world: World, *rows: dict[str, object], by: Client | None = None) -> list[dict[str, Any]]:
     answer = (by or world.producer).post(f"/v1/projects/{world.project_id}/cues", json={"cues": list(rows)})
     assert answer.status_code == 201, answer.text
     cues: list[dict[str, Any]] = answer.json()
@@ -30,7 +30,7 @@ def the_list(world: World) -> dict[str, Any]:
     return found
 
 
-def page_of(world: World, path: str = "sound-list", by: TestClient | None = None, **query: Any) -> dict[str, Any]:
+def page_of(world: World, path: str = "sound-list", by: Client | None = None, **query: Any) -> dict[str, Any]:
     asked = {name: value for name, value in query.items() if value is not None}
     answer = (by or world.producer).get(f"/v1/projects/{world.project_id}/{path}", params=asked)
     assert answer.status_code == 200, answer.text

@@ -4,7 +4,7 @@ from uuid import UUID, uuid4
 
 import pytest
 import sqlalchemy as sa
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 import audio_checks
 from app.core import events
@@ -269,7 +269,7 @@ def test_revisions_are_paged_newest_first(world: World) -> None:
 @pytest.mark.parametrize(("who", "status"), [("stranger", 404), ("other_designer", 404), ("nobody", 401)])
 def test_without_sight_there_is_no_list(world: World, who: str, status: int) -> None:
     (cue,) = add(world, {"name": "Door"})
-    client: TestClient = getattr(world, who)
+    client: Client = getattr(world, who)
     project = f"/v1/projects/{world.project_id}"
     for path in (
         f"{project}/sound-list",
@@ -289,7 +289,7 @@ def test_without_sight_there_is_no_list(world: World, who: str, status: int) -> 
 @pytest.mark.parametrize("who", ["designer", "reviewer"])
 def test_only_those_who_act_for_the_team_change_the_list(world: World, who: str) -> None:
     (cue,) = add(world, {"name": "Door"})
-    client: TestClient = getattr(world, who)
+    client: Client = getattr(world, who)
     project = f"/v1/projects/{world.project_id}"
     assert client.get(f"{project}/sound-list").status_code == 200
     for answer in (

@@ -54,6 +54,7 @@ NAMES = '<row r="1"><c r="A1" t="inlineStr"><is><t>Name</t></is></c></row>'
 NAMES += '<row r="2"><c r="A2" t="inlineStr"><is><t>Door</t></is></c></row>'
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("data", "words"),
     [

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import xlsxwriter
-from fastapi.testclient import TestClient
+from httpx2 import Client
 
 import audio_checks
 from tests.app.sound_lists.lists import add, cut, the_list
@@ -21,7 +21,7 @@ HEAD = "number,name,file_name,category,description,use,trigger,duration_s,durati
 HEAD += "length_locked,frame_rate_fps,loop,reverb,channels,variations,state"
 
 
-def send(world: World, content: bytes | str, by: TestClient | None = None, **more: object) -> dict[str, Any]:
+def send(world: World, content: bytes | str, by: Client | None = None, **more: object) -> dict[str, Any]:
     body: dict[str, object] = {"format": "csv", "dry_run": False}
     if isinstance(content, bytes):
         body["content_base64"] = base64.b64encode(content).decode()

@@ -6,8 +6,8 @@ import zipfile
 
 import numpy as np
 import pytest
-from fastapi.testclient import TestClient
 from httpx import Response
+from httpx2 import Client
 
 from app.builds.packs.placeholders import Slot, keep, open_slots
 from app.builds.packs.service import pack_of
@@ -21,7 +21,7 @@ from tests.support.waves import silence, sine, wav_bytes
 WORD = wav_bytes(np.concatenate([silence(seconds=0.5), sine(hz=500, dbfs=-20, seconds=0.4)]), rate=48_000, bits=16)
 
 
-def say(world: World, cue_id: str, content: bytes = WORD, by: TestClient | None = None) -> Response:
+def say(world: World, cue_id: str, content: bytes = WORD, by: Client | None = None) -> Response:
     body = {"content_base64": base64.b64encode(content).decode()}
     return (by or world.producer).put(f"/v1/cues/{cue_id}/spoken-placeholder", json=body)
 

@@ -70,6 +70,7 @@ def test_a_spec_with_60_categories_is_read():
     assert spec.category_of("kind_7/door.wav") == "kind_7"
 
 
+@pytest.mark.slow
 @given(st.text("a.=[]{}\"'#\n\\1, ", max_size=60))
 def test_any_text_is_read_or_refused(text: str):
     with contextlib.suppress(SpecError):

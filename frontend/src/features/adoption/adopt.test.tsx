@@ -123,7 +123,7 @@ function open(part: 'producer' | 'designer' = 'producer', more: object = {}, pat
   return asked
 }
 
-test('a folder is planned before anything is sent, then sent and adopted', async () => {
+test('a folder is planned before anything is sent, then sent and adopted', { tags: ['slow'] }, async () => {
   const asked = open()
   const field = await screen.findByLabelText('Folder')
   fireEvent.change(field, { target: { files: folderOf('ui/click.wav', 'ui/tap.wav', 'readme.txt') } })

@@ -121,7 +121,7 @@ test('a set that drifted alike is one row, with what changed it and who is not n
   expect((await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })).violations).toEqual([])
 })
 
-test('drift is accepted with a reason only, for every file of the set', async () => {
+test('drift is accepted with a reason only, for every file of the set', { tags: ['slow'] }, async () => {
   const { asked } = serve(drift())
   const press = userEvent.setup()
   openApp('/projects/p1/drift')

@@ -116,7 +116,7 @@ async function playerAt(s: number): Promise<HTMLVideoElement> {
   return video
 }
 
-test('a key marks the moment, and the sound is named by an event afterwards', async () => {
+test('a key marks the moment, and the sound is named by an event afterwards', { tags: ['slow'] }, async () => {
   const asked = open()
   const user = userEvent.setup()
   await playerAt(65.24)

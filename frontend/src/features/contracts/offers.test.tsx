@@ -34,58 +34,66 @@ const offerOf = async (text: string) => {
   return found
 }
 
-test('what changed since the signature begins a change order, which names the price that is asked', async () => {
-  const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
-  answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
-  answers['POST /v1/contracts/c1/change-orders'] = ORDERS
-  openApp('/projects/p1/contracts/c1/changes')
-  const offer = await offerOf('changed after work')
-  expect(offer).toHaveTextContent('Producer')
-  expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
-  await userEvent.click(within(offer).getByRole('button', { name: 'Propose a change order' }))
-  const price = await screen.findByLabelText('Price in USD')
-  expect(price).toHaveFocus()
-  expect(screen.getByLabelText('Change')).toHaveValue('reprice_cue')
-  expect(screen.getByLabelText('Cue')).toHaveValue('mine_arm')
-  expect(screen.getByLabelText('Reason')).toHaveValue(DESCRIBED.text)
-  await userEvent.type(price, '225')
-  await userEvent.click(screen.getByRole('button', { name: 'Add this change' }))
-  await userEvent.click(screen.getByRole('button', { name: 'Propose' }))
-  expect(await screen.findByRole('region', { name: 'Change order 1' })).toBeVisible()
-  expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
-    reason: DESCRIBED.text,
-    begins_at_once: false,
-    changes: [{ kind: 'reprice_cue', cue_id: 'mine_arm', price_minor: 22_500 }],
-    offers: [DESCRIBED.offer],
-  })
-})
+test(
+  'what changed since the signature begins a change order, which names the price that is asked',
+  { tags: ['slow'] },
+  async () => {
+    const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
+    answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
+    answers['POST /v1/contracts/c1/change-orders'] = ORDERS
+    openApp('/projects/p1/contracts/c1/changes')
+    const offer = await offerOf('changed after work')
+    expect(offer).toHaveTextContent('Producer')
+    expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
+    await userEvent.click(within(offer).getByRole('button', { name: 'Propose a change order' }))
+    const price = await screen.findByLabelText('Price in USD')
+    expect(price).toHaveFocus()
+    expect(screen.getByLabelText('Change')).toHaveValue('reprice_cue')
+    expect(screen.getByLabelText('Cue')).toHaveValue('mine_arm')
+    expect(screen.getByLabelText('Reason')).toHaveValue(DESCRIBED.text)
+    await userEvent.type(price, '225')
+    await userEvent.click(screen.getByRole('button', { name: 'Add this change' }))
+    await userEvent.click(screen.getByRole('button', { name: 'Propose' }))
+    expect(await screen.findByRole('region', { name: 'Change order 1' })).toBeVisible()
+    expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
+      reason: DESCRIBED.text,
+      begins_at_once: false,
+      changes: [{ kind: 'reprice_cue', cue_id: 'mine_arm', price_minor: 22_500 }],
+      offers: [DESCRIBED.offer],
+    })
+  },
+)
 
-test('an offer that says all is looked at at once; what was typed stays, and a removed change takes its offer along', async () => {
-  const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
-  answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
-  answers['POST /v1/contracts/c1/change-orders'] = ORDERS
-  openApp('/projects/p1/contracts/c1/changes')
-  await userEvent.type(await screen.findByLabelText('Reason'), 'As we said.')
-  const offer = await offerOf('Round 3')
-  expect(offer).toHaveTextContent('Producer, for the studio, wants no change order for it')
-  expect(offer).toHaveTextContent('It was our mistake')
-  const begin = within(offer).getByRole('button', { name: 'Propose a change order' })
-  await userEvent.click(begin)
-  expect(await screen.findByText('SW-025 shield_down is added to Beta at USD 225.00.')).toBeVisible()
-  expect(screen.getByLabelText('Reason')).toHaveValue(`As we said. ${ROUND.text}`)
-  await userEvent.click(screen.getByRole('button', { name: 'Remove the last change' }))
-  expect(screen.getByRole('button', { name: 'Propose' })).toBeDisabled()
-  await userEvent.click(begin)
-  await userEvent.click(begin)
-  await userEvent.click(screen.getByRole('button', { name: 'Propose' }))
-  await screen.findByRole('region', { name: 'Change order 1' })
-  expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
-    reason: `As we said. ${ROUND.text}`,
-    begins_at_once: false,
-    changes: [{ kind: 'add_round', cue_id: 'mine_arm' }],
-    offers: [ROUND.offer],
-  })
-})
+test(
+  'an offer that says all is looked at at once; what was typed stays, and a removed change takes its offer along',
+  { tags: ['slow'] },
+  async () => {
+    const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
+    answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
+    answers['POST /v1/contracts/c1/change-orders'] = ORDERS
+    openApp('/projects/p1/contracts/c1/changes')
+    await userEvent.type(await screen.findByLabelText('Reason'), 'As we said.')
+    const offer = await offerOf('Round 3')
+    expect(offer).toHaveTextContent('Producer, for the studio, wants no change order for it')
+    expect(offer).toHaveTextContent('It was our mistake')
+    const begin = within(offer).getByRole('button', { name: 'Propose a change order' })
+    await userEvent.click(begin)
+    expect(await screen.findByText('SW-025 shield_down is added to Beta at USD 225.00.')).toBeVisible()
+    expect(screen.getByLabelText('Reason')).toHaveValue(`As we said. ${ROUND.text}`)
+    await userEvent.click(screen.getByRole('button', { name: 'Remove the last change' }))
+    expect(screen.getByRole('button', { name: 'Propose' })).toBeDisabled()
+    await userEvent.click(begin)
+    await userEvent.click(begin)
+    await userEvent.click(screen.getByRole('button', { name: 'Propose' }))
+    await screen.findByRole('region', { name: 'Change order 1' })
+    expect(asked.findLast(({ method }) => method === 'POST')?.body).toEqual({
+      reason: `As we said. ${ROUND.text}`,
+      begins_at_once: false,
+      changes: [{ kind: 'add_round', cue_id: 'mine_arm' }],
+      offers: [ROUND.offer],
+    })
+  },
+)
 
 test('an offer is dismissed with a reason', async () => {
   const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))

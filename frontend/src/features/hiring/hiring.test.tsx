@@ -131,7 +131,7 @@ function bidsOpened() {
   return { server, app, path }
 }
 
-test('bids stand on the same lines, and a total without a line names it', async () => {
+test('bids stand on the same lines, and a total without a line names it', { tags: ['slow'] }, async () => {
   bidsOpened()
   expect(await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })).toBeVisible()
   const total = screen.getByRole('row', { name: /^Total/ })
@@ -157,54 +157,60 @@ test('an award says before and after that a full roster takes nobody', async () 
   expect(await screen.findByText('Awarded. Your roster is full, so Sound designer B is not on it.')).toBeVisible()
 })
 
-test('by keys: choose a bid, shortlist it, score it; an award asks first and names who is thanked', async () => {
-  const { server, app, path } = bidsOpened()
-  await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })
-  server.answers['PUT /v1/bids/b2/shortlist'] = compared([
-    { ...second, is_shortlisted: true },
-    aBid('b1', 'Sound designer A'),
-  ])
-  server.answers['PUT /v1/bids/b2/scores'] = ({ body }: Asked) =>
-    compared([
-      {
-        ...second,
-        own_scores: {
-          person: { id: 'x1', name: 'Producer' },
-          ...(body as { scores: Record<string, number>; note: string }),
-        },
-        others: [{ person: { id: 'x2', name: 'Audio director' }, scores: { Reliability: 3 }, note: 'Slow to answer.' }],
-        scored_by: 2,
-      },
+test(
+  'by keys: choose a bid, shortlist it, score it; an award asks first and names who is thanked',
+  { tags: ['slow'] },
+  async () => {
+    const { server, app, path } = bidsOpened()
+    await screen.findByRole('heading', { name: '2 bids on Effects for Alpha' })
+    server.answers['PUT /v1/bids/b2/shortlist'] = compared([
+      { ...second, is_shortlisted: true },
       aBid('b1', 'Sound designer A'),
     ])
-  server.answers['POST /v1/bids/b2/award'] = answer(
-    { project_id: 'shield-wing', contract_id: 'c9', is_on_roster: true },
-    201,
-  )
-  await userEvent.keyboard('2l')
-  await waitFor(() =>
-    expect(wrote(server.asked, 'PUT /v1/bids/b2/shortlist')[0]?.body).toEqual({ is_shortlisted: true }),
-  )
-  await userEvent.keyboard('s')
-  const quality = screen.getByRole('combobox', { name: 'Quality of work' })
-  expect(quality).toHaveFocus()
-  await userEvent.selectOptions(quality, '4')
-  await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Reliability' }), '5')
-  await userEvent.click(screen.getByRole('button', { name: 'Save scores' }))
-  expect(await screen.findByText('Slow to answer.')).toBeVisible()
-  expect(screen.getByRole('row', { name: /^Reliability/ })).toHaveTextContent('4.0Producer 5, Audio director 3')
-  ;(document.activeElement as HTMLElement).blur()
-  await userEvent.keyboard('{Shift>}{Enter}{/Shift}')
-  const dialog = await screen.findByRole('dialog')
-  expect(dialog).toHaveTextContent('Sound designer A: thanked')
-  expect(dialog).toHaveTextContent('A draft contract over $810.00 opens. Nothing is signed.')
-  expect(dialog).toHaveTextContent('This bid is without UI.')
-  expect(wrote(server.asked, 'POST /v1/bids/b2/award')).toHaveLength(0)
-  await userEvent.click(within(dialog).getByRole('button', { name: 'Award' }))
-  await waitFor(() => expect(app.at()).toBe(`${path}/contracts/c9/draft`))
-})
+    server.answers['PUT /v1/bids/b2/scores'] = ({ body }: Asked) =>
+      compared([
+        {
+          ...second,
+          own_scores: {
+            person: { id: 'x1', name: 'Producer' },
+            ...(body as { scores: Record<string, number>; note: string }),
+          },
+          others: [
+            { person: { id: 'x2', name: 'Audio director' }, scores: { Reliability: 3 }, note: 'Slow to answer.' },
+          ],
+          scored_by: 2,
+        },
+        aBid('b1', 'Sound designer A'),
+      ])
+    server.answers['POST /v1/bids/b2/award'] = answer(
+      { project_id: 'shield-wing', contract_id: 'c9', is_on_roster: true },
+      201,
+    )
+    await userEvent.keyboard('2l')
+    await waitFor(() =>
+      expect(wrote(server.asked, 'PUT /v1/bids/b2/shortlist')[0]?.body).toEqual({ is_shortlisted: true }),
+    )
+    await userEvent.keyboard('s')
+    const quality = screen.getByRole('combobox', { name: 'Quality of work' })
+    expect(quality).toHaveFocus()
+    await userEvent.selectOptions(quality, '4')
+    await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Reliability' }), '5')
+    await userEvent.click(screen.getByRole('button', { name: 'Save scores' }))
+    expect(await screen.findByText('Slow to answer.')).toBeVisible()
+    expect(screen.getByRole('row', { name: /^Reliability/ })).toHaveTextContent('4.0Producer 5, Audio director 3')
+    ;(document.activeElement as HTMLElement).blur()
+    await userEvent.keyboard('{Shift>}{Enter}{/Shift}')
+    const dialog = await screen.findByRole('dialog')
+    expect(dialog).toHaveTextContent('Sound designer A: thanked')
+    expect(dialog).toHaveTextContent('A draft contract over $810.00 opens. Nothing is signed.')
+    expect(dialog).toHaveTextContent('This bid is without UI.')
+    expect(wrote(server.asked, 'POST /v1/bids/b2/award')).toHaveLength(0)
+    await userEvent.click(within(dialog).getByRole('button', { name: 'Award' }))
+    await waitFor(() => expect(app.at()).toBe(`${path}/contracts/c9/draft`))
+  },
+)
 
-test('a producer writes a posting, saves it and opens it', async () => {
+test('a producer writes a posting, saves it and opens it', { tags: ['slow'] }, async () => {
   const server = new ListServer([], {}, 'team')
   const path = server.path.replace('/sound-list', '')
   const at = server.at
@@ -244,38 +250,44 @@ const draftOpened = (more: Partial<Posting> = {}) => {
 const writes = ({ asked }: ListServer) =>
   asked.filter(({ method }) => method !== 'GET').map(({ method, path }) => `${method} ${path}`)
 
-test('a day that the work cannot keep is said before the posting opens, with the arithmetic', async () => {
-  const effort = {
-    ...{ cues: 4, files: 11, low_h: 140.2, high_h: 190, concepts: 1, begin_on: '2027-01-04', due_on: '2027-01-20' },
-    ...{ weekly_hours: 30, weekly_hours_from: 'assumed', earliest_on: '2027-02-05', latest_on: '2027-02-17' },
-    fit: 'impossible',
-    lines: [
-      { category: 'foley', cues: 3, files: 10, low_h: 120, high_h: 160, basis: 'studio', based_on: 12 },
-      { category: 'ui', cues: 1, files: 1, low_h: 20.2, high_h: 30, basis: 'usual', based_on: 0 },
-    ],
-  }
-  const server = new ListServer([], {}, 'team')
-  server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft', work_to_on: '2027-01-20' })
-  server.answers['GET /v1/projects/shield-wing/effort'] = effort
-  openApp(`${server.path.replace('/sound-list', '')}/postings/p1`)
-  const line = await screen.findByRole('group', { name: 'Effort' })
-  expect(line).toHaveTextContent(
-    '4 cues, 11 files: about 140–190 h, by the hours that were logged with you and usual figures. ' +
-      'At 30 h a week from 4 January 2027, done between 5 February 2027 and 17 February 2027.',
-  )
-  expect(within(line).getByRole('status')).toHaveTextContent('20 January 2027 is too early for this work.')
-  await userEvent.click(within(line).getByText('How it is counted'))
-  expect(line).toHaveTextContent('foley: 3 cues, 10 files, 120–160 h, by the hours that were logged with you (12 cues)')
-  const weeklyHours = within(line).getByLabelText('Hours a week')
-  fireEvent.change(weeklyHours, { target: { value: '' } })
-  expect(weeklyHours).toHaveValue('')
-  fireEvent.change(weeklyHours, { target: { value: '60' } })
-  fireEvent.change(screen.getByLabelText('Work to'), { target: { value: '2027-03-01' } })
-  const last = () => server.asked.filter(({ path }) => path.endsWith('/effort')).at(-1)?.query
-  await waitFor(() => expect([last()?.get('weekly_hours'), last()?.get('due_on')]).toEqual(['60', '2027-03-01']))
-})
+test(
+  'a day that the work cannot keep is said before the posting opens, with the arithmetic',
+  { tags: ['slow'] },
+  async () => {
+    const effort = {
+      ...{ cues: 4, files: 11, low_h: 140.2, high_h: 190, concepts: 1, begin_on: '2027-01-04', due_on: '2027-01-20' },
+      ...{ weekly_hours: 30, weekly_hours_from: 'assumed', earliest_on: '2027-02-05', latest_on: '2027-02-17' },
+      fit: 'impossible',
+      lines: [
+        { category: 'foley', cues: 3, files: 10, low_h: 120, high_h: 160, basis: 'studio', based_on: 12 },
+        { category: 'ui', cues: 1, files: 1, low_h: 20.2, high_h: 30, basis: 'usual', based_on: 0 },
+      ],
+    }
+    const server = new ListServer([], {}, 'team')
+    server.answers['GET /v1/postings/p1'] = aPosting({ state: 'draft', work_to_on: '2027-01-20' })
+    server.answers['GET /v1/projects/shield-wing/effort'] = effort
+    openApp(`${server.path.replace('/sound-list', '')}/postings/p1`)
+    const line = await screen.findByRole('group', { name: 'Effort' })
+    expect(line).toHaveTextContent(
+      '4 cues, 11 files: about 140–190 h, by the hours that were logged with you and usual figures. ' +
+        'At 30 h a week from 4 January 2027, done between 5 February 2027 and 17 February 2027.',
+    )
+    expect(within(line).getByRole('status')).toHaveTextContent('20 January 2027 is too early for this work.')
+    await userEvent.click(within(line).getByText('How it is counted'))
+    expect(line).toHaveTextContent(
+      'foley: 3 cues, 10 files, 120–160 h, by the hours that were logged with you (12 cues)',
+    )
+    const weeklyHours = within(line).getByLabelText('Hours a week')
+    fireEvent.change(weeklyHours, { target: { value: '' } })
+    expect(weeklyHours).toHaveValue('')
+    fireEvent.change(weeklyHours, { target: { value: '60' } })
+    fireEvent.change(screen.getByLabelText('Work to'), { target: { value: '2027-03-01' } })
+    const last = () => server.asked.filter(({ path }) => path.endsWith('/effort')).at(-1)?.query
+    await waitFor(() => expect([last()?.get('weekly_hours'), last()?.get('due_on')]).toEqual(['60', '2027-03-01']))
+  },
+)
 
-test('what opens a posting saves first what is typed, and publishes that', async () => {
+test('what opens a posting saves first what is typed, and publishes that', { tags: ['slow'] }, async () => {
   const server = draftOpened({ text: '' })
   server.answers['PUT /v1/postings/p1'] = aPosting({ state: 'draft', revision: 3, currency: 'EUR', text: 'Fights.' })
   server.answers['POST /v1/postings/p1/open'] = aPosting({ revision: 4, currency: 'EUR', text: 'Fights.' })
@@ -300,23 +312,27 @@ test('a posting whose text cannot be saved does not open, and says why beside th
   expect(writes(server)).toEqual(['PUT /v1/postings/p1'])
 })
 
-test('what was typed before a colleague opened the posting keeps what is fixed as it was opened, and can be saved', async () => {
-  const server = draftOpened()
-  fireEvent.change(await screen.findByRole('textbox', { name: 'Text' }), { target: { value: 'Four months.' } })
-  fireEvent.change(screen.getByRole('textbox', { name: 'Currency' }), { target: { value: 'EUR' } })
-  act(() => void queryClient.setQueryData(postingQuery('p1').queryKey, aPosting({ revision: 4 }))) // a colleague opened it
-  server.answers['PUT /v1/postings/p1'] = aPosting({ revision: 5 })
-  await screen.findByText(/^Fixed: /)
-  const currency = screen.getByRole('textbox', { name: 'Currency' })
-  expect(currency).toHaveValue('USD')
-  expect(currency).toHaveAccessibleDescription('Fixed: the posting was opened in USD, before EUR was saved.')
-  await userEvent.click(screen.getByRole('button', { name: 'Save' }))
-  await waitFor(() =>
-    expect(wrote(server.asked, 'PUT /v1/postings/p1')[0]?.body).toMatchObject({
-      ...{ text: 'Four months.', currency: 'USD', scope: 'all', categories: [] },
-    }),
-  )
-})
+test(
+  'what was typed before a colleague opened the posting keeps what is fixed as it was opened, and can be saved',
+  { tags: ['slow'] },
+  async () => {
+    const server = draftOpened()
+    fireEvent.change(await screen.findByRole('textbox', { name: 'Text' }), { target: { value: 'Four months.' } })
+    fireEvent.change(screen.getByRole('textbox', { name: 'Currency' }), { target: { value: 'EUR' } })
+    act(() => void queryClient.setQueryData(postingQuery('p1').queryKey, aPosting({ revision: 4 }))) // a colleague opened it
+    server.answers['PUT /v1/postings/p1'] = aPosting({ revision: 5 })
+    await screen.findByText(/^Fixed: /)
+    const currency = screen.getByRole('textbox', { name: 'Currency' })
+    expect(currency).toHaveValue('USD')
+    expect(currency).toHaveAccessibleDescription('Fixed: the posting was opened in USD, before EUR was saved.')
+    await userEvent.click(screen.getByRole('button', { name: 'Save' }))
+    await waitFor(() =>
+      expect(wrote(server.asked, 'PUT /v1/postings/p1')[0]?.body).toMatchObject({
+        ...{ text: 'Four months.', currency: 'USD', scope: 'all', categories: [] },
+      }),
+    )
+  },
+)
 
 const RECORD = {
   studio_name: 'Two Rivers',
@@ -584,7 +600,7 @@ test('the pages have no fault that a machine can find', { tags: ['slow'] }, asyn
   expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`)).toEqual([])
 })
 
-test('a posting stays on the page while the server is away', async () => {
+test('a posting stays on the page while the server is away', { tags: ['slow'] }, async () => {
   const server = new ListServer([], {}, 'team')
   const path = server.path.replace('/sound-list', '')
   server.answers['GET /v1/postings/p1/cues'] = []

@@ -39,7 +39,7 @@ const opened = (credits: Credits, me = aMe({ is_producer: true })) => {
   return server
 }
 
-test('the team reads credits by role, downloads them, and adds a performer by hand', async () => {
+test('the team reads credits by role, downloads them, and adds a performer by hand', { tags: ['slow'] }, async () => {
   const server = opened(aList({ credits: [quay] }))
   expect(await screen.findByRole('list', { name: 'Sound design' })).toHaveTextContent(
     'The contract says: Sound design by Quay Sound',

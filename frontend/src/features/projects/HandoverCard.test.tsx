@@ -19,23 +19,27 @@ const ENDED = {
 }
 const ADDRESS = 'GET /v1/projects/p1/handovers'
 
-test('cues without a designer are named, with what the next one begins with and how to hire them', async () => {
-  serve({ ...inProject(), [ADDRESS]: [ENDED, { ...ENDED, contract_id: 'k2', title: 'Voices', cues: [cue(30)] }] })
-  openApp('/projects/p1/progress')
-  const card = within(await screen.findByRole('region', { name: '11 cues have no designer' }))
-  expect(card.getByText(/SW-010 sound_10, .*SW-017 sound_17 and 3 more/)).toBeVisible()
-  expect(card.getByText(/Effects with Sound designer ended/)).toBeVisible()
-  const links = card.getAllByRole('link').map((link) => [link.textContent, link.getAttribute('href')])
-  expect(links).toEqual([
-    ['Write the next contract', '/projects/p1/contracts'],
-    ['Invite a designer', '/projects/p1/people'],
-    ['Download handover pack', '/v1/contracts/k1/handover'],
-  ])
-  expect(screen.getByRole('region', { name: '1 cue has no designer' })).toBeVisible()
-  expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
-})
+test(
+  'cues without a designer are named, with what the next one begins with and how to hire them',
+  { tags: ['slow'] },
+  async () => {
+    serve({ ...inProject(), [ADDRESS]: [ENDED, { ...ENDED, contract_id: 'k2', title: 'Voices', cues: [cue(30)] }] })
+    openApp('/projects/p1/progress')
+    const card = within(await screen.findByRole('region', { name: '11 cues have no designer' }))
+    expect(card.getByText(/SW-010 sound_10, .*SW-017 sound_17 and 3 more/)).toBeVisible()
+    expect(card.getByText(/Effects with Sound designer ended/)).toBeVisible()
+    const links = card.getAllByRole('link').map((link) => [link.textContent, link.getAttribute('href')])
+    expect(links).toEqual([
+      ['Write the next contract', '/projects/p1/contracts'],
+      ['Invite a designer', '/projects/p1/people'],
+      ['Download handover pack', '/v1/contracts/k1/handover'],
+    ])
+    expect(screen.getByRole('region', { name: '1 cue has no designer' })).toBeVisible()
+    expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
+  },
+)
 
-test('a refusal is shown', async () => {
+test('a refusal is shown', { tags: ['slow'] }, async () => {
   serve({ ...inProject(), [ADDRESS]: refusal(503, 'busy', 'the server is busy') })
   openApp('/projects/p1/progress')
   expect(await screen.findByText('The server is busy.')).toBeVisible()

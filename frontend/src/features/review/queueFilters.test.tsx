@@ -59,23 +59,27 @@ const cues = () =>
     .getAllByRole('link')
     .map((link) => link.querySelector('.strong')?.textContent)
 
-test('a key opens the filter, what is chosen stands in the address, and the next cue keeps it', async () => {
-  const app = await open('/shield')
-  await userEvent.keyboard('f')
-  const form = await screen.findByRole('form', { name: 'Filter the queue' })
-  expect(within(form).getByLabelText('Words in name, description or use')).toHaveFocus()
-  await userEvent.type(within(form).getByLabelText('Words in name, description or use'), 'menu{Enter}')
-  await waitFor(() => expect(cues()).toEqual(['menu_theme', 'menu_click']))
-  expect(app.search()).toEqual({ q: 'menu' })
-  await userEvent.selectOptions(await within(form).findByLabelText('Designer'), 'ada')
-  await waitFor(() => expect(app.search()).toEqual({ q: 'menu', designer: 'ada' }))
-  expect(server.of('GET /v1/review-queue').at(-1)?.query.get('designer_id')).toBe('ada')
-  const { violations } = await axe.run(form, { rules: { 'color-contrast': { enabled: false } } })
-  expect(violations).toEqual([])
-  await userEvent.click(within(panel()).getByRole('link', { name: /menu_theme/ }))
-  await waitFor(() => expect(app.at()).toBe(`/projects/${PROJECT}/review/theme`))
-  expect(app.search()).toEqual({ q: 'menu', designer: 'ada' })
-})
+test(
+  'a key opens the filter, what is chosen stands in the address, and the next cue keeps it',
+  { tags: ['slow'] },
+  async () => {
+    const app = await open('/shield')
+    await userEvent.keyboard('f')
+    const form = await screen.findByRole('form', { name: 'Filter the queue' })
+    expect(within(form).getByLabelText('Words in name, description or use')).toHaveFocus()
+    await userEvent.type(within(form).getByLabelText('Words in name, description or use'), 'menu{Enter}')
+    await waitFor(() => expect(cues()).toEqual(['menu_theme', 'menu_click']))
+    expect(app.search()).toEqual({ q: 'menu' })
+    await userEvent.selectOptions(await within(form).findByLabelText('Designer'), 'ada')
+    await waitFor(() => expect(app.search()).toEqual({ q: 'menu', designer: 'ada' }))
+    expect(server.of('GET /v1/review-queue').at(-1)?.query.get('designer_id')).toBe('ada')
+    const { violations } = await axe.run(form, { rules: { 'color-contrast': { enabled: false } } })
+    expect(violations).toEqual([])
+    await userEvent.click(within(panel()).getByRole('link', { name: /menu_theme/ }))
+    await waitFor(() => expect(app.at()).toBe(`/projects/${PROJECT}/review/theme`))
+    expect(app.search()).toEqual({ q: 'menu', designer: 'ada' })
+  },
+)
 
 test('an address with a filter opens the first cue that it leaves', async () => {
   const app = await open('?category=ui')

@@ -26,7 +26,7 @@ test('a cue with a version that was not heard is marked, and a key opens it', as
   expect(await screen.findByText('You have heard every other version that waits.')).toBeVisible()
 })
 
-test('one far down in a long queue is asked for', async () => {
+test('one far down in a long queue is asked for', { tags: ['slow'] }, async () => {
   server
     .on('GET /v1/review-queue', ({ query }: Asked) => ({
       items: query.get('unheard') ? [unheardWalk] : [shield],
@@ -47,7 +47,7 @@ test('the filter leaves what was not heard, stands in the address and is asked o
   expect(await screen.findByLabelText('Heard')).toHaveValue('no')
 })
 
-test('what is played for long enough is reported, and its mark goes', async () => {
+test('what is played for long enough is reported, and its mark goes', { tags: ['slow'] }, async () => {
   const short = anItem({ id: 'shield', name: 'shield_hit' }, [aTake('a', { is_heard: false })])
   queueIs(short)
   serveReview(aReview(short))

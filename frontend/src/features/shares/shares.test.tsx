@@ -97,7 +97,7 @@ test('a link is made of what a filter gives now, and its address is shown', { ta
   await noViolations()
 })
 
-test('who heard what stands under a link, and a link is revoked', async () => {
+test('who heard what stands under a link, and a link is revoked', { tags: ['slow'] }, async () => {
   const played = [{ place: 1, cue_name: 'laser', variation: 1, plays: 3, last_at: AT }]
   const asked = open('/projects/p1/sharing', {
     'GET /v1/guest-links/g1/visits': {
@@ -159,7 +159,7 @@ test(
   },
 )
 
-test('labels distinguish alternates in the list and in the player', async () => {
+test('labels distinguish alternates in the list and in the player', { tags: ['slow'] }, async () => {
   const takes = [take('t1', 'door', { label: 'longer' }), take('t2', 'door', { label: 'wild' }), take('t3', 'steps')]
   open('/projects/p1/playlists/l1', { 'GET /v1/playlists/l1': { ...PLAYLIST, takes } })
   expect(await screen.findByRole('region', { name: 'Now' })).toHaveTextContent('door SW-001 wild')
@@ -327,7 +327,7 @@ function openLink(more: object) {
   return asked
 }
 
-test('a guest types a name and the password, hears the sounds and comments', async () => {
+test('a guest types a name and the password, hears the sounds and comments', { tags: ['slow'] }, async () => {
   const answers = [
     refusal(403, 'guest-password-wrong', 'this is not the link’s password'),
     answer({ visit: 'visit-secret', room: ROOM }, 201),

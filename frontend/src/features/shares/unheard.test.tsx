@@ -66,7 +66,7 @@ test('where every other sound was heard the key says so and stays', async () => 
   expect(now()).toHaveTextContent('laser')
 })
 
-test('what is played for long enough is reported, and its mark goes', async () => {
+test('what is played for long enough is reported, and its mark goes', { tags: ['slow'] }, async () => {
   const asked = open({ ...THREE, position: null })
   await screen.findByText('2 not heard yet')
   await userEvent.keyboard(' ')

@@ -103,17 +103,21 @@ function open(address = '/projects/p1/voice-lines?language=de', more: object = {
 const violations = async () =>
   (await axe.run(document.body, { rules: { 'color-contrast': { enabled: false } } })).violations.map(({ id }) => id)
 
-test('the script is shown by scene, each line with its original, direction, state and length', async () => {
-  open()
-  const bridge = await screen.findByRole('region', { name: 'Bridge' })
-  const [first, second] = within(bridge).getAllByRole('listitem')
-  expect(first).toHaveTextContent('By the light of a hundred suns.')
-  expect(first).toHaveTextContent('(quietly)')
-  expect(first).toHaveTextContent('Length +20 %')
-  expect(second).toHaveTextContent('Text changed')
-  expect(await screen.findByRole('region', { name: 'Hangar' })).toHaveTextContent('Not translated')
-  expect(await violations()).toEqual([])
-})
+test(
+  'the script is shown by scene, each line with its original, direction, state and length',
+  { tags: ['slow'] },
+  async () => {
+    open()
+    const bridge = await screen.findByRole('region', { name: 'Bridge' })
+    const [first, second] = within(bridge).getAllByRole('listitem')
+    expect(first).toHaveTextContent('By the light of a hundred suns.')
+    expect(first).toHaveTextContent('(quietly)')
+    expect(first).toHaveTextContent('Length +20 %')
+    expect(second).toHaveTextContent('Text changed')
+    expect(await screen.findByRole('region', { name: 'Hangar' })).toHaveTextContent('Not translated')
+    expect(await violations()).toEqual([])
+  },
+)
 
 test('keys move through the lines, and a state narrows them', async () => {
   const asked = open()
@@ -151,7 +155,7 @@ test('the pick-up list names its reasons and can be taken away', async () => {
   expect(await violations()).toEqual([])
 })
 
-test('the cast is saved by language, and what no release covers is said', async () => {
+test('the cast is saved by language, and what no release covers is said', { tags: ['slow'] }, async () => {
   const asked = open('/projects/p1/voice-lines?view=cast', {
     'PUT /v1/voice-characters/k1/castings/de': SCRIPT,
   })
@@ -167,7 +171,7 @@ test('the cast is saved by language, and what no release covers is said', async 
   expect(await violations()).toEqual([])
 })
 
-test('a script is read before it is imported, with errors by row', async () => {
+test('a script is read before it is imported, with errors by row', { tags: ['slow'] }, async () => {
   const read = {
     header_row: null,
     columns: [{ name: 'text', samples: ['Go.'], meaning: 'en' }],
@@ -210,7 +214,7 @@ test('a script is read before it is imported, with errors by row', async () => {
   expect(await violations()).toEqual([])
 })
 
-test('a table without speakers asks who speaks', async () => {
+test('a table without speakers asks who speaks', { tags: ['slow'] }, async () => {
   const missing = refusal(422, 'speaker-missing', 'no column has the characters; the columns are Line ID, Text')
   const asked = open('/projects/p1/voice-lines/import', { 'POST /v1/projects/p1/voice-lines/import': missing })
   await userEvent.type(await screen.findByRole('textbox', { name: 'Pasted rows' }), 'Line ID')

@@ -106,7 +106,7 @@ function served(answers: Answers, roles: string[] = ['producer']) {
 
 beforeEach(() => localStorage.clear())
 
-test('the search stands in the address, and every row says when a person is free', async () => {
+test('the search stands in the address, and every row says when a person is free', { tags: ['slow'] }, async () => {
   const { asked } = served({
     'GET /v1/studios/s1/roster': ({ query }: Asked) =>
       query.get('speciality') === 'weapons'
@@ -217,7 +217,7 @@ test(
   },
 )
 
-test('an audio lead sees no rate and sends none', async () => {
+test('an audio lead sees no rate and sends none', { tags: ['slow'] }, async () => {
   const lead = anEntry({ may_see_rate: false, rate: null })
   const { asked } = served({ 'GET /v1/roster/e1': lead, 'GET /v1/roster/e1/postings': [], 'PUT /v1/roster/e1': lead }, [
     'liaison',
@@ -373,7 +373,7 @@ test('weeks are read out as runs with their Mondays', () => {
   expect(weeksInWords(['free'], '2026-11-23')).toBe('free for 1 week')
 })
 
-test('equipment is lent, and recorded as returned', async () => {
+test('equipment is lent, and recorded as returned', { tags: ['slow'] }, async () => {
   const lent = { item: 'Field recorder', lent_on: '2026-11-01', due_on: '2026-11-20', returned_on: null }
   const { asked } = served({
     'GET /v1/roster/e1': anEntry({ loans: [lent] }),

@@ -96,7 +96,7 @@ test('a designer sees who approves which category', async () => {
   expect(await screen.findByText(/^Audio director is the approver, Composer of ui\./)).toBeVisible()
 })
 
-test('a deputy is named for some days, is shown, and is withdrawn', async () => {
+test('a deputy is named for some days, is shown, and is withdrawn', { tags: ['slow'] }, async () => {
   const { asked, answers } = serve({
     ...inProject(),
     'POST /v1/projects/p1/deputies': answer(DEPUTY, 201),

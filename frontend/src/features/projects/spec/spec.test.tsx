@@ -388,7 +388,7 @@ test('a reviewer changes nothing, and sees who does', async () => {
   expect(screen.queryByRole('button', { name: /Save/ })).toBeNull()
 })
 
-test('another refusal of saving is said where it happened, and the text stays', async () => {
+test('another refusal of saving is said where it happened, and the text stays', { tags: ['slow'] }, async () => {
   const { text } = await openToml({
     [SAVE]: answer({ title: 'Gone', code: 'team-needed', detail: 'only a producer or a liaison can do this' }, 403),
   })

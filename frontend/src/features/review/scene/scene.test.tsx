@@ -116,24 +116,28 @@ async function openScene() {
   return { ...drawn, scene: within(await screen.findByRole('region', { name: 'Scene' })) }
 }
 
-test('o opens the scene with its lanes, their levels and what is heard, and o closes it', async () => {
-  const { scene } = await openScene()
-  const lanes = within(scene.getByRole('list', { name: 'Lanes' })).getAllByRole('listitem')
-  expect(lanes.map((lane) => lane.textContent)).toEqual([
-    expect.stringContaining('shield_hit2 times, from the list'),
-    expect.stringContaining('engine_idle_loopthroughout, level of the build'),
-    expect.stringContaining('Music, Battle 2whole project, throughout'),
-  ])
-  expect(scene.getByRole('slider', { name: 'Level of engine_idle_loop' })).toHaveValue('-14')
-  expect(await scene.findByRole('img', { name: aMasking.in_words })).toBeVisible()
-  expect(scene.getByText('1 of 2 bands, 99 % of its energy')).toBeVisible()
-  expect(scene.getByText(/Levels of neighbours are those of Build 481/)).toBeVisible()
-  await userEvent.keyboard('.')
-  expect(await screen.findByRole('menuitemcheckbox', { name: 'Play in context' })).toBeChecked()
-  await userEvent.keyboard('{Escape}')
-  await userEvent.keyboard('o')
-  await waitFor(() => expect(screen.queryByRole('region', { name: 'Scene' })).toBeNull())
-})
+test(
+  'o opens the scene with its lanes, their levels and what is heard, and o closes it',
+  { tags: ['slow'] },
+  async () => {
+    const { scene } = await openScene()
+    const lanes = within(scene.getByRole('list', { name: 'Lanes' })).getAllByRole('listitem')
+    expect(lanes.map((lane) => lane.textContent)).toEqual([
+      expect.stringContaining('shield_hit2 times, from the list'),
+      expect.stringContaining('engine_idle_loopthroughout, level of the build'),
+      expect.stringContaining('Music, Battle 2whole project, throughout'),
+    ])
+    expect(scene.getByRole('slider', { name: 'Level of engine_idle_loop' })).toHaveValue('-14')
+    expect(await scene.findByRole('img', { name: aMasking.in_words })).toBeVisible()
+    expect(scene.getByText('1 of 2 bands, 99 % of its energy')).toBeVisible()
+    expect(scene.getByText(/Levels of neighbours are those of Build 481/)).toBeVisible()
+    await userEvent.keyboard('.')
+    expect(await screen.findByRole('menuitemcheckbox', { name: 'Play in context' })).toBeChecked()
+    await userEvent.keyboard('{Escape}')
+    await userEvent.keyboard('o')
+    await waitFor(() => expect(screen.queryByRole('region', { name: 'Scene' })).toBeNull())
+  },
+)
 
 test('a sound alone gets no figure, and what is missing is said', async () => {
   const words = 'Not known yet: the scene has no bed and no neighbours.'

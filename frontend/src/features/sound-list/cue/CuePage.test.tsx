@@ -142,7 +142,7 @@ test('the cue, its versions with findings, and its history stand on one page', a
   expect(server.asked.some(({ query }) => query.get('from') === '2' && query.get('to') === '3')).toBe(false)
 })
 
-test('a version that was not heard says so, until it is played for long enough', async () => {
+test('a version that was not heard says so, until it is played for long enough', { tags: ['slow'] }, async () => {
   vi.stubGlobal('AudioContext', HandContext)
   const { server, id } = opened()
   const unheard = aProgress(server.cue('coolant_splash'), { unheard_take_ids: ['t1'] })
@@ -157,7 +157,7 @@ test('a version that was not heard says so, until it is played for long enough',
   expect(id).toBe(unheard.cue_id)
 })
 
-test('an answer joins what the cue says', async () => {
+test('an answer joins what the cue says', { tags: ['slow'] }, async () => {
   const { server } = opened()
   await userEvent.type(await screen.findByRole('textbox', { name: 'Your answer' }), 'A spanner.')
   await userEvent.click(screen.getByRole('button', { name: 'Answer' }))
@@ -182,7 +182,7 @@ test('an answer that came too late says so, and keeps its text', async () => {
   expect(server.sent('POST', '/v1/questions/q1/answer')[0]?.body).toEqual({ text: 'A drop.', joins: false })
 })
 
-test('j goes to the next cue, e edits, Escape closes and then leads back', async () => {
+test('j goes to the next cue, e edits, Escape closes and then leads back', { tags: ['slow'] }, async () => {
   const { server, app } = opened()
   await screen.findByRole('heading', { level: 1, name: 'coolant_splash' })
   await userEvent.keyboard('e')

@@ -111,7 +111,7 @@ test('errors stand at their row and stop no other; what is left stays to be fixe
   expect(app.at()).toMatch(/import$/)
 })
 
-test('what was guessed, skipped and not read is said, and can be undone', async () => {
+test('what was guessed, skipped and not read is said, and can be undone', { tags: ['slow'] }, async () => {
   const { sent } = opened({
     ...PLAN,
     tabs: [
@@ -183,17 +183,21 @@ test('after an import no page says that the list is empty', async () => {
   expect(await screen.findByText(/door_open/)).toBeInTheDocument()
 })
 
-test('a column is read as what the person says; a field moves and is never read twice', async () => {
-  const { sent } = opened(PLAN)
-  await type('Sound\tLen\tMood\na\t1\tcalm')
-  await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'Map Mood to' }), 'category')
-  await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Mood: 'category' } }))
-  await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Map Sound to' }), 'category')
-  await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Sound: 'category' } }))
-  expect((sent().at(-1) as { mapping: object }).mapping).toEqual({ Sound: 'category' })
-  await userEvent.click(screen.getByRole('button', { name: 'By name' }))
-  await waitFor(() => expect(sent().at(-1)).toMatchObject({ match: 'name' }))
-})
+test(
+  'a column is read as what the person says; a field moves and is never read twice',
+  { tags: ['slow'] },
+  async () => {
+    const { sent } = opened(PLAN)
+    await type('Sound\tLen\tMood\na\t1\tcalm')
+    await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'Map Mood to' }), 'category')
+    await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Mood: 'category' } }))
+    await userEvent.selectOptions(screen.getByRole('combobox', { name: 'Map Sound to' }), 'category')
+    await waitFor(() => expect(sent().at(-1)).toMatchObject({ mapping: { Sound: 'category' } }))
+    expect((sent().at(-1) as { mapping: object }).mapping).toEqual({ Sound: 'category' })
+    await userEvent.click(screen.getByRole('button', { name: 'By name' }))
+    await waitFor(() => expect(sent().at(-1)).toMatchObject({ match: 'name' }))
+  },
+)
 
 test('the grid has the cells of the sheet, each column with what it is read as in its head', async () => {
   opened({
@@ -235,7 +239,7 @@ test('lengths in samples are read at a rate that is named and can be changed', a
   await waitFor(() => expect(sent().at(-1)).toMatchObject({ sample_rate_hz: 96_000 }))
 })
 
-test('typing in the pasted rows keeps what was mapped by hand', async () => {
+test('typing in the pasted rows keeps what was mapped by hand', { tags: ['slow'] }, async () => {
   const { sent } = opened(PLAN)
   await type('Sound\tLen\tMood\na\t1\tcalm')
   await userEvent.selectOptions(await screen.findByRole('combobox', { name: 'Map Mood to' }), 'category')
@@ -295,7 +299,7 @@ test('F8 leads from error to error, x leaves the row out, and Ctrl Enter imports
   await waitFor(() => expect(sent().filter((body) => !(body as { dry_run: boolean }).dry_run)).toHaveLength(1))
 })
 
-test('a wrong cell is repaired in place, and Ctrl D fills its column down', async () => {
+test('a wrong cell is repaired in place, and Ctrl D fills its column down', { tags: ['slow'] }, async () => {
   const fault = { row: 4, name: 'hatch', column: 'Len', message: 'found "long", wanted seconds', text: 'long' }
   const { server } = opened(({ body }: Asked) => {
     const { edits } = body as { edits?: unknown[] }

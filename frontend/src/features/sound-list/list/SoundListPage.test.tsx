@@ -362,7 +362,7 @@ describe('several at once', () => {
   })
 })
 
-test('of two thousand cues only those near the window are drawn', async () => {
+test('of two thousand cues only those near the window are drawn', { tags: ['slow'] }, async () => {
   vi.spyOn(HTMLElement.prototype, 'offsetHeight', 'get').mockReturnValue(26)
   const server = new ListServer(Array.from({ length: 2000 }, (_, at) => aCue(at + 1, `sound_${at + 1}`)))
   openApp(server.path)

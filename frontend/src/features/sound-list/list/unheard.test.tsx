@@ -61,15 +61,19 @@ test('the filter leaves what was not heard, stands in the address, and Escape ta
   await row('ui_confirm')
 })
 
-test('what is played for long enough is reported, its mark goes, and its row stays until another plays', async () => {
-  const server = three()
-  openApp(`${server.path}?heard=no`)
-  await row('shield_hit')
-  await userEvent.click(screen.getByRole('button', { name: 'Play shield_hit' }))
-  await waitFor(async () => expect(await row('shield_hit')).not.toHaveTextContent('not heard yet'))
-  expect(await chip()).toHaveTextContent('0')
-  await waitFor(() => expect(server.sent('POST', `${server.at}/heard-takes`)[0]?.body).toEqual({ take_ids: ['t2'] }))
-})
+test(
+  'what is played for long enough is reported, its mark goes, and its row stays until another plays',
+  { tags: ['slow'] },
+  async () => {
+    const server = three()
+    openApp(`${server.path}?heard=no`)
+    await row('shield_hit')
+    await userEvent.click(screen.getByRole('button', { name: 'Play shield_hit' }))
+    await waitFor(async () => expect(await row('shield_hit')).not.toHaveTextContent('not heard yet'))
+    expect(await chip()).toHaveTextContent('0')
+    await waitFor(() => expect(server.sent('POST', `${server.at}/heard-takes`)[0]?.body).toEqual({ take_ids: ['t2'] }))
+  },
+)
 
 test('a designer has no marks and no filter', async () => {
   const server = three('designer')
