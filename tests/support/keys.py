@@ -70,8 +70,8 @@ def page() -> str:
     parts = [HEAD]
     for area, rows in shortcuts.items():
         if rows:
-            lines = [f"| `{keys}` | {label[0].lower() + label[1:]} |" for keys, label in rows]
-            parts.append("\n".join([f"## {area}", "", "| key | does |", "|---|---|", *lines]) + "\n")
+            lines = [f"- `{keys}`: {label[0].lower() + label[1:]}" for keys, label in rows]
+            parts.append("\n".join([f"## {area}", "", *lines]) + "\n")
     return "\n".join(parts)
 
 
