@@ -1,10 +1,6 @@
-import { TextInput } from '@mantine/core'
+import { DraftForm } from '@/app/drafts'
+import { Field, Submit } from '@/ui/Form'
 import type { ReactNode } from 'react'
-
-import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
-
-import { DraftNote, useDraft } from './drafts'
 
 interface ReasonFormProps {
   /** What is done with the reason, for those who listen. */
@@ -27,34 +23,23 @@ export function ReasonForm({
   draftKey,
   field,
   description,
-  mutation: { isPending, error },
+  mutation,
   onSend,
   children,
   className,
 }: ReasonFormProps) {
-  const [text, setText, draft] = useDraft(draftKey, '')
-  const reason = text.trim()
   return (
-    <form
+    <DraftForm
       className={className}
       aria-label={label}
-      onSubmit={(event) => {
-        event.preventDefault()
-        if (!isPending && reason !== '') onSend(reason, draft.discard)
-      }}
+      draftKey={draftKey}
+      initialValues={{ reason: '' }}
+      mutation={mutation}
+      checks={({ reason }) => ({ reason: reason.trim() === '' && 'Enter a reason.' })}
+      onSubmit={({ reason }, onSent) => onSend(reason.trim(), onSent)}
     >
-      <TextInput
-        label={field}
-        description={description}
-        value={text}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setText(currentTarget.value)}
-      />
-      <DraftNote draft={draft} />
-      <Refusal error={error} />
-      <Button type="submit" disabled={reason === ''} aria-busy={isPending}>
-        {children}
-      </Button>
-    </form>
+      <Field name="reason" label={field} description={description} maxLength={2000} />
+      <Submit variant="plain">{children}</Submit>
+    </DraftForm>
   )
 }

@@ -1,10 +1,10 @@
-import { NativeSelect, NumberInput, TextInput } from '@mantine/core'
+import { NativeSelect, NumberInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
 
-import { keptCuesQuery } from '@/api/soundList'
 import { Button } from '@/ui/Button'
+import { keptCuesQuery } from '@/api/soundList'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Form, Submit } from '@/ui/Form'
 import { plural, shortDay, today } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 import { Rows } from '@/ui/Rows'
@@ -66,65 +66,34 @@ export function OwnTimeCard({ projectId, postingId }: OwnTimeCardProps) {
 function LogForm({ projectId, postingId }: OwnTimeCardProps) {
   const { data: cues = [] } = useQuery({ ...keptCuesQuery(projectId), enabled: postingId === undefined })
   const log = useLogOwnTime(projectId)
-  const [cueId, setCueId] = useState('')
-  const [minutes, setMinutes] = useState<number | string>('')
-  const [workedOn, setWorkedOn] = useState(today())
-  const [note, setNote] = useState('')
-  const [isLacking, setLacking] = useState(false)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    const lacks = typeof minutes !== 'number' || minutes < 1 || workedOn === ''
-    setLacking(lacks)
-    if (lacks || log.isPending) return
-    log.mutate(
-      { cue_id: cueId || null, posting_id: postingId ?? null, minutes, worked_on: workedOn, note },
-      {
-        onSuccess: () => {
-          setMinutes('')
-          setNote('')
-        },
-      },
-    )
-  }
   return (
-    <form className="row wrap items-end" onSubmit={send} noValidate aria-label="Log time without a contract">
+    <Form
+      className="row wrap items-end"
+      aria-label="Log time without a contract"
+      initialValues={{ cue_id: '', minutes: '', worked_on: today(), note: '' }}
+      mutation={log}
+      checks={({ minutes }) => ({ minutes: !(Number(minutes) >= 1) && 'Enter minutes.' })}
+      resets={({ cue_id, worked_on }) => ({ cue_id, worked_on })}
+      onSubmit={({ cue_id: cueId, minutes, ...rest }) =>
+        log.mutate({ ...rest, cue_id: cueId || null, posting_id: postingId ?? null, minutes: Number(minutes) })
+      }
+    >
       {cues.length > 0 && (
-        <NativeSelect
+        <Field
+          as={NativeSelect}
+          optional
+          name="cue_id"
           label="Cue"
           data={[
             { value: '', label: 'None' },
             ...cues.map(({ id, label, name }) => ({ value: id, label: `${label} ${name}` })),
           ]}
-          value={cueId}
-          onChange={({ currentTarget }) => setCueId(currentTarget.value)}
         />
       )}
-      <NumberInput
-        label="Minutes"
-        min={1}
-        max={24 * 60}
-        allowDecimal={false}
-        value={minutes}
-        onChange={setMinutes}
-        error={isLacking ? 'Enter minutes and a date.' : undefined}
-      />
-      <TextInput
-        label="Worked on"
-        type="date"
-        value={workedOn}
-        onChange={({ currentTarget }) => setWorkedOn(currentTarget.value)}
-      />
-      <TextInput
-        label="What it was"
-        className="grow"
-        value={note}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setNote(currentTarget.value)}
-      />
-      <Button type="submit" aria-busy={log.isPending}>
-        Log time
-      </Button>
-      <Refusal error={log.error} />
-    </form>
+      <Field as={NumberInput} name="minutes" label="Minutes" min={1} max={24 * 60} allowDecimal={false} />
+      <Field name="worked_on" label="Worked on" type="date" />
+      <Field optional name="note" label="What it was" className="grow" maxLength={2000} />
+      <Submit variant="plain">Log time</Submit>
+    </Form>
   )
 }

@@ -1,10 +1,11 @@
-/** Names and words for the required fields of a form that hold nothing; the first of them takes the focus. */
+/** Names and words for the required fields of a form that hold nothing. */
 export function emptyFields(form: HTMLFormElement): Record<string, string> {
-  const empty = [...form.querySelectorAll<HTMLInputElement>('input[required]')].filter(
-    ({ value }) => value.trim() === '',
-  )
-  empty[0]?.focus()
+  const required = form.querySelectorAll<HTMLInputElement>('input[required], textarea[required], select[required]')
+  const empty = [...required].filter(({ value }) => value.trim() === '')
   return Object.fromEntries(
-    empty.map((field) => [field.name, `${field.labels?.[0]?.textContent?.trim() ?? 'This'} is required.`]),
+    empty.map(({ dataset, name, type, labels }) => [
+      dataset.path ?? name,
+      type === 'date' ? 'Enter a date.' : `${labels?.[0]?.textContent?.trim() ?? 'This'} is required.`,
+    ]),
   )
 }

@@ -1,3 +1,4 @@
+export { DraftForm } from './DraftForm'
 export { DraftNote } from './DraftNote'
 export { formDraft } from './formDraft'
 export { LeaveGuard } from './LeaveGuard'

@@ -151,7 +151,7 @@ function PasswordCard({ demo }: { demo: boolean }) {
             label="New password"
             type="password"
             autoComplete="new-password"
-            hint="At least 10 characters. Four unrelated words make a good password."
+            description="At least 10 characters. Four unrelated words make a good password."
           />
           <Submit>Change password</Submit>
         </Form>

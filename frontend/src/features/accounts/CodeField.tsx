@@ -20,7 +20,7 @@ export function CodeField() {
         name="code"
         label="Code"
         autoComplete="one-time-code"
-        hint="From your authenticator app, or one of your recovery codes."
+        description="From your authenticator app, or one of your recovery codes."
       />
     </div>
   )

@@ -1,10 +1,11 @@
-import { NativeSelect, TextInput } from '@mantine/core'
+import { NativeSelect } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Form, Submit } from '@/ui/Form'
 import { ago, day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 import { SecretOnce } from '@/ui/SecretOnce'
@@ -20,19 +21,10 @@ export function DeskTokensCard() {
   const create = useCreateDeskToken()
   const revoke = useRevokeDeskToken()
   const [token, setToken] = useState<DeskTokenMade | null>(null)
-  const send = (event: FormEvent<HTMLFormElement>) => {
-    event.preventDefault()
-    const form = new FormData(event.currentTarget)
-    const name = form.get('name')
-    create.mutate(
-      { name: typeof name === 'string' ? name : '', days: Number(form.get('days')) },
-      { onSuccess: setToken },
-    )
-  }
   return (
     <Card aria-labelledby="desk-tokens">
       <CardHead id="desk-tokens" title="Desk tokens" note="for soundlist desk" />
-      <CardProblem error={error ?? create.error ?? revoke.error} />
+      <CardProblem error={error ?? revoke.error} />
       <Rows aria-label="Desk tokens">
         {tokens?.map(({ id, name, created_at, last_used_at, expires_at }) => (
           <Row key={id}>
@@ -56,29 +48,37 @@ export function DeskTokensCard() {
         {token ? (
           <Secret token={token} onDone={() => setToken(null)} />
         ) : (
-          <form className="stack" onSubmit={send} noValidate aria-label="Create desk token">
-            <TextInput
+          <Form
+            className="stack"
+            aria-label="Create desk token"
+            initialValues={{ name: 'My computer', days: '365' }}
+            mutation={create}
+            onSubmit={({ name, days }) => create.mutate({ name, days: Number(days) }, { onSuccess: setToken })}
+          >
+            <Field
               name="name"
               label="Token name"
-              defaultValue="My computer"
               description="It reads what you owe in all projects, and nothing else."
             />
-            <NativeSelect
+            <Field
+              as={NativeSelect}
               name="days"
               label="Works for"
               data={TOKEN_LIFETIMES}
-              defaultValue="365"
               description="You are told two weeks before it ends."
             />
-            <div className="row wrap">
-              <Button type="submit" aria-busy={create.isPending}>
-                Create token
-              </Button>
-              <a href="/v1/me/soundlist.pyz" download>
-                Download soundlist.pyz
-              </a>
-            </div>
-          </form>
+            <Submit
+              variant="plain"
+              className="row wrap"
+              beside={
+                <a href="/v1/me/soundlist.pyz" download>
+                  Download soundlist.pyz
+                </a>
+              }
+            >
+              Create token
+            </Submit>
+          </Form>
         )}
       </div>
     </Card>

@@ -22,7 +22,7 @@ export function EmailChangeForm({ email }: { email: string }) {
           label="New email"
           type="email"
           autoComplete="email"
-          hint="We send a link to both emails. Nothing changes until you have followed both."
+          description="We send a link to both emails. Nothing changes until you have followed both."
         />
         <Submit>Change email</Submit>
       </Form>

@@ -1,13 +1,9 @@
-import { TextInput } from '@mantine/core'
 import { useId } from 'react'
 
-import { ApiProblem } from '@/api'
-import { sentence } from '@/ui/sentence'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Submit } from '@/ui/Form'
 
 import { type InvoiceDetails, useInvoiceDetails, useSaveInvoiceDetails } from './api'
 import classes from './InvoiceDetails.module.css'
@@ -52,54 +48,43 @@ export function InvoiceDetailsCard({ studioId }: { studioId?: string }) {
 
 function DetailsForm({ studioId, saved }: { studioId?: string; saved: InvoiceDetails }) {
   const save = useSaveInvoiceDetails(studioId)
-  const [details, setDetails, typed] = useDraft<InvoiceDetails>(`invoice-details:${studioId ?? 'me'}`, saved)
-  const refusal = save.error instanceof ApiProblem ? save.error : null
-  const country = countryOf(details.country_code)
   return (
-    <form
+    <DraftForm
       className={`grid items-end gap-3 ${classes.form}`}
       aria-label="Invoice details"
-      noValidate
-      onSubmit={(event) => {
-        event.preventDefault()
+      draftKey={`invoice-details:${studioId ?? 'me'}`}
+      initialValues={saved}
+      mutation={save}
+      onSubmit={(details, onSent) =>
         save.mutate(details, {
           onSuccess: () => {
-            typed.discard()
+            onSent()
             showToast('Invoice details saved.')
           },
         })
-      }}
+      }
     >
-      {(studioId === undefined ? [...ADDRESS, ...SELLER] : ADDRESS).map(({ name, label, hint, autoComplete }) => {
-        const problem = refusal?.of(name)?.message
-        return (
-          <TextInput
-            key={name}
-            label={label}
-            description={(name === 'country_code' && country) || hint}
-            autoComplete={autoComplete}
-            spellCheck={false}
-            maxLength={120}
-            value={details[name]}
-            error={problem && sentence(problem)}
-            onChange={({ currentTarget: { value } }) => setDetails((now) => ({ ...now, [name]: value }))}
-          />
-        )
-      })}
-      <div className="grid gap-2 col-span-full">
-        <DraftNote draft={typed} />
-        {!refusal?.errors.length && <Refusal error={save.error} />}
-        <p className="small mid">
-          {studioId === undefined
-            ? 'Optional. They are on your electronic invoices, and your studios see them nowhere else.'
-            : 'Optional. They are on the electronic invoices of your designers.'}
-        </p>
-      </div>
-      <div className="flex justify-end col-span-full">
-        <Button type="submit" variant="primary" aria-busy={save.isPending}>
-          Save invoice details
-        </Button>
-      </div>
-    </form>
+      {(details) => (
+        <>
+          {(studioId === undefined ? [...ADDRESS, ...SELLER] : ADDRESS).map(({ name, hint, ...field }) => (
+            <Field
+              key={name}
+              optional
+              {...field}
+              name={name}
+              description={(name === 'country_code' && countryOf(details.country_code)) || hint}
+              spellCheck={false}
+              maxLength={120}
+            />
+          ))}
+          <p className="small mid col-span-full">
+            {studioId === undefined
+              ? 'Optional. They are on your electronic invoices, and your studios see them nowhere else.'
+              : 'Optional. They are on the electronic invoices of your designers.'}
+          </p>
+          <Submit className="flex justify-end col-span-full">Save invoice details</Submit>
+        </>
+      )}
+    </DraftForm>
   )
 }

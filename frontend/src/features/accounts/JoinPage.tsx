@@ -67,7 +67,7 @@ export function JoinPage() {
             label="Password"
             type="password"
             autoComplete={invitation.has_account ? 'current-password' : 'new-password'}
-            hint={invitation.has_account ? `The password of ${invitation.email}.` : 'At least 10 characters.'}
+            description={invitation.has_account ? `The password of ${invitation.email}.` : 'At least 10 characters.'}
           />
         )}
         <Submit>Join {invitation.studio_name}</Submit>

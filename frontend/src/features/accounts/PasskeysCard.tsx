@@ -1,12 +1,12 @@
-import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago, day } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Row, Rows } from '@/ui/Rows'
 
 import classes from './Account.module.css'
@@ -20,20 +20,10 @@ export function PasskeysCard() {
   const add = useAddPasskey()
   const remove = useRemovePasskey()
   const [codes, setCodes] = useState<readonly string[]>([])
-  const send = (event: FormEvent<HTMLFormElement>) => {
-    event.preventDefault()
-    const name = new FormData(event.currentTarget).get('name')
-    add.mutate(typeof name === 'string' && name.trim() !== '' ? name : 'Passkey', {
-      onSuccess: (passkey) => {
-        setCodes(passkey.recovery_codes)
-        showToast(`“${passkey.name}” was added. Your other browsers are signed out.`)
-      },
-    })
-  }
   return (
     <Card aria-labelledby="passkeys">
       <CardHead id="passkeys" title="Passkeys" note="sign in without password and code" />
-      <CardProblem error={error ?? (isCancelled(add.error) ? null : add.error) ?? remove.error} />
+      <CardProblem error={error ?? remove.error} />
       {isCancelled(add.error) && (
         <div className={`${classes.inside} ${classes.note}`}>
           <ErrorBanner detail="No passkey was added: the browser was not allowed to make one." />
@@ -62,19 +52,23 @@ export function PasskeysCard() {
         {codes.length > 0 ? (
           <RecoveryCodes codes={codes} onDone={() => setCodes([])} />
         ) : hasPasskeys() ? (
-          <form className="stack" onSubmit={send} noValidate aria-label="Add passkey">
-            <TextInput
-              name="name"
-              label="Passkey name"
-              defaultValue="My device"
-              description="Your password alone then no longer signs in."
-            />
-            <div>
-              <Button type="submit" aria-busy={add.isPending}>
-                Add passkey
-              </Button>
-            </div>
-          </form>
+          <Form
+            className="stack"
+            aria-label="Add passkey"
+            initialValues={{ name: 'My device' }}
+            mutation={{ ...add, error: isCancelled(add.error) ? null : add.error }}
+            onSubmit={({ name }) =>
+              add.mutate(name, {
+                onSuccess: (passkey) => {
+                  setCodes(passkey.recovery_codes)
+                  showToast(`“${passkey.name}” was added. Your other browsers are signed out.`)
+                },
+              })
+            }
+          >
+            <Field name="name" label="Passkey name" description="Your password alone then no longer signs in." />
+            <Submit variant="plain">Add passkey</Submit>
+          </Form>
         ) : (
           <p className="small mid">This browser makes no passkeys here: they need HTTPS and a host name.</p>
         )}

@@ -84,7 +84,7 @@ export function NewPasswordPage() {
           label="New password"
           type="password"
           autoComplete="new-password"
-          hint="At least 10 characters."
+          description="At least 10 characters."
         />
         <Submit
           beside={

@@ -143,7 +143,7 @@ function Setup({ setup: { secret, qr_svg }, onCancel, onConfirmed }: SetupProps)
           name="code"
           label="Code"
           autoComplete="one-time-code"
-          hint="The six digits that the app shows now. Your other browsers are signed out."
+          description="The six digits that the app shows now. Your other browsers are signed out."
         />
         <Submit
           beside={

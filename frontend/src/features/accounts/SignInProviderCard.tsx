@@ -31,7 +31,11 @@ export function SignInProviderCard({ studioId }: { studioId: string }) {
               mutation={save}
               onSubmit={(values) => save.mutate(values, { onSuccess: () => showToast('Saved.') })}
             >
-              <Field name="issuer" label="Issuer" hint="As the provider writes it: https://login.studio.example" />
+              <Field
+                name="issuer"
+                label="Issuer"
+                description="As the provider writes it: https://login.studio.example"
+              />
               <Field name="client_id" label="Client ID" autoComplete="off" />
               <Field name="client_secret" label="Client secret" type="password" autoComplete="off" />
               <Submit>Save provider</Submit>

@@ -28,14 +28,14 @@ function AccountFields({ isVerified = false }: { isVerified?: boolean }) {
         type="email"
         autoComplete="username"
         readOnly={isVerified}
-        hint={isVerified ? 'Verified by the link in your email.' : undefined}
+        description={isVerified ? 'Verified by the link in your email.' : undefined}
       />
       <Field
         name="password"
         label="Password"
         type="password"
         autoComplete="new-password"
-        hint="At least 10 characters. Four unrelated words make a good password."
+        description="At least 10 characters. Four unrelated words make a good password."
       />
     </>
   )
@@ -85,7 +85,7 @@ const setupCodeField = (
     name="setup_code"
     label="Set-up code"
     autoComplete="off"
-    hint="This server has no account yet. The command soundlist serve prints the code when it starts: look in the server’s log."
+    description="This server has no account yet. The command soundlist serve prints the code when it starts: look in the server’s log."
   />
 )
 

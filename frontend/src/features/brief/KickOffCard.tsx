@@ -1,13 +1,14 @@
-import { Textarea, TextInput } from '@mantine/core'
+import { Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import { type ReactNode, useState } from 'react'
 
 import { projectQuery } from '@/api/project'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { CardHead } from '@/ui/Card'
 import { ConfirmInline } from '@/ui/ConfirmInline'
+import { Field, Submit } from '@/ui/Form'
 import { day, today } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 
@@ -85,64 +86,41 @@ interface DecisionFormProps {
 
 function DecisionForm({ projectId, decision, onDone }: DecisionFormProps) {
   const save = useSaveDecision(projectId)
-  const began = {
-    decided_on: decision?.decided_on ?? today(),
-    attended: decision?.attended ?? '',
-    text: decision?.text ?? '',
-  }
-  const [values, setValues, draft] = useDraft(`decision:${projectId}:${decision?.id ?? 'new'}`, began)
-  const change = (part: Partial<typeof began>) => setValues({ ...values, ...part })
-  const done = () => {
-    draft.discard()
-    onDone()
-  }
   return (
-    <form
-      aria-label={decision ? 'Edit decision' : 'New decision'}
+    <DraftForm
       className="stack"
-      onSubmit={(event) => {
-        event.preventDefault()
-        if (!save.isPending) save.mutate({ id: decision?.id, body: values }, { onSuccess: done })
+      aria-label={decision ? 'Edit decision' : 'New decision'}
+      draftKey={`decision:${projectId}:${decision?.id ?? 'new'}`}
+      initialValues={{
+        decided_on: decision?.decided_on ?? today(),
+        attended: decision?.attended ?? '',
+        text: decision?.text ?? '',
       }}
+      mutation={save}
+      onSubmit={(body, onSent) =>
+        save.mutate(
+          { id: decision?.id, body },
+          {
+            onSuccess: () => {
+              onSent()
+              onDone()
+            },
+          },
+        )
+      }
     >
-      <DraftNote draft={draft} />
-      <TextInput
-        type="date"
-        label="Date"
-        required
-        withAsterisk={false}
-        value={values.decided_on}
-        onChange={({ currentTarget }) => change({ decided_on: currentTarget.value })}
-      />
-      <TextInput
-        label="Attended"
-        description="Everyone in the project reads this."
-        required
-        withAsterisk={false}
-        maxLength={120}
-        value={values.attended}
-        onChange={({ currentTarget }) => change({ attended: currentTarget.value })}
-      />
-      <Textarea
+      <Field name="decided_on" type="date" label="Date" />
+      <Field name="attended" label="Attended" description="Everyone in the project reads this." maxLength={120} />
+      <Field
+        as={Textarea}
+        name="text"
         label="Decision"
         description="Name cues and questions by their numbers: SW-014, question 4."
-        required
-        withAsterisk={false}
         rows={2}
         maxLength={2000}
-        value={values.text}
-        onChange={({ currentTarget }) => change({ text: currentTarget.value })}
       />
-      <Refusal error={save.error} />
-      <div className="row">
-        <Button type="submit" variant="primary" aria-busy={save.isPending}>
-          Save decision
-        </Button>
-        <Button variant="quiet" onClick={done}>
-          Cancel
-        </Button>
-      </div>
-    </form>
+      <Submit onCancel={onDone}>Save decision</Submit>
+    </DraftForm>
   )
 }
 

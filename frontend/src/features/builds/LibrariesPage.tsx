@@ -1,15 +1,15 @@
-import { TextInput, VisuallyHidden } from '@mantine/core'
+import { VisuallyHidden } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
-import { type FormEvent, useId, useRef, useState } from 'react'
+import { useId, useRef, useState } from 'react'
 
 import { base64Of } from '@/api/base64'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ConfirmInline } from '@/ui/ConfirmInline'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Form, Submit } from '@/ui/Form'
 import { bytes, day, figure, plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { Refusal } from '@/ui/Refusal'
@@ -80,47 +80,42 @@ function AddLibrary({ projectId }: { projectId: string }) {
   const add = useAddLibrary(projectId)
   const fileId = useId()
   const picker = useRef<HTMLInputElement>(null)
-  const [name, setName] = useState('')
-  const [licence, setLicence] = useState('')
   const [file, setFile] = useState<File | null>(null)
   const isTooLarge = file !== null && file.size > MAX_SHEET_BYTES
-  const isReady = name.trim() !== '' && file !== null && !isTooLarge
-  const submit = async (event: FormEvent) => {
-    event.preventDefault()
-    if (!isReady || add.isPending) return
-    const content = await base64Of(file)
-    add.mutate(
-      { name: name.trim(), licence: licence.trim(), content_base64: content },
-      {
-        onSuccess: ({ name: added, sounds }) => {
-          setName('')
-          setLicence('')
-          setFile(null)
-          if (picker.current) picker.current.value = ''
-          showToast(`${added} has ${plural(sounds, 'sound')}. Versions are compared with the library now.`)
-        },
-      },
-    )
-  }
   return (
     <Card aria-labelledby="register">
       <CardHead id="register" title="Register a library" />
-      <form className={classes.form} aria-labelledby="register" onSubmit={(event) => void submit(event)}>
+      <Form
+        className={classes.form}
+        aria-labelledby="register"
+        initialValues={{ name: '', licence: '' }}
+        mutation={add}
+        resets
+        onSubmit={({ name, licence }) => {
+          if (file === null) return
+          void base64Of(file).then((content_base64) =>
+            add.mutate(
+              { name: name.trim(), licence: licence.trim(), content_base64 },
+              {
+                onSuccess: ({ name: added, sounds }) => {
+                  setFile(null)
+                  if (picker.current) picker.current.value = ''
+                  showToast(`${added} has ${plural(sounds, 'sound')}. Versions are compared with the library now.`)
+                },
+              },
+            ),
+          )
+        }}
+      >
         <p>Run this on the folder of the library. The sheet holds fingerprints and file names, and no sound:</p>
         <code className="wrap-anywhere">audio-checks manifest FOLDER --out library.json</code>
-        <TextInput
+        <Field
+          name="name"
           label="Name"
           description="As sources declare it. A second sheet of that name adds to the library."
-          value={name}
           maxLength={200}
-          onChange={({ currentTarget }) => setName(currentTarget.value)}
         />
-        <TextInput
-          label="Licence"
-          value={licence}
-          maxLength={500}
-          onChange={({ currentTarget }) => setLicence(currentTarget.value)}
-        />
+        <Field optional name="licence" label="Licence" maxLength={500} />
         <label htmlFor={fileId}>Sheet of fingerprints</label>
         <input
           ref={picker}
@@ -134,11 +129,8 @@ function AddLibrary({ projectId }: { projectId: string }) {
             {`${file.name} has ${bytes(file.size)}; a sheet may have ${bytes(MAX_SHEET_BYTES)}. Write one for each of its folders.`}
           </p>
         )}
-        <Refusal error={add.error} />
-        <Button type="submit" variant="primary" disabled={!isReady} aria-busy={add.isPending}>
-          Register
-        </Button>
-      </form>
+        <Submit disabled={file === null || isTooLarge}>Register</Submit>
+      </Form>
     </Card>
   )
 }

@@ -1,7 +1,7 @@
-import { TextInput } from '@mantine/core'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
 import { Button } from '@/ui/Button'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Select } from '@/ui/Select'
 
 import type { Draft, LibraryClause } from './api'
@@ -17,15 +17,9 @@ interface AddClauseProps {
 /** Adds a clause to a draft: one of the library that it lacks, or one of the studio's own. */
 export function AddClause({ library, draft, onAdd }: AddClauseProps) {
   const [chosen, setChosen] = useState('')
-  const [title, setTitle] = useState('')
+  const [added, setAdded] = useState(0)
   const missing = library.filter(({ key }) => draft.clauses.every((clause) => clause.key !== key))
   const key = missing.some((each) => each.key === chosen) ? chosen : (missing[0]?.key ?? '')
-  const write = (event: FormEvent) => {
-    event.preventDefault()
-    if (title.trim() === '') return
-    onAdd(withOwnClause(draft, title.trim()))
-    setTitle('')
-  }
   return (
     <div className={classes.form}>
       {missing.length > 0 && (
@@ -49,17 +43,22 @@ export function AddClause({ library, draft, onAdd }: AddClauseProps) {
           </div>
         </div>
       )}
-      <form onSubmit={write} className={classes.inner} aria-label="Custom clause">
-        <TextInput
-          label="Title of the custom clause"
-          value={title}
-          maxLength={120}
-          onChange={({ currentTarget }) => setTitle(currentTarget.value)}
-        />
-        <Button type="submit" icon="plus" disabled={title.trim() === ''}>
+      <Form
+        key={added}
+        className={classes.inner}
+        aria-label="Custom clause"
+        initialValues={{ title: '' }}
+        mutation={{ isPending: false, error: null }}
+        onSubmit={({ title }) => {
+          onAdd(withOwnClause(draft, title.trim()))
+          setAdded(added + 1)
+        }}
+      >
+        <Field name="title" label="Title of the custom clause" maxLength={120} />
+        <Submit variant="plain" icon="plus">
           Add clause
-        </Button>
-      </form>
+        </Submit>
+      </Form>
     </div>
   )
 }

@@ -1,17 +1,17 @@
-import { Select, Textarea, TextInput } from '@mantine/core'
+import { Select, Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
 
 import { contractQuery } from '@/api/project'
+import { DraftForm } from '@/app/drafts'
 import { ReasonForm } from '@/app/ReasonForm'
-import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { planQuery } from '@/money/api'
 import { conceptWords, money } from '@/money/words'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day, plural } from '@/ui/format'
 import { PageWait } from '@/ui/PageWait'
@@ -210,45 +210,39 @@ function Accept({ contract }: { contract: Contract }) {
 
 function AskChange({ contract }: { contract: Contract }) {
   const ask = useContractAction(contract.id)
-  const [text, setText, draft] = useDraft(`contract-change:${contract.id}`, '')
-  const [clause, setClause] = useState<string | null>(null)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (ask.isPending || text.trim() === '') return
-    ask.mutate(
-      { does: 'ask for a change', text: text.trim(), clause },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast('Your change request was sent to the studio.')
-        },
-      },
-    )
-  }
   return (
-    <form onSubmit={send} className={classes.inner} aria-label="Request a change">
-      <Select
+    <DraftForm
+      className={classes.inner}
+      aria-label="Request a change"
+      draftKey={`contract-change:${contract.id}`}
+      initialValues={{ text: '', clause: null as string | null }}
+      mutation={ask}
+      onSubmit={({ text, clause }, onSent) =>
+        ask.mutate(
+          { does: 'ask for a change', text: text.trim(), clause },
+          {
+            onSuccess: () => {
+              onSent()
+              showToast('Your change request was sent to the studio.')
+            },
+          },
+        )
+      }
+    >
+      <Field
+        as={Select}
+        optional
+        name="clause"
         label="Or request a change to"
         placeholder="The whole contract"
         data={contract.version.clauses.map(({ key, title }) => ({ value: key, label: title }))}
-        value={clause}
         clearable
-        onChange={setClause}
       />
-      <Textarea
-        label="Requested change"
-        rows={3}
-        resize="vertical"
-        value={text}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setText(currentTarget.value)}
-      />
-      <DraftNote draft={draft} />
-      <Refusal error={ask.error} />
-      <Button type="submit" icon="back" disabled={text.trim() === ''} aria-busy={ask.isPending}>
+      <Field as={Textarea} name="text" label="Requested change" rows={3} resize="vertical" maxLength={2000} />
+      <Submit variant="plain" icon="back">
         Request change
-      </Button>
-    </form>
+      </Submit>
+    </DraftForm>
   )
 }
 
@@ -346,35 +340,22 @@ function Versions({ contract, projectId }: { contract: Contract; projectId: stri
 
 function KeepAsTemplate({ contract }: { contract: Contract }) {
   const keep = useKeepAsTemplate(contract.id)
-  const [name, setName] = useState('')
   return (
     <Card aria-labelledby="keep">
       <CardHead id="keep" title="Save as template" />
-      <form
+      <Form
         className={classes.form}
         aria-label="Save as template"
-        onSubmit={(event) => {
-          event.preventDefault()
-          if (keep.isPending || name.trim() === '') return
-          keep.mutate(name.trim(), {
-            onSuccess: (kept) => {
-              showToast(`Saved as the template ${kept.name}.`)
-              setName('')
-            },
-          })
-        }}
+        initialValues={{ name: '' }}
+        mutation={keep}
+        resets
+        onSubmit={({ name }) =>
+          keep.mutate(name.trim(), { onSuccess: (kept) => showToast(`Saved as the template ${kept.name}.`) })
+        }
       >
-        <TextInput
-          label="Name"
-          value={name}
-          maxLength={120}
-          onChange={({ currentTarget }) => setName(currentTarget.value)}
-        />
-        <Refusal error={keep.error} />
-        <Button type="submit" disabled={name.trim() === ''} aria-busy={keep.isPending}>
-          Save template
-        </Button>
-      </form>
+        <Field name="name" label="Name" maxLength={120} />
+        <Submit variant="plain">Save template</Submit>
+      </Form>
     </Card>
   )
 }

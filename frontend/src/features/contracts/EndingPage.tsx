@@ -1,14 +1,13 @@
-import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { amount, money, percent } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { clock, day, dueDay, plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
@@ -263,48 +262,34 @@ function Handover({ contractId }: { contractId: string }) {
 
 function GiveNotice({ ending }: { ending: Ending }) {
   const give = useEnding(ending.contract_id)
-  const [reason, setReason, draft] = useDraft(`notice:${ending.contract_id}`, '')
-  const [endsOn, setEndsOn] = useState('')
-  const submit = (event: FormEvent) => {
-    event.preventDefault()
-    if (give.isPending || reason.trim() === '') return
-    give.mutate(
-      { does: 'give notice', reason: reason.trim(), endsOn: endsOn === '' ? null : endsOn },
-      { onSuccess: draft.discard },
-    )
-  }
   const earliest = ending.earliest_ends_on
   return (
     <Card aria-labelledby="notice">
       <CardHead id="notice" title="Give notice" />
-      <form onSubmit={submit} className={classes.form} aria-label="Give notice">
+      <DraftForm
+        className={classes.form}
+        aria-label="Give notice"
+        draftKey={`notice:${ending.contract_id}`}
+        initialValues={{ reason: '', endsOn: '' }}
+        mutation={give}
+        onSubmit={({ reason, endsOn }, onSuccess) =>
+          give.mutate({ does: 'give notice', reason: reason.trim(), endsOn: endsOn || null }, { onSuccess })
+        }
+      >
         <p>
           {earliest === null
             ? 'It ends once both sides agree to the statement.'
             : `It ends after the last day, ${dueDay(earliest)} at the earliest, or once both sides agree to the statement.`}
         </p>
-        <TextInput
+        <Field
+          name="reason"
           label="Reason"
           description="The other side reads it, and it stays in the audit trail."
-          value={reason}
           maxLength={2000}
-          onChange={({ currentTarget }) => setReason(currentTarget.value)}
         />
-        <DraftNote draft={draft} />
-        {earliest !== null && (
-          <TextInput
-            label="Last day"
-            type="date"
-            min={earliest}
-            value={endsOn}
-            onChange={({ currentTarget }) => setEndsOn(currentTarget.value)}
-          />
-        )}
-        <Refusal error={give.error} />
-        <Button type="submit" disabled={reason.trim() === ''} aria-busy={give.isPending}>
-          Give notice
-        </Button>
-      </form>
+        {earliest !== null && <Field optional name="endsOn" label="Last day" type="date" min={earliest} />}
+        <Submit variant="plain">Give notice</Submit>
+      </DraftForm>
     </Card>
   )
 }

@@ -1,16 +1,17 @@
-import { Checkbox, Select, TextInput } from '@mantine/core'
+import { Checkbox, Select } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
-import { type FormEvent, type ReactNode, useState } from 'react'
+import { type ReactNode, useState } from 'react'
 
 import { projectQuery } from '@/api/project'
 import { keptCuesQuery } from '@/api/soundList'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { planQuery } from '@/money/api'
 import { minorOf, money } from '@/money/words'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Form, Submit } from '@/ui/Form'
 import { plural } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
@@ -96,39 +97,7 @@ export function shareOf(typed: string, currency: string): Share | null | undefin
   return minor === null || minor < 0 ? null : { share_minor: minor }
 }
 
-interface ShareFieldProps {
-  label: string
-  description: string
-  value: string
-  isWrong: boolean
-  onChange: (value: string) => void
-}
-
-function ShareField({ label, description, value, isWrong, onChange }: ShareFieldProps) {
-  return (
-    <TextInput
-      label={label}
-      description={description}
-      value={value}
-      maxLength={20}
-      error={isWrong ? 'Enter a percentage, such as 40 %, or an amount, such as 1,200.00.' : undefined}
-      onChange={({ currentTarget }) => onChange(currentTarget.value)}
-    />
-  )
-}
-
-function Buttons({ isPending, onClose, children }: { isPending: boolean; onClose: () => void; children: ReactNode }) {
-  return (
-    <div className={classes.buttons}>
-      <Button type="submit" variant="primary" aria-busy={isPending}>
-        {children}
-      </Button>
-      <Button variant="quiet" onClick={onClose}>
-        Cancel
-      </Button>
-    </div>
-  )
-}
+const WRONG_SHARE = 'Enter a percentage, such as 40 %, or an amount, such as 1,200.00.'
 
 interface FormProps {
   contract: Contract
@@ -137,38 +106,35 @@ interface FormProps {
 
 function ChangeSplit({ contract, onClose }: FormProps) {
   const split = useContractAction(contract.id)
-  const [typed, setTyped] = useState('')
-  const [isWrong, setIsWrong] = useState(false)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (split.isPending) return
-    const share = shareOf(typed, contract.currency)
-    setIsWrong(!share)
-    if (!share) return
-    split.mutate(
-      { does: 'split', body: share },
-      {
-        onSuccess: () => {
-          showToast('Saved the split.')
-          onClose()
-        },
-      },
-    )
-  }
   return (
-    <form onSubmit={send} noValidate className={classes.inner} aria-label="Change split">
-      <ShareField
+    <Form
+      className={classes.inner}
+      aria-label="Change split"
+      initialValues={{ share: '' }}
+      mutation={split}
+      checks={({ share }) => ({ share: !shareOf(share, contract.currency) && WRONG_SHARE })}
+      onSubmit={({ share }) => {
+        const body = shareOf(share, contract.currency)
+        if (!body) return
+        split.mutate(
+          { does: 'split', body },
+          {
+            onSuccess: () => {
+              showToast('Saved the split.')
+              onClose()
+            },
+          },
+        )
+      }}
+    >
+      <Field
+        name="share"
         label={`Share of ${contract.designer.name}`}
         description="A percentage, such as 40 %, or an amount. The other designer gets the rest; each milestone is scaled."
-        value={typed}
-        isWrong={isWrong}
-        onChange={setTyped}
+        maxLength={20}
       />
-      <Refusal error={split.error} />
-      <Buttons isPending={split.isPending} onClose={onClose}>
-        Save split
-      </Buttons>
-    </form>
+      <Submit onCancel={onClose}>Save split</Submit>
+    </Form>
   )
 }
 
@@ -176,12 +142,6 @@ function SecondDesigner({ contract, onClose }: FormProps) {
   const divide = useContractAction(contract.id)
   const { data: project } = useQuery(projectQuery(contract.project_id))
   const { data: plan, error } = useQuery(planQuery(contract.id))
-  const [typed, setTyped, draft] = useDraft(`contract-joint:${contract.id}`, {
-    engagement: null as string | null,
-    cueIds: [] as string[],
-    share: '',
-  })
-  const [isWrong, setIsWrong] = useState(false)
   const designers = (project?.engagements ?? []).filter(
     ({ ended_at, kind, designer }) => ended_at === null && kind !== 'in-house' && designer.id !== contract.designer.id,
   )
@@ -202,58 +162,63 @@ function SecondDesigner({ contract, onClose }: FormProps) {
       </Missing>
     )
   }
-  const engagement = typed.engagement ?? designers[0]?.id ?? ''
-  const name = designers.find(({ id }) => id === engagement)?.designer.name ?? ''
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (divide.isPending || typed.cueIds.length === 0) return
-    const share = shareOf(typed.share, contract.currency)
-    setIsWrong(share === null)
-    if (share === null) return
-    divide.mutate(
-      { does: 'divide', body: { engagement_id: engagement, cue_ids: typed.cueIds, ...share } },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast(`Contract divided between ${contract.designer.name} and ${name}.`)
-          onClose()
-        },
-      },
-    )
-  }
+  const nameOf = (engagement: string) => designers.find(({ id }) => id === engagement)?.designer.name ?? ''
   return (
-    <form onSubmit={send} noValidate className={classes.inner} aria-label="Add a second designer">
-      <p className="small mid">
-        Each designer gets a contract of their own, for their own sounds. Both are sent and agreed together, and each
-        designer sees the other’s sounds and amount.
-      </p>
-      <Select
-        label="Second designer"
-        data={designers.map(({ id, designer }) => ({ value: id, label: designer.name }))}
-        value={engagement}
-        allowDeselect={false}
-        onChange={(id) => setTyped({ ...typed, engagement: id })}
-      />
-      <CueChoice
-        legend={`Cues that ${name} makes`}
-        projectId={contract.project_id}
-        planned={planned}
-        chosen={typed.cueIds}
-        onChange={(cueIds) => setTyped({ ...typed, cueIds })}
-      />
-      <ShareField
-        label={`Share of ${name} (optional)`}
-        description={`A percentage, such as 40 %, or an amount, of ${money(plan.price.total_minor, contract.currency)}. Without it the amounts follow the cues.`}
-        value={typed.share}
-        isWrong={isWrong}
-        onChange={(share) => setTyped({ ...typed, share })}
-      />
-      <DraftNote draft={draft} />
-      <Refusal error={divide.error} />
-      <Buttons isPending={divide.isPending} onClose={onClose}>
-        {`Divide with ${name}`}
-      </Buttons>
-    </form>
+    <DraftForm
+      className={classes.inner}
+      aria-label="Add a second designer"
+      draftKey={`contract-joint:${contract.id}`}
+      initialValues={{ engagement: designers[0]?.id ?? '', cueIds: [] as string[], share: '' }}
+      mutation={divide}
+      checks={({ share }) => ({ share: shareOf(share, contract.currency) === null && WRONG_SHARE })}
+      onSubmit={({ engagement, cueIds, share }, onSent) => {
+        if (cueIds.length === 0) return
+        divide.mutate(
+          {
+            does: 'divide',
+            body: { engagement_id: engagement, cue_ids: cueIds, ...shareOf(share, contract.currency) },
+          },
+          {
+            onSuccess: () => {
+              onSent()
+              showToast(`Contract divided between ${contract.designer.name} and ${nameOf(engagement)}.`)
+              onClose()
+            },
+          },
+        )
+      }}
+    >
+      {({ engagement, cueIds }, change) => (
+        <>
+          <p className="small mid">
+            Each designer gets a contract of their own, for their own sounds. Both are sent and agreed together, and
+            each designer sees the other’s sounds and amount.
+          </p>
+          <Field
+            as={Select}
+            name="engagement"
+            label="Second designer"
+            data={designers.map(({ id, designer }) => ({ value: id, label: designer.name }))}
+            allowDeselect={false}
+          />
+          <CueChoice
+            legend={`Cues that ${nameOf(engagement)} makes`}
+            projectId={contract.project_id}
+            planned={planned}
+            chosen={cueIds}
+            onChange={(ids) => change({ cueIds: ids })}
+          />
+          <Field
+            optional
+            name="share"
+            label={`Share of ${nameOf(engagement)} (optional)`}
+            description={`A percentage, such as 40 %, or an amount, of ${money(plan.price.total_minor, contract.currency)}. Without it the amounts follow the cues.`}
+            maxLength={20}
+          />
+          <Submit onCancel={onClose}>{`Divide with ${nameOf(engagement)}`}</Submit>
+        </>
+      )}
+    </DraftForm>
   )
 }
 

@@ -1,9 +1,10 @@
 import { Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { Fragment, type FormEvent } from 'react'
+import { Fragment } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { Button } from '@/ui/Button'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
@@ -134,81 +135,79 @@ function ChangedFigures({ contract, redline }: { contract: Contract; redline: Re
 
 function Refuse({ contract, redline: { number }, isPending, onOpen, onAnswer }: RedlineNoteProps) {
   const field = useFocusOnMount<HTMLTextAreaElement>()
-  const [comment, setComment, draft] = useDraft(`redline-refusal:${contract.id}:${number}`, '')
-  const submit = (event: FormEvent) => {
-    event.preventDefault()
-    if (comment.trim() !== '') onAnswer({ answer: 'refused', comment: comment.trim() }, draft.discard)
-  }
   return (
-    <form className={classes.inner} aria-label={`Refuse change ${number}`} onSubmit={submit}>
-      <Textarea
+    <DraftForm
+      className={classes.inner}
+      aria-label={`Refuse change ${number}`}
+      draftKey={`redline-refusal:${contract.id}:${number}`}
+      initialValues={{ comment: '' }}
+      mutation={{ isPending, error: null }}
+      onSubmit={({ comment }, onSent) => onAnswer({ answer: 'refused', comment: comment.trim() }, onSent)}
+    >
+      <Field
+        as={Textarea}
         ref={field}
+        name="comment"
         label="Why it is refused"
         rows={2}
         resize="vertical"
-        value={comment}
         maxLength={5000}
-        onChange={({ currentTarget: { value } }) => setComment(value)}
       />
-      <DraftNote draft={draft} />
-      <Send word="Refuse the change" isPending={isPending} disabled={comment.trim() === ''} onOpen={onOpen} />
-    </form>
+      <Send onOpen={onOpen}>Refuse the change</Send>
+    </DraftForm>
   )
 }
 
 function Counter({ contract, redline, isPending, onOpen, onAnswer }: RedlineNoteProps) {
   const clause = contract.version.clauses.find(({ key }) => key === redline.clause_key)
-  const [{ wording, comment }, setTyped, draft] = useDraft(`redline-counter:${contract.id}:${redline.number}`, () => ({
-    wording:
-      redline.answer?.wording ??
-      (redline.kind === 'strike'
-        ? { title: clause?.title ?? '', text: clause?.text ?? '', terms: {} }
-        : redline.wording),
-    comment: '',
-  }))
-  const submit = (event: FormEvent) => {
-    event.preventDefault()
-    onAnswer({ answer: 'countered', ...wording, comment: comment.trim() }, draft.discard)
-  }
+  const wording =
+    redline.answer?.wording ??
+    (redline.kind === 'strike' ? { title: clause?.title ?? '', text: clause?.text ?? '', terms: {} } : redline.wording)
   return (
-    <form className={classes.inner} aria-label={`Counter change ${redline.number}`} onSubmit={submit}>
-      <WordingFields
-        contract={contract}
-        clauseKey={redline.clause_key}
-        wording={wording}
-        takesFocus
-        onChange={(changes) => setTyped((now) => ({ ...now, wording: { ...now.wording, ...changes } }))}
-      />
-      <Textarea
-        label="Comment (optional)"
-        rows={2}
-        resize="vertical"
-        value={comment}
-        maxLength={5000}
-        onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, comment: value }))}
-      />
-      <DraftNote draft={draft} />
-      <Send word="Send the counter" isPending={isPending} disabled={false} onOpen={onOpen} />
-    </form>
+    <DraftForm
+      className={classes.inner}
+      aria-label={`Counter change ${redline.number}`}
+      draftKey={`redline-counter:${contract.id}:${redline.number}`}
+      initialValues={{ wording, comment: '' }}
+      mutation={{ isPending, error: null }}
+      onSubmit={(typed, onSent) =>
+        onAnswer({ answer: 'countered', ...typed.wording, comment: typed.comment.trim() }, onSent)
+      }
+    >
+      {(typed, change) => (
+        <>
+          <WordingFields
+            contract={contract}
+            clauseKey={redline.clause_key}
+            wording={typed.wording}
+            takesFocus
+            onChange={(changes) => change({ wording: { ...typed.wording, ...changes } })}
+          />
+          <Field
+            as={Textarea}
+            optional
+            name="comment"
+            label="Comment (optional)"
+            rows={2}
+            resize="vertical"
+            maxLength={5000}
+          />
+          <Send onOpen={onOpen}>Send the counter</Send>
+        </>
+      )}
+    </DraftForm>
   )
 }
 
-interface SendProps {
-  word: string
-  isPending: boolean
-  disabled: boolean
-  onOpen: (opened: null) => void
-}
-
-function Send({ word, isPending, disabled, onOpen }: SendProps) {
+function Send({ onOpen, children }: { onOpen: (opened: null) => void; children: string }) {
+  const close = (
+    <Button variant="quiet" onClick={() => onOpen(null)}>
+      Close
+    </Button>
+  )
   return (
-    <div className={classes.buttons}>
-      <Button type="submit" variant="primary" disabled={disabled} aria-busy={isPending}>
-        {word}
-      </Button>
-      <Button variant="quiet" onClick={() => onOpen(null)}>
-        Close
-      </Button>
-    </div>
+    <Submit className={classes.buttons} beside={close}>
+      {children}
+    </Submit>
   )
 }

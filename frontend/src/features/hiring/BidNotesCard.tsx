@@ -1,33 +1,29 @@
-import { Textarea, TextInput } from '@mantine/core'
+import { NativeSelect, Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent } from 'react'
 
 import { meQuery } from '@/api/me'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Submit } from '@/ui/Form'
 import { shortDay, today } from '@/ui/format'
 import { Person } from '@/ui/Person'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
-import { Select } from '@/ui/Select'
 
 import { type BidNote, type ComparedBid, type Comparison, useAddNote, useRemoveNote } from './api'
 import classes from './Hiring.module.css'
 
 const KINDS = { call: 'Call', interview: 'Interview', other: 'Other' } as const
-type Kind = keyof typeof KINDS
-const emptyNote = () => ({ kind: 'call' as Kind, held_on: today(), text: '' })
+const emptyNote = (): { kind: keyof typeof KINDS; held_on: string; text: string } => ({
+  kind: 'call',
+  held_on: today(),
+  text: '',
+})
 
 /** Notes of calls and interviews with one bidder, for the team only. */
 export function BidNotesCard({ comparison, bid }: { comparison: Comparison; bid: ComparedBid }) {
-  const [note, set, draft] = useDraft(`bid-note:${bid.id}`, emptyNote)
   const add = useAddNote(comparison.posting_id)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (add.isPending || !note.text.trim()) return
-    add.mutate({ id: bid.id, ...note }, { onSuccess: () => draft.discard() })
-  }
   return (
     <Card aria-labelledby="bid-notes">
       <CardHead id="bid-notes" title={`Notes on ${bid.designer.name}`} end="for the team only" />
@@ -40,41 +36,26 @@ export function BidNotesCard({ comparison, bid }: { comparison: Comparison; bid:
           ))}
         </Rows>
       )}
-      <form className={`grid gap-4 ${classes.form}`} onSubmit={send} noValidate aria-label="Add a note">
-        <div className={classes.wide}>
-          <DraftNote draft={draft} />
-        </div>
-        <Select
+      <DraftForm
+        className={`grid gap-4 ${classes.form}`}
+        aria-label="Add a note"
+        draftKey={`bid-note:${bid.id}`}
+        initialValues={emptyNote()}
+        mutation={add}
+        onSubmit={(note, onSuccess) => add.mutate({ id: bid.id, ...note }, { onSuccess })}
+      >
+        <Field
+          as={NativeSelect}
+          name="kind"
           label="Occasion"
-          value={note.kind}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, kind: value as Kind }))}
-        >
-          {Object.entries(KINDS).map(([kind, label]) => (
-            <option key={kind} value={kind}>
-              {label}
-            </option>
-          ))}
-        </Select>
-        <TextInput
-          label="Day"
-          type="date"
-          value={note.held_on}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, held_on: value }))}
+          data={Object.entries(KINDS).map(([value, label]) => ({ value, label }))}
         />
-        <Textarea
-          className={classes.wide}
-          label="Note"
-          maxLength={5000}
-          value={note.text}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, text: value }))}
-        />
-        <div className={classes.wide}>
-          <Refusal error={add.error} />
-          <Button type="submit" aria-busy={add.isPending} disabled={!note.text.trim()}>
-            Add note
-          </Button>
-        </div>
-      </form>
+        <Field name="held_on" label="Day" type="date" />
+        <Field as={Textarea} name="text" className={classes.wide} label="Note" maxLength={5000} />
+        <Submit variant="plain" className={classes.wide}>
+          Add note
+        </Submit>
+      </DraftForm>
     </Card>
   )
 }

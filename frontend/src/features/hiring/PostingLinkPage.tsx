@@ -87,7 +87,7 @@ function AccountCard({ secret, email, hasAccount, onSignedIn }: AccountCardProps
             label={hasAccount ? 'Password' : 'New password'}
             type="password"
             autoComplete={hasAccount ? 'current-password' : 'new-password'}
-            hint={hasAccount ? undefined : 'At least 10 characters. Four unrelated words make a good password.'}
+            description={hasAccount ? undefined : 'At least 10 characters. Four unrelated words make a good password.'}
           />
           <Submit>{hasAccount ? 'Sign in and bid' : 'Create account and bid'}</Submit>
         </Form>

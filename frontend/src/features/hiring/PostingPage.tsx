@@ -1,8 +1,8 @@
-import { Checkbox, Textarea, TextInput } from '@mantine/core'
+import { Checkbox, NativeSelect, Textarea, TextInput } from '@mantine/core'
 import { Link, useParams } from '@tanstack/react-router'
-import { type FormEvent, type ReactNode, useState } from 'react'
+import { type ReactNode, useState } from 'react'
 
-import { type Draft, DraftNote, useDraft } from '@/app/drafts'
+import { type Draft, DraftForm, DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { MailedLink } from '@/mails'
 import { EffortLine } from '@/money/EffortLine'
@@ -10,11 +10,11 @@ import { amount, minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { Row, Rows } from '@/ui/Rows'
-import { Select } from '@/ui/Select'
 
 import {
   type Posting,
@@ -210,8 +210,7 @@ function Written({ posting, projectId, move }: { posting: Posting; projectId: st
     if (isBusy || (draft.isChanged && !(await keep(true)))) return
     move.mutate('open')
   }
-  const submit = async (event: FormEvent) => {
-    event.preventDefault()
+  const submit = async () => {
     if (!isBusy && (await keep(false))) showToast('Posting saved.')
   }
   const problem = refused && (
@@ -234,11 +233,11 @@ function Written({ posting, projectId, move }: { posting: Posting; projectId: st
       <Fields
         posting={posting}
         fields={fields}
-        set={(changes) => set((before) => ({ ...before, ...changes }))}
+        set={set}
         draft={draft}
         unsavedCurrency={held.currency === fields.currency ? null : held.currency}
         isSaving={save.isPending}
-        onSubmit={(event) => void submit(event)}
+        onSubmit={() => void submit()}
       >
         {refused && !refused.isOpening && problem}
       </Fields>
@@ -249,12 +248,12 @@ function Written({ posting, projectId, move }: { posting: Posting; projectId: st
 interface FieldsProps {
   posting: Posting
   fields: PostingFields
-  set: (changes: Partial<PostingFields>) => void
+  set: (fields: PostingFields) => void
   draft: Draft
   /** The currency that was typed before the posting opened in another one. */
   unsavedCurrency: string | null
   isSaving: boolean
-  onSubmit: (event: FormEvent) => void
+  onSubmit: () => void
   children: ReactNode
 }
 
@@ -263,54 +262,50 @@ function Fields({ posting, fields, set, draft, unsavedCurrency, isSaving, onSubm
   return (
     <Card aria-labelledby="says">
       <CardHead id="says" title="What it says" />
-      <form onSubmit={onSubmit} noValidate className={`grid gap-4 ${classes.form}`} aria-label="What it says">
+      <Form
+        className={`grid gap-4 ${classes.form}`}
+        aria-label="What it says"
+        initialValues={fields}
+        values={fields}
+        onValuesChange={set}
+        mutation={{ isPending: isSaving, error: null }}
+        onSubmit={onSubmit}
+      >
         <div className={classes.wide}>
           <DraftNote draft={draft} />
         </div>
-        <TextInput
-          className={classes.wide}
-          label="Title"
-          value={fields.title}
-          maxLength={120}
-          onChange={({ currentTarget }) => set({ title: currentTarget.value })}
-        />
-        <Textarea
-          className={classes.wide}
-          label="Text"
-          rows={4}
-          value={fields.text}
-          maxLength={5000}
-          onChange={({ currentTarget }) => set({ text: currentTarget.value })}
-        />
-        <TextInput
+        <Field name="title" className={classes.wide} label="Title" maxLength={120} />
+        <Field as={Textarea} optional name="text" className={classes.wide} label="Text" rows={4} maxLength={5000} />
+        <Field
+          optional
+          name="equipment"
           className={classes.wide}
           label="Equipment that the work needs"
-          value={fields.equipment}
           maxLength={5000}
-          onChange={({ currentTarget }) => set({ equipment: currentTarget.value })}
         />
-        <TextInput
+        <Field
+          optional
+          name="categories"
           className={classes.wide}
           label="Categories"
           description={
             isFixed ? 'Fixed, since bids are made on it.' : 'Separated by commas. Left empty: all cues of the list.'
           }
           disabled={isFixed || posting.scope === 'cues'}
-          value={fields.categories}
-          onChange={({ currentTarget }) => set({ categories: currentTarget.value })}
         />
-        <Select
+        <Field
+          as={NativeSelect}
+          name="phase"
           label="Phase"
-          value={fields.phase}
           disabled={isFixed}
-          onChange={({ currentTarget }) =>
-            set({ phase: currentTarget.value === 'advisory' ? 'advisory' : 'production' })
-          }
-        >
-          <option value="production">Production</option>
-          <option value="advisory">Advice before production</option>
-        </Select>
-        <TextInput
+          data={[
+            { value: 'production', label: 'Production' },
+            { value: 'advisory', label: 'Advice before production' },
+          ]}
+        />
+        <Field
+          optional
+          name="currency"
           label="Currency"
           description={
             unsavedCurrency === null
@@ -318,91 +313,50 @@ function Fields({ posting, fields, set, draft, unsavedCurrency, isSaving, onSubm
               : `Fixed: the posting was opened in ${fields.currency}, before ${unsavedCurrency} was saved.`
           }
           disabled={isFixed}
-          value={fields.currency}
           maxLength={3}
-          onChange={({ currentTarget }) => set({ currency: currentTarget.value })}
         />
-        {fields.phase === 'advisory' && (
-          <TextInput
-            label="Price of the advice"
-            inputMode="decimal"
-            value={fields.price}
-            onChange={({ currentTarget }) => set({ price: currentTarget.value })}
-          />
-        )}
-        <TextInput
-          label="Budget"
-          inputMode="decimal"
-          value={fields.budget}
-          onChange={({ currentTarget }) => set({ budget: currentTarget.value })}
-        />
-        <TextInput
+        {fields.phase === 'advisory' && <Field optional name="price" label="Price of the advice" inputMode="decimal" />}
+        <Field optional name="budget" label="Budget" inputMode="decimal" />
+        <Field
+          optional
+          name="floor"
           label="Hourly floor"
           description="For the team: lower rates are pointed out."
           inputMode="decimal"
-          value={fields.floor}
-          onChange={({ currentTarget }) => set({ floor: currentTarget.value })}
         />
-        <TextInput
-          label="Bids until"
-          type="date"
-          value={fields.until}
-          onChange={({ currentTarget }) => set({ until: currentTarget.value })}
-        />
-        <TextInput
-          label="Work from"
-          type="date"
-          value={fields.from}
-          onChange={({ currentTarget }) => set({ from: currentTarget.value })}
-        />
-        <TextInput
-          label="Work to"
-          type="date"
-          value={fields.to}
-          onChange={({ currentTarget }) => set({ to: currentTarget.value })}
-        />
+        <Field optional name="until" label="Bids until" type="date" />
+        <Field optional name="from" label="Work from" type="date" />
+        <Field optional name="to" label="Work to" type="date" />
         {fields.phase === 'production' && (
           <div className={classes.wide}>
             <EffortLine projectId={posting.project_id} postingId={posting.id} beginOn={fields.from} dueOn={fields.to} />
           </div>
         )}
-        <Checkbox
-          className={classes.wide}
-          label="Show the budget to designers"
-          checked={fields.isShown}
-          onChange={({ currentTarget }) => set({ isShown: currentTarget.checked })}
-        />
-        <Textarea
+        <Field as={Checkbox} name="isShown" className={classes.wide} label="Show the budget to designers" />
+        <Field
+          as={Textarea}
+          optional
+          name="headings"
           className={classes.wide}
           label="Headings that the team scores"
           description="One a line."
           rows={3}
-          value={fields.headings}
-          onChange={({ currentTarget }) => set({ headings: currentTarget.value })}
         />
         <div className={classes.wide}>
           {children}
-          <Button type="submit" variant="primary" aria-busy={isSaving}>
-            Save
-          </Button>
+          <Submit>Save</Submit>
         </div>
-      </form>
+      </Form>
     </Card>
   )
 }
 
 function PeopleCard({ posting }: { posting: Posting }) {
-  const [email, setEmail, draft] = useDraft(`posting-candidate:${posting.id}`, '')
   const invite = useInvite(posting.id)
   const withdraw = useWithdrawCandidate(posting.id)
   const make = useMakeLink(posting.id)
   const revoke = useRevokeLink(posting.id)
   const isOver = posting.state === 'awarded'
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (invite.isPending || email.trim() === '') return
-    invite.mutate(email, { onSuccess: () => draft.discard() })
-  }
   return (
     <Card aria-labelledby="people">
       <CardHead id="people" title="Who is asked" count={posting.candidates.length} />
@@ -431,19 +385,18 @@ function PeopleCard({ posting }: { posting: Posting }) {
       </Rows>
       {!isOver && (
         <div className={`grid gap-3 ${classes.body}`}>
-          <form onSubmit={send} noValidate className="row wrap" aria-label="Ask a designer">
-            <TextInput
-              className="grow"
-              label="Email of a designer"
-              type="email"
-              value={email}
-              onChange={({ currentTarget }) => setEmail(currentTarget.value)}
-            />
-            <Button type="submit" disabled={email.trim() === ''} aria-busy={invite.isPending}>
-              Ask for a bid
-            </Button>
-          </form>
-          <Refusal error={invite.error ?? withdraw.error ?? make.error ?? revoke.error} />
+          <DraftForm
+            className="row wrap items-end"
+            aria-label="Ask a designer"
+            draftKey={`posting-candidate:${posting.id}`}
+            initialValues={{ email: '' }}
+            mutation={invite}
+            onSubmit={({ email }, onSuccess) => invite.mutate(email, { onSuccess })}
+          >
+            <Field name="email" className="grow" label="Email of a designer" type="email" />
+            <Submit variant="plain">Ask for a bid</Submit>
+          </DraftForm>
+          <Refusal error={withdraw.error ?? make.error ?? revoke.error} />
           <div className="row wrap">
             <Button aria-busy={make.isPending} onClick={() => make.mutate()}>
               {posting.has_link ? 'Make a new link' : 'Make a link for everyone'}

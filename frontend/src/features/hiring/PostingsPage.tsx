@@ -1,13 +1,11 @@
-import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
-import type { FormEvent } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { useTitle } from '@/app/title'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
@@ -86,44 +84,34 @@ const newPosting = (title: string): PostingAdd => ({
 })
 
 function NewPosting({ projectId }: { projectId: string }) {
-  const [title, setTitle, draft] = useDraft(`posting:${projectId}`, '')
   const create = useCreatePosting(projectId)
   const navigate = useNavigate()
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (create.isPending || title.trim() === '') return
-    create.mutate(newPosting(title), {
-      onSuccess: ({ id }) => {
-        draft.discard()
-        void navigate({ to: '/projects/$projectId/postings/$postingId', params: { projectId, postingId: id } })
-      },
-    })
-  }
   return (
     <Card aria-labelledby="new-posting">
       <CardHead id="new-posting" title="New posting" />
-      <form onSubmit={send} noValidate className={`grid gap-3 ${classes.body}`} aria-label="New posting">
-        <DraftNote draft={draft} />
-        <TextInput
+      <DraftForm
+        className={`grid gap-3 ${classes.body}`}
+        aria-label="New posting"
+        draftKey={`posting:${projectId}`}
+        initialValues={{ title: '' }}
+        mutation={create}
+        onSubmit={({ title }, onSent) =>
+          create.mutate(newPosting(title), {
+            onSuccess: ({ id }) => {
+              onSent()
+              void navigate({ to: '/projects/$projectId/postings/$postingId', params: { projectId, postingId: id } })
+            },
+          })
+        }
+      >
+        <Field
+          name="title"
           label="Title"
           description="What designers read first, such as Effects for Alpha."
-          value={title}
           maxLength={120}
-          onChange={({ currentTarget }) => setTitle(currentTarget.value)}
         />
-        <Refusal error={create.error} />
-        <div>
-          <Button
-            type="submit"
-            variant="primary"
-            icon="plus"
-            disabled={title.trim() === ''}
-            aria-busy={create.isPending}
-          >
-            Create posting
-          </Button>
-        </div>
-      </form>
+        <Submit icon="plus">Create posting</Submit>
+      </DraftForm>
     </Card>
   )
 }

@@ -1,14 +1,11 @@
-import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
 
 import { showToast } from '@/app/toast'
 import { type Bonus, type ContractMoney, ledgerQuery, useSayShipped } from '@/money/api'
 import { money } from '@/money/words'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Form, Submit } from '@/ui/Form'
 import { today } from '@/ui/format'
-import { Refusal } from '@/ui/Refusal'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import classes from './Page.module.css'
@@ -61,36 +58,24 @@ const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${tex
 
 function SayShipped({ contractId, title, amount }: { contractId: string; title: string; amount: string }) {
   const say = useSayShipped(contractId)
-  const [on, setOn] = useState(today())
-  const [lacksDay, setLacksDay] = useState(false)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    setLacksDay(on === '')
-    if (on === '' || say.isPending) return
-    say.mutate(on, { onSuccess: () => showToast(`The bonus of ${amount} is due.`) })
-  }
   return (
-    <form
+    <Form
       className={`grid gap-3 ${classes.form}`}
-      onSubmit={send}
-      noValidate
       aria-label={`Record release date, ${title}`}
+      initialValues={{ on: today() }}
+      mutation={say}
+      onSubmit={({ on }) => say.mutate(on, { onSuccess: () => showToast(`The bonus of ${amount} is due.`) })}
     >
-      <TextInput
+      <Field
+        name="on"
         label="Shipped on"
         description={`Makes ${amount} due. This cannot be undone.`}
         type="date"
         max={today()}
-        value={on}
-        onChange={({ currentTarget }) => setOn(currentTarget.value)}
-        error={lacksDay ? 'Enter a date.' : undefined}
       />
-      <Refusal error={say.error} className={classes.wide} />
-      <div className="row wrap justify-end col-span-full">
-        <Button type="submit" aria-busy={say.isPending}>
-          Record release date
-        </Button>
-      </div>
-    </form>
+      <Submit variant="plain" className="row wrap justify-end col-span-full">
+        Record release date
+      </Submit>
+    </Form>
   )
 }

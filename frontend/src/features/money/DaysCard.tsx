@@ -1,15 +1,13 @@
-import { NativeSelect, TextInput } from '@mantine/core'
+import { NativeSelect } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
 
-import { useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { daysQuery, type ContractMoney, useLogDay } from '@/money/api'
 import { amount, money } from '@/money/words'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Submit } from '@/ui/Form'
 import { today } from '@/ui/format'
-import { Refusal } from '@/ui/Refusal'
 import { Rows } from '@/ui/Rows'
 
 import classes from './Page.module.css'
@@ -65,54 +63,30 @@ export function DaysCard({ contract, side, isProducer }: DaysCardProps) {
   )
 }
 
-function LogForm({ contract }: { contract: ContractMoney }) {
-  const log = useLogDay(contract.contract_id)
-  const [on, setOn] = useState(today())
-  const [quarters, setQuarters] = useState('4')
-  const [note, setNote, draft] = useDraft(`day:${contract.contract_id}`, '')
-  const [lacksDay, setLacksDay] = useState(false)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    setLacksDay(on === '')
-    if (on === '' || log.isPending) return
-    log.mutate({ worked_on: on, quarters: Number(quarters), note: note.trim() }, { onSuccess: draft.discard })
-  }
+function LogForm({ contract: { contract_id: id, title } }: { contract: ContractMoney }) {
+  const log = useLogDay(id)
   return (
-    <form
+    <DraftForm
       className={`grid gap-3 ${classes.form}`}
-      onSubmit={send}
-      noValidate
-      aria-label={`Log a day, ${contract.title}`}
+      aria-label={`Log a day, ${title}`}
+      draftKey={`day:${id}`}
+      initialValues={{ worked_on: today(), quarters: '4', note: '' }}
+      mutation={log}
+      onSubmit={({ worked_on, quarters, note }, onSuccess) =>
+        log.mutate({ worked_on, quarters: Number(quarters), note: note.trim() }, { onSuccess })
+      }
     >
-      <TextInput
-        label="Worked on"
-        description="Logging a day again replaces it."
-        type="date"
-        value={on}
-        onChange={({ currentTarget }) => setOn(currentTarget.value)}
-        error={lacksDay ? 'Enter a date.' : undefined}
-      />
-      <NativeSelect
+      <Field name="worked_on" label="Worked on" description="Logging a day again replaces it." type="date" />
+      <Field
+        as={NativeSelect}
+        name="quarters"
         size="xs"
         label="How much"
         description="In quarters of a day."
         data={CHOICES}
-        value={quarters}
-        onChange={({ currentTarget }) => setQuarters(currentTarget.value)}
       />
-      <TextInput
-        label="Description"
-        description="Optional."
-        value={note}
-        maxLength={2000}
-        onChange={({ currentTarget }) => setNote(currentTarget.value)}
-      />
-      <Refusal error={log.error} className={classes.wide} />
-      <div className="row wrap justify-end col-span-full">
-        <Button type="submit" variant="primary" aria-busy={log.isPending}>
-          Log day
-        </Button>
-      </div>
-    </form>
+      <Field optional name="note" label="Description" description="Optional." maxLength={2000} />
+      <Submit className="row wrap justify-end col-span-full">Log day</Submit>
+    </DraftForm>
   )
 }

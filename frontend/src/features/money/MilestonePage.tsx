@@ -1,7 +1,6 @@
-import { NativeSelect, NumberInput, TextInput } from '@mantine/core'
+import { NativeSelect, NumberInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
 
 import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
@@ -9,10 +8,9 @@ import { NotFoundPage } from '@/app/NotFoundPage'
 import { useTitle } from '@/app/title'
 import { milestoneQuery, type MilestoneCue, type MilestoneSheet, useLogWork } from '@/money/api'
 import { amount, hours, money, slipInWords } from '@/money/words'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Form, Submit } from '@/ui/Form'
 import { average, day, deviation, dueDay, figure, plural, shortDay, today } from '@/ui/format'
 import { PageWait } from '@/ui/PageWait'
 import { Row, Rows } from '@/ui/Rows'
@@ -336,48 +334,28 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
 /** The designer's own note of time, which the estimates are held against. */
 function LogWork({ contractId, cues }: { contractId: string; cues: readonly { id: string; name: string }[] }) {
   const log = useLogWork(contractId)
-  const [cue, setCue] = useState(cues[0]?.id ?? '')
-  const [minutes, setMinutes] = useState<number | string>('')
-  const [on, setOn] = useState(today())
-  const [lacks, setLacks] = useState(false)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    const given = Number(minutes)
-    const isLacking = !(given >= 1) || on === ''
-    setLacks(isLacking)
-    if (isLacking || log.isPending) return
-    log.mutate({ cue_id: cue, minutes: Math.round(given), worked_on: on }, { onSuccess: () => setMinutes('') })
-  }
   return (
-    <form className={`grid gap-3 ${classes.form}`} onSubmit={send} noValidate aria-label="Log time">
-      <NativeSelect
+    <Form
+      className={`grid gap-3 ${classes.form}`}
+      aria-label="Log time"
+      initialValues={{ cue_id: cues[0]?.id ?? '', minutes: '', worked_on: today() }}
+      mutation={log}
+      checks={({ minutes }) => ({ minutes: !(Number(minutes) >= 1) && 'Enter minutes.' })}
+      resets={({ cue_id, worked_on }) => ({ cue_id, worked_on })}
+      onSubmit={(typed) => log.mutate({ ...typed, minutes: Math.round(Number(typed.minutes)) })}
+    >
+      <Field
+        as={NativeSelect}
+        name="cue_id"
         size="xs"
         label="Cue"
         data={cues.map(({ id, name }) => ({ value: id, label: name }))}
-        value={cue}
-        onChange={({ currentTarget }) => setCue(currentTarget.value)}
       />
-      <NumberInput
-        label="Minutes"
-        min={1}
-        max={24 * 60}
-        allowDecimal={false}
-        value={minutes}
-        onChange={setMinutes}
-        error={lacks ? 'Enter minutes and a date.' : undefined}
-      />
-      <TextInput
-        label="Worked on"
-        type="date"
-        value={on}
-        onChange={({ currentTarget }) => setOn(currentTarget.value)}
-      />
-      <Refusal error={log.error} className={classes.wide} />
-      <div className="row wrap justify-end col-span-full">
-        <Button type="submit" aria-busy={log.isPending}>
-          Log time
-        </Button>
-      </div>
-    </form>
+      <Field as={NumberInput} name="minutes" label="Minutes" min={1} max={24 * 60} allowDecimal={false} />
+      <Field name="worked_on" label="Worked on" type="date" />
+      <Submit variant="plain" className="row wrap justify-end col-span-full">
+        Log time
+      </Submit>
+    </Form>
   )
 }

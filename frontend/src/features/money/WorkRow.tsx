@@ -1,10 +1,10 @@
-import { TextInput } from '@mantine/core'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
-import { useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { useRefuseDay, useSettleDay, type WorkedDay } from '@/money/api'
 import { amount } from '@/money/words'
 import { Button } from '@/ui/Button'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row } from '@/ui/Rows'
@@ -96,44 +96,38 @@ export function WorkRow({ work, length, currency, side, isProducer, onCorrect }:
 
 function RefuseForm({ work, name, onDone }: { work: WorkedDay; name: string; onDone: () => void }) {
   const refuse = useRefuseDay(work.id)
-  const [reason, setReason, draft] = useDraft(`refusal:${work.id}`, '')
-  const [isEmpty, setIsEmpty] = useState(false)
   const field = useFocusOnMount<HTMLInputElement>()
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    setIsEmpty(reason.trim() === '')
-    if (reason.trim() === '' || refuse.isPending) return
-    refuse.mutate(
-      { reason: reason.trim() },
-      {
-        onSuccess: () => {
-          draft.discard()
-          onDone()
-        },
-      },
-    )
-  }
   return (
-    <form className={`grid gap-3 ${classes.form} ${classes.inRow}`} onSubmit={send} noValidate aria-label={name}>
-      <TextInput
+    <DraftForm
+      className={`grid gap-3 ${classes.form} ${classes.inRow}`}
+      aria-label={name}
+      draftKey={`refusal:${work.id}`}
+      initialValues={{ reason: '' }}
+      mutation={refuse}
+      checks={({ reason }) => ({ reason: reason.trim() === '' && 'Say why.' })}
+      onSubmit={({ reason }, onSent) =>
+        refuse.mutate(
+          { reason: reason.trim() },
+          {
+            onSuccess: () => {
+              onSent()
+              onDone()
+            },
+          },
+        )
+      }
+    >
+      <Field
+        ref={field}
+        name="reason"
         className={classes.wide}
         label="Why"
         description="The designer reads it, and can correct the entry and send it again."
-        value={reason}
         maxLength={2000}
-        ref={field}
-        onChange={({ currentTarget }) => setReason(currentTarget.value)}
-        error={isEmpty ? 'Say why.' : undefined}
       />
-      <Refusal error={refuse.error} className={classes.wide} />
-      <div className="row wrap justify-end col-span-full">
-        <Button variant="quiet" onClick={onDone}>
-          Cancel
-        </Button>
-        <Button type="submit" aria-busy={refuse.isPending}>
-          Refuse
-        </Button>
-      </div>
-    </form>
+      <Submit variant="plain" className="row wrap justify-end col-span-full" onCancel={onDone}>
+        Refuse
+      </Submit>
+    </DraftForm>
   )
 }

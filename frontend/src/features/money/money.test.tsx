@@ -83,7 +83,7 @@ describe('a producer', () => {
     await userEvent.click(effects.getByRole('button', { name: 'Record payment on invoice 1' }))
     const form = within(effects.getByRole('form', { name: 'Payment on invoice 1, Effects' }))
     await userEvent.click(form.getByRole('button', { name: 'Record payment' }))
-    expect(form.getByText('Enter the bank reference.')).toBeVisible()
+    expect(form.getByText('Reference is required.')).toBeVisible()
     expect(await faults()).toEqual([])
     await userEvent.type(form.getByLabelText('Reference'), 'TX 41')
     await userEvent.click(form.getByRole('button', { name: 'Record payment' }))

@@ -134,7 +134,7 @@ describe('the page of a milestone', () => {
     await opened()
     const form = within(await screen.findByRole('form', { name: 'Log time' }))
     await userEvent.click(form.getByRole('button', { name: 'Log time' }))
-    expect(form.getByText('Enter minutes and a date.')).toBeVisible()
+    expect(form.getByText('Enter minutes.')).toBeVisible()
     await userEvent.selectOptions(form.getByLabelText('Cue'), 'vo_oath')
     await userEvent.type(form.getByLabelText('Minutes'), '45')
     await userEvent.click(form.getByRole('button', { name: 'Log time' }))

@@ -1,13 +1,12 @@
-import { TextInput } from '@mantine/core'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
 import { put, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { minorOf, money } from '@/money/words'
 import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Submit } from '@/ui/Form'
 
 import classes from './Pace.module.css'
 
@@ -39,61 +38,43 @@ export function BudgetForm({ projectId, currencies }: { projectId: string; curre
 
 function OpenForm({ projectId, currency, onDone }: { projectId: string; currency: string; onDone: () => void }) {
   const set = useSetBudget(projectId)
-  const [typed, setTyped, draft] = useDraft(`budget:${projectId}`, { currency, amount: '' })
-  const [problems, setProblems] = useState<{ currency?: string; amount?: string }>({})
-  const change = (part: Partial<typeof typed>) => {
-    setProblems({})
-    setTyped((now) => ({ ...now, ...part }))
-  }
-  const save = (event: FormEvent) => {
-    event.preventDefault()
-    const code = typed.currency.trim().toUpperCase()
-    if (!/^[A-Z]{3}$/.test(code)) return setProblems({ currency: 'Three letters, such as USD or EUR.' })
-    const isEmpty = typed.amount.trim() === ''
-    const minor = isEmpty ? null : minorOf(typed.amount, code)
-    if (!isEmpty && (minor === null || minor <= 0))
-      return setProblems({ amount: 'An amount above zero, such as 12000.' })
-    set.mutate(
-      { currency: code, amount_minor: minor },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast(minor === null ? `No budget in ${code}.` : `The budget is ${money(minor, code)}.`)
-          onDone()
-        },
-      },
-    )
-  }
   return (
-    <form
+    <DraftForm
       className={`grid items-end gap-3 col-span-full ${classes.budget}`}
-      onSubmit={save}
-      noValidate
       aria-label="Budget"
+      draftKey={`budget:${projectId}`}
+      initialValues={{ currency, amount: '' }}
+      mutation={set}
+      checks={(typed) => ({
+        currency: !/^[A-Z]{3}$/.test(codeOf(typed.currency)) && 'Three letters, such as USD or EUR.',
+        amount:
+          typed.amount.trim() !== '' &&
+          !((minorOf(typed.amount, codeOf(typed.currency)) ?? 0) > 0) &&
+          'An amount above zero, such as 12000.',
+      })}
+      onSubmit={(typed, onSent) => {
+        const code = codeOf(typed.currency)
+        const minor = typed.amount.trim() === '' ? null : minorOf(typed.amount, code)
+        set.mutate(
+          { currency: code, amount_minor: minor },
+          {
+            onSuccess: () => {
+              onSent()
+              showToast(minor === null ? `No budget in ${code}.` : `The budget is ${money(minor, code)}.`)
+              onDone()
+            },
+          },
+        )
+      }}
     >
-      <TextInput
-        label="Currency"
-        maxLength={3}
-        value={typed.currency}
-        error={problems.currency}
-        onChange={({ currentTarget: { value } }) => change({ currency: value })}
-      />
-      <TextInput
-        label="Budget"
-        description="Empty removes it"
-        inputMode="decimal"
-        value={typed.amount}
-        error={problems.amount}
-        onChange={({ currentTarget: { value } }) => change({ amount: value })}
-      />
-      <Button type="submit" variant="primary" aria-busy={set.isPending}>
-        Save budget
-      </Button>
+      <Field name="currency" label="Currency" maxLength={3} />
+      <Field optional name="amount" label="Budget" description="Empty removes it" inputMode="decimal" />
+      <Submit>Save budget</Submit>
       <Button variant="quiet" onClick={onDone}>
         Close
       </Button>
-      <DraftNote draft={draft} />
-      <Refusal inset error={set.error} />
-    </form>
+    </DraftForm>
   )
 }
+
+const codeOf = (typed: string): string => typed.trim().toUpperCase()

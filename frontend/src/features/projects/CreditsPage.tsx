@@ -1,14 +1,14 @@
-import { Checkbox, TextInput } from '@mantine/core'
+import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
-import type { FormEvent } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
@@ -111,73 +111,62 @@ interface CardProps {
 
 function MyCard({ credits, projectId }: CardProps) {
   const save = useSaveMyCredit(projectId)
-  const begun = { name: credits.my_name, is_left_out: credits.am_left_out }
-  const [mine, setMine, typed] = useDraft(`credit:${projectId}`, begun)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    save.mutate(mine, {
-      onSuccess: () => {
-        typed.discard()
-        showToast(mine.is_left_out ? 'You are left out of the credits.' : 'Your name in the credits is saved.')
-      },
-    })
-  }
   return (
     <Card aria-labelledby="my-credit">
       <CardHead id="my-credit" title="Your name in the credits" />
-      <form className={`grid gap-3 ${classes.form}`} onSubmit={send} noValidate aria-label="Your name in the credits">
-        <TextInput
-          label="Name"
-          description={`Empty: ${credits.my_account_name}, as in your account`}
-          maxLength={120}
-          value={mine.name}
-          disabled={mine.is_left_out}
-          onChange={({ currentTarget: { value } }) => setMine((now) => ({ ...now, name: value }))}
-        />
-        <Checkbox
-          label="Leave me out of the credits"
-          checked={mine.is_left_out}
-          onChange={({ currentTarget: { checked } }) => setMine((now) => ({ ...now, is_left_out: checked }))}
-        />
-        <DraftNote draft={typed} />
-        <Refusal inset error={save.error} />
-        <Button type="submit" variant="primary" aria-busy={save.isPending}>
-          Save
-        </Button>
-      </form>
+      <DraftForm
+        className="grid gap-3 p-3-inset-4"
+        aria-label="Your name in the credits"
+        draftKey={`credit:${projectId}`}
+        initialValues={{ name: credits.my_name, is_left_out: credits.am_left_out }}
+        mutation={save}
+        onSubmit={(mine, onSent) =>
+          save.mutate(mine, {
+            onSuccess: () => {
+              onSent()
+              showToast(mine.is_left_out ? 'You are left out of the credits.' : 'Your name in the credits is saved.')
+            },
+          })
+        }
+      >
+        {(mine) => (
+          <>
+            <Field
+              optional
+              name="name"
+              label="Name"
+              description={`Empty: ${credits.my_account_name}, as in your account`}
+              maxLength={120}
+              disabled={mine.is_left_out}
+            />
+            <Field as={Checkbox} name="is_left_out" label="Leave me out of the credits" />
+            <Submit>Save</Submit>
+          </>
+        )}
+      </DraftForm>
     </Card>
   )
 }
 
 function AddCard({ projectId }: { projectId: string }) {
   const add = useAddCredit(projectId)
-  const [{ role, name }, setLine, typed] = useDraft(`credit-line:${projectId}`, { role: '', name: '' })
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    add.mutate({ role, name }, { onSuccess: typed.discard })
-  }
   return (
     <Card aria-labelledby="add-credit">
       <CardHead id="add-credit" title="Add a name" note="performers, voices, musicians" />
-      <form className={`grid items-end gap-3 ${classes.add}`} onSubmit={send} noValidate aria-label="Add a name">
-        <TextInput
-          label="Role"
-          maxLength={120}
-          value={role}
-          onChange={({ currentTarget: { value } }) => setLine((now) => ({ ...now, role: value }))}
-        />
-        <TextInput
-          label="Name"
-          maxLength={120}
-          value={name}
-          onChange={({ currentTarget: { value } }) => setLine((now) => ({ ...now, name: value }))}
-        />
-        <Button type="submit" icon="plus" disabled={role.trim() === '' || name.trim() === ''}>
+      <DraftForm
+        className={`grid items-end gap-3 p-3-inset-4 ${classes.add}`}
+        aria-label="Add a name"
+        draftKey={`credit-line:${projectId}`}
+        initialValues={{ role: '', name: '' }}
+        mutation={add}
+        onSubmit={(line, onSuccess) => add.mutate(line, { onSuccess })}
+      >
+        <Field name="role" label="Role" maxLength={120} />
+        <Field name="name" label="Name" maxLength={120} />
+        <Submit variant="plain" icon="plus">
           Add name
-        </Button>
-      </form>
-      <DraftNote draft={typed} />
-      <Refusal inset error={add.error} />
+        </Submit>
+      </DraftForm>
     </Card>
   )
 }

@@ -9,7 +9,7 @@ import { useOpenSample } from '@/app/SampleProject'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
-import { Field, Form, Submit, useField } from '@/ui/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { Sheet } from '@/ui/Sheet'
 import { PageSkeleton } from '@/ui/Skeleton'
@@ -133,7 +133,15 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
                 onChange={({ currentTarget }) => setTypedPrefix(currentTarget.value.toUpperCase())}
                 error={against(open.error, 'cue_prefix')}
               />
-              <DescriptionField />
+              <Field
+                as={Textarea}
+                optional
+                name="description"
+                label="Description (optional)"
+                description="What kind of game is it, and on what will it be played? Designers read this first."
+                rows={2}
+                resize="vertical"
+              />
               <fieldset className={`grid gap-2-3 ${classes.presets}`}>
                 <legend>Delivery spec</legend>
                 {(Object.keys(PRESETS) as Preset[]).map((key) => {
@@ -213,19 +221,5 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
         </label>
       ))}
     </fieldset>
-  )
-}
-
-function DescriptionField() {
-  const { fieldKey, props } = useField('description')
-  return (
-    <Textarea
-      key={fieldKey}
-      {...props}
-      label="Description (optional)"
-      description="What kind of game is it, and on what will it be played? Designers read this first."
-      rows={2}
-      resize="vertical"
-    />
   )
 }

@@ -1,9 +1,10 @@
-import { Checkbox, NativeSelect, TextInput } from '@mantine/core'
-import { type FormEvent, useState } from 'react'
+import { Checkbox, NativeSelect } from '@mantine/core'
+import { useState } from 'react'
 
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { Row, Rows } from '@/ui/Rows'
 import { SecretOnce } from '@/ui/SecretOnce'
@@ -14,7 +15,7 @@ import classes from './Builds.module.css'
 import { ago, day } from '@/ui/format'
 import { TOKEN_LIFETIMES } from '@/ui/tokenLifetimes'
 
-import { against, listed } from './words'
+import { listed } from './words'
 
 const SCOPE_WORDS: Record<Scope, string> = {
   'spec:read': 'reads the spec',
@@ -32,24 +33,6 @@ export function TokenMaker({ projectId }: { projectId: string }) {
   const make = useMakeToken(projectId)
   const [asking, setAsking] = useState(false)
   const [token, setToken] = useState<TokenMade | null>(null)
-  const send = (event: FormEvent<HTMLFormElement>) => {
-    event.preventDefault()
-    const form = new FormData(event.currentTarget)
-    const name = form.get('name')
-    make.mutate(
-      {
-        name: typeof name === 'string' ? name : '',
-        scopes: form.has('rights') ? [...FOR_CI, 'rights:read'] : FOR_CI,
-        days: Number(form.get('days')),
-      },
-      {
-        onSuccess: (created) => {
-          setToken(created)
-          setAsking(false)
-        },
-      },
-    )
-  }
   if (token) return <Secret token={token} onDone={() => setToken(null)} />
   if (!asking) {
     return (
@@ -59,36 +42,43 @@ export function TokenMaker({ projectId }: { projectId: string }) {
     )
   }
   return (
-    <form onSubmit={send} noValidate className="grid gap-3" aria-label="Create token">
-      <TextInput
+    <Form
+      className="grid gap-3"
+      aria-label="Create token"
+      initialValues={{ name: 'Game CI', rights: false, days: '365' }}
+      mutation={make}
+      onSubmit={({ name, rights, days }) =>
+        make.mutate(
+          { name, scopes: rights ? [...FOR_CI, 'rights:read'] : FOR_CI, days: Number(days) },
+          {
+            onSuccess: (created) => {
+              setToken(created)
+              setAsking(false)
+            },
+          },
+        )
+      }
+    >
+      <Field
         name="name"
         label="Token name"
-        defaultValue="Game CI"
-        error={against(make.error, 'name')}
         description={`It ${listed(FOR_CI.map((scope) => SCOPE_WORDS[scope]))}, of this project alone.`}
       />
-      <Checkbox
+      <Field
+        as={Checkbox}
         name="rights"
         label="Also reads contracts and sources of approved sounds"
         description="For soundlist why; CI does not need it."
       />
-      <NativeSelect
+      <Field
+        as={NativeSelect}
         name="days"
         label="Works for"
         data={TOKEN_LIFETIMES}
-        defaultValue="365"
         description="The producers are told two weeks before it ends."
       />
-      <div className="row wrap">
-        <Button type="submit" variant="primary" aria-busy={make.isPending}>
-          Create token
-        </Button>
-        <Button variant="quiet" onClick={() => setAsking(false)}>
-          Cancel
-        </Button>
-      </div>
-      <Refusal inset error={make.error} />
-    </form>
+      <Submit onCancel={() => setAsking(false)}>Create token</Submit>
+    </Form>
   )
 }
 

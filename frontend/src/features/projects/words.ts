@@ -44,6 +44,13 @@ export const KINDS = Object.keys(KIND_WORDS) as EngagementKind[]
 /** Who may change the spec and invite: a producer, a liaison or the approver. */
 export const canActForStudio = ({ mine }: Project): boolean => mine.is_producer || mine.is_liaison || mine.is_approver
 
+/** The lines of a text that say something. */
+export const linesOf = (text: string): string[] =>
+  text
+    .split('\n')
+    .map((line) => line.trim())
+    .filter(Boolean)
+
 /** "A", "A and B", "A, B and C". */
 export function listed(words: readonly string[], joint = 'and'): string {
   return words.length < 2 ? (words[0] ?? '') : `${words.slice(0, -1).join(', ')} ${joint} ${words.at(-1)}`

@@ -8,7 +8,7 @@ import { ended } from '@/judging/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { Form, Submit, useField } from '@/ui/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { bytes } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 import { ANY_FILE, filesOfField, isGoing, type Upload, type UploadQueue } from '@/uploads'
@@ -157,8 +157,8 @@ function Recipe({ take, bank, mayChange }: { take: Take; bank: SourceBank; mayCh
           save.mutate({ plug_ins: plug_ins.split('\n').filter((line) => line.trim()), recipe }, { onSuccess: close })
         }
       >
-        <Lines name="plug_ins" label="Plug-ins, one a line" />
-        <Lines name="recipe" label="Recipe" />
+        <Field as={Textarea} optional rows={4} name="plug_ins" label="Plug-ins, one a line" />
+        <Field as={Textarea} optional rows={4} name="recipe" label="Recipe" />
         <Submit
           beside={
             <Button variant="quiet" onClick={close}>
@@ -185,9 +185,4 @@ function Recipe({ take, bank, mayChange }: { take: Take; bank: SourceBank; mayCh
       )}
     </>
   )
-}
-
-function Lines({ name, label }: { name: string; label: string }) {
-  const { fieldKey, props } = useField(name)
-  return <Textarea key={fieldKey} {...props} label={label} rows={4} />
 }

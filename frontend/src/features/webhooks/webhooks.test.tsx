@@ -104,7 +104,7 @@ test('a refused address stays in its field with the reason', async () => {
   const field = await screen.findByRole('textbox', { name: 'Address' })
   await user.type(field, 'https://10.0.0.5/')
   await user.click(screen.getByRole('button', { name: 'Add the address' }))
-  expect(await screen.findByText(message)).toBeVisible()
+  expect(await screen.findByText(`${message}.`)).toBeVisible()
   expect(field).toHaveValue('https://10.0.0.5/')
 })
 

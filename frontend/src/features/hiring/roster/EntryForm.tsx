@@ -1,13 +1,10 @@
-import { Checkbox, Textarea, TextInput } from '@mantine/core'
-import { type FormEvent, useState } from 'react'
+import { Checkbox, NativeSelect, Textarea } from '@mantine/core'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { amount, minorOf } from '@/money/words'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { Refusal } from '@/ui/Refusal'
-import { Select } from '@/ui/Select'
+import { Field, Submit } from '@/ui/Form'
 
 import forms from '../Hiring.module.css'
 import { type Entry, type EntryWrite, useSaveEntry } from './api'
@@ -44,180 +41,134 @@ const linksOf = (typed: string) =>
       return { title: line.slice(0, Math.max(0, at)).trim(), url: line.slice(at + 1) }
     })
 
-/** What is to be saved, or what cannot be read. */
-function written(typed: Typed): { body: EntryWrite } | { wrong: string } {
-  const hours = typed.hours.trim() === '' ? null : Number(typed.hours)
-  if (hours !== null && !(Number.isInteger(hours) && hours >= 1 && hours <= 168)) {
-    return { wrong: 'Enter hours a week from 1 to 168, such as 30.' }
-  }
+function faultsOf(typed: Typed) {
+  const hours = Number(typed.hours)
+  const hasRate = typed.rate.trim() !== ''
   const currency = typed.currency.trim().toUpperCase()
-  if (typed.rate.trim() !== '' && !/^[A-Z]{3}$/.test(currency)) {
-    return { wrong: 'Enter a currency of three letters, such as USD.' }
-  }
-  const minor = typed.rate.trim() === '' ? null : minorOf(typed.rate, currency)
-  if (typed.rate.trim() !== '' && (minor === null || minor < 0)) {
-    return { wrong: `Enter a rate in ${currency}, such as 45.00.` }
-  }
   return {
-    body: {
-      name: typed.name,
-      email: typed.email,
-      specialities: listed(typed.specialities),
-      services: typed.services,
-      languages: listed(typed.languages),
-      equipment: typed.equipment,
-      credits: typed.credits,
-      referees: typed.referees,
-      links: linksOf(typed.links),
-      exclusivity: typed.exclusivity,
-      weekly_hours: hours,
-      available_from_on: typed.availableFrom || null,
-      notes: typed.notes,
-      rate: minor === null ? null : { amount_minor: minor, currency, unit: typed.unit },
-    },
+    hours:
+      typed.hours.trim() !== '' &&
+      !(Number.isInteger(hours) && hours >= 1 && hours <= 168) &&
+      'Enter hours a week from 1 to 168, such as 30.',
+    currency: hasRate && !/^[A-Z]{3}$/.test(currency) && 'Enter a currency of three letters, such as USD.',
+    rate: hasRate && !((minorOf(typed.rate, currency) ?? -1) >= 0) && `Enter a rate in ${currency}, such as 45.00.`,
+  }
+}
+
+function bodyOf({ hours, rate, currency, unit, availableFrom, ...typed }: Typed): EntryWrite {
+  const code = currency.trim().toUpperCase()
+  const minor = rate.trim() === '' ? null : minorOf(rate, code)
+  return {
+    ...typed,
+    specialities: listed(typed.specialities),
+    languages: listed(typed.languages),
+    links: linksOf(typed.links),
+    weekly_hours: hours.trim() === '' ? null : Number(hours),
+    available_from_on: availableFrom || null,
+    rate: minor === null ? null : { amount_minor: minor, currency: code, unit },
   }
 }
 
 /** Everything that people write about a designer on file. */
 export function EntryForm({ entry }: { entry: Entry }) {
-  const [now, set, draft] = useDraft(`roster:${entry.id}`, () => typedEntry(entry))
   const save = useSaveEntry(entry.id)
-  const [wrong, setWrong] = useState<string | null>(null)
-  const put = (changes: Partial<Typed>) => set((before) => ({ ...before, ...changes }))
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (save.isPending) return
-    const result = written(now)
-    setWrong('wrong' in result ? result.wrong : null)
-    if ('wrong' in result) return
-    save.mutate(
-      { ...result.body, revision: entry.revision },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast('Saved.')
-        },
-      },
-    )
-  }
-  const text = (name: 'specialities' | 'languages' | 'email' | 'name', label: string, description?: string) => (
-    <TextInput
-      label={label}
-      description={description}
-      value={now[name]}
-      onChange={({ currentTarget: { value } }) => put({ [name]: value })}
-    />
-  )
   const prose = (name: 'equipment' | 'credits' | 'referees' | 'notes', label: string, description?: string) => (
-    <Textarea
+    <Field
+      as={Textarea}
+      optional
+      name={name}
       className={forms.wide}
       label={label}
       description={description}
       rows={3}
       maxLength={5000}
-      value={now[name]}
-      onChange={({ currentTarget: { value } }) => put({ [name]: value })}
     />
   )
   return (
     <Card aria-labelledby="facts">
       <CardHead id="facts" title="On file" note="seen by the studio’s producers and audio leads" />
-      <form onSubmit={send} noValidate className={`grid gap-4 ${forms.form} items-end`} aria-label="On file">
-        <div className={forms.wide}>
-          <DraftNote draft={draft} />
-        </div>
-        {text('name', 'Name')}
-        {text('email', 'Email')}
-        {text('specialities', 'Specialities', 'Separated by commas')}
-        {text('languages', 'Languages', 'Separated by commas')}
-        <fieldset className={forms.wide} style={{ border: 0, padding: 0, margin: 0 }}>
-          <legend className="small mid">Also</legend>
-          <div className="flex wrap gap-2-4">
-            {SERVICES.map((service) => (
-              <Checkbox
-                key={service}
-                label={SERVICE_WORDS[service]}
-                checked={now.services.includes(service)}
-                onChange={({ currentTarget: { checked } }) =>
-                  put({
-                    services: checked ? [...now.services, service] : now.services.filter((other) => other !== service),
-                  })
-                }
-              />
-            ))}
-          </div>
-        </fieldset>
-        <Select
-          label="Works on"
-          value={now.exclusivity}
-          onChange={({ currentTarget: { value } }) => put({ exclusivity: value as Typed['exclusivity'] })}
-        >
-          {Object.entries(EXCLUSIVITY_WORDS).map(([value, words]) => (
-            <option key={value} value={value}>
-              {words}
-            </option>
-          ))}
-        </Select>
-        <TextInput
-          label="Stated hours per week"
-          inputMode="numeric"
-          value={now.hours}
-          onChange={({ currentTarget: { value } }) => put({ hours: value })}
-        />
-        <TextInput
-          label="Available from"
-          type="date"
-          value={now.availableFrom}
-          onChange={({ currentTarget: { value } }) => put({ availableFrom: value })}
-        />
-        {entry.may_see_rate && <RateFields now={now} put={put} />}
-        <Textarea
-          className={forms.wide}
-          label="Links"
-          description="One a line, a title before the address: Reel https://…"
-          rows={3}
-          value={now.links}
-          onChange={({ currentTarget: { value } }) => put({ links: value })}
-        />
-        {prose('credits', 'Credits')}
-        {prose('equipment', 'Equipment')}
-        {prose('referees', 'References', 'People who can recommend them')}
-        {prose('notes', 'Notes', 'Never shown to the designer')}
-        <div className={forms.wide}>
-          {wrong && <p role="alert">{wrong}</p>}
-          <Refusal error={save.error} />
-          <Button type="submit" variant="primary" aria-busy={save.isPending}>
-            Save
-          </Button>
-        </div>
-      </form>
-    </Card>
-  )
-}
-
-function RateFields({ now, put }: { now: Typed; put: (changes: Partial<Typed>) => void }) {
-  return (
-    <>
-      <TextInput
-        label="Rate, seen by producers only"
-        inputMode="decimal"
-        value={now.rate}
-        onChange={({ currentTarget: { value } }) => put({ rate: value })}
-      />
-      <TextInput
-        label="Currency"
-        maxLength={3}
-        value={now.currency}
-        onChange={({ currentTarget: { value } }) => put({ currency: value })}
-      />
-      <Select
-        label="For"
-        value={now.unit}
-        onChange={({ currentTarget: { value } }) => put({ unit: value === 'day' ? 'day' : 'hour' })}
+      <DraftForm
+        className={`grid gap-4 ${forms.form} items-end`}
+        aria-label="On file"
+        draftKey={`roster:${entry.id}`}
+        initialValues={typedEntry(entry)}
+        mutation={save}
+        checks={faultsOf}
+        onSubmit={(typed, onSent) =>
+          save.mutate(
+            { ...bodyOf(typed), revision: entry.revision },
+            {
+              onSuccess: () => {
+                onSent()
+                showToast('Saved.')
+              },
+            },
+          )
+        }
       >
-        <option value="hour">an hour</option>
-        <option value="day">a day</option>
-      </Select>
-    </>
+        {({ services }, change) => (
+          <>
+            <Field name="name" label="Name" />
+            <Field name="email" label="Email" />
+            <Field optional name="specialities" label="Specialities" description="Separated by commas" />
+            <Field optional name="languages" label="Languages" description="Separated by commas" />
+            <fieldset className={forms.wide} style={{ border: 0, padding: 0, margin: 0 }}>
+              <legend className="small mid">Also</legend>
+              <div className="flex wrap gap-2-4">
+                {SERVICES.map((service) => (
+                  <Checkbox
+                    key={service}
+                    label={SERVICE_WORDS[service]}
+                    checked={services.includes(service)}
+                    onChange={({ currentTarget: { checked } }) =>
+                      change({
+                        services: checked ? [...services, service] : services.filter((other) => other !== service),
+                      })
+                    }
+                  />
+                ))}
+              </div>
+            </fieldset>
+            <Field
+              as={NativeSelect}
+              name="exclusivity"
+              label="Works on"
+              data={Object.entries(EXCLUSIVITY_WORDS).map(([value, label]) => ({ value, label }))}
+            />
+            <Field optional name="hours" label="Stated hours per week" inputMode="numeric" />
+            <Field optional name="availableFrom" label="Available from" type="date" />
+            {entry.may_see_rate && (
+              <>
+                <Field optional name="rate" label="Rate, seen by producers only" inputMode="decimal" />
+                <Field optional name="currency" label="Currency" maxLength={3} />
+                <Field
+                  as={NativeSelect}
+                  name="unit"
+                  label="For"
+                  data={[
+                    { value: 'hour', label: 'an hour' },
+                    { value: 'day', label: 'a day' },
+                  ]}
+                />
+              </>
+            )}
+            <Field
+              as={Textarea}
+              optional
+              name="links"
+              className={forms.wide}
+              label="Links"
+              description="One a line, a title before the address: Reel https://…"
+              rows={3}
+            />
+            {prose('credits', 'Credits')}
+            {prose('equipment', 'Equipment')}
+            {prose('referees', 'References', 'People who can recommend them')}
+            {prose('notes', 'Notes', 'Never shown to the designer')}
+            <Submit className={forms.wide}>Save</Submit>
+          </>
+        )}
+      </DraftForm>
+    </Card>
   )
 }

@@ -1,20 +1,15 @@
-import { TextInput } from '@mantine/core'
-import { type FormEvent } from 'react'
-
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ConfirmInline } from '@/ui/ConfirmInline'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Submit } from '@/ui/Form'
 import { shortDay, today } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import forms from '../Hiring.module.css'
 import { type Entry, type Loan, useSetLoans } from './api'
 import classes from './Roster.module.css'
-
-const emptyLoan = () => ({ item: '', lent_on: today(), due_on: '' })
 
 /** The equipment that the studio lends to a designer, and when it goes back. */
 export function LoansCard({ entry }: { entry: Entry }) {
@@ -66,7 +61,6 @@ export function LoansCard({ entry }: { entry: Entry }) {
         ))}
       </Rows>
       <div className={forms.body}>
-        <Refusal error={save.error} />
         <AddLoan entry={entry} save={save} />
       </div>
     </Card>
@@ -77,43 +71,28 @@ const isLent = ({ returned_on: returnedOn }: Loan) => !returnedOn
 const isOverdue = (loan: Loan) => isLent(loan) && loan.due_on != null && loan.due_on < today()
 
 function AddLoan({ entry, save }: { entry: Entry; save: ReturnType<typeof useSetLoans> }) {
-  const [loan, set, draft] = useDraft(`roster-loan:${entry.id}`, emptyLoan)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (save.isPending || !loan.item.trim()) return
-    save.mutate([...entry.loans, { ...loan, due_on: loan.due_on || null, returned_on: null }], {
-      onSuccess: () => {
-        draft.discard()
-        showToast('Loan recorded.')
-      },
-    })
-  }
   return (
-    <form onSubmit={send} noValidate className="stack" aria-label="Lend equipment">
-      <DraftNote draft={draft} />
-      <div className={`grid items-end gap-3 ${classes.loan}`}>
-        <TextInput
-          label="Item"
-          maxLength={120}
-          value={loan.item}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, item: value }))}
-        />
-        <TextInput
-          label="Lent on"
-          type="date"
-          value={loan.lent_on}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, lent_on: value }))}
-        />
-        <TextInput
-          label="Due back"
-          type="date"
-          value={loan.due_on}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, due_on: value }))}
-        />
-        <Button type="submit" icon="plus" aria-busy={save.isPending} disabled={!loan.item.trim()}>
-          Lend
-        </Button>
-      </div>
-    </form>
+    <DraftForm
+      className={`grid items-end gap-3 ${classes.loan}`}
+      aria-label="Lend equipment"
+      draftKey={`roster-loan:${entry.id}`}
+      initialValues={{ item: '', lent_on: today(), due_on: '' }}
+      mutation={save}
+      onSubmit={(loan, onSent) =>
+        save.mutate([...entry.loans, { ...loan, due_on: loan.due_on || null, returned_on: null }], {
+          onSuccess: () => {
+            onSent()
+            showToast('Loan recorded.')
+          },
+        })
+      }
+    >
+      <Field name="item" label="Item" maxLength={120} />
+      <Field name="lent_on" label="Lent on" type="date" />
+      <Field optional name="due_on" label="Due back" type="date" />
+      <Submit variant="plain" icon="plus">
+        Lend
+      </Submit>
+    </DraftForm>
   )
 }

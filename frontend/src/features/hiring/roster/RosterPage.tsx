@@ -2,14 +2,15 @@ import { TextInput } from '@mantine/core'
 import { useDebouncedCallback } from '@mantine/hooks'
 import { keepPreviousData, useInfiniteQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useSearch } from '@tanstack/react-router'
-import { type FormEvent, useRef, useState } from 'react'
+import { useRef, useState } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { countOf, plural, shortDay, today } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
@@ -346,56 +347,37 @@ function Free({ person, asksDays }: { person: RosterRow; asksDays: boolean }) {
 }
 
 function AddCard({ studioId }: { studioId: string }) {
-  const [now, set, draft] = useDraft(`roster-add:${studioId}`, { name: '', email: '' })
   const add = useAddEntry(studioId)
   const navigate = useNavigate()
   const name = useRef<HTMLInputElement>(null)
   useHotkeys([{ keys: 'n', label: 'Add a person', group: GROUP, run: () => name.current?.focus() }])
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (add.isPending || now.name.trim() === '' || now.email.trim() === '') return
-    add.mutate(
-      { ...NEW_ENTRY, ...now },
-      {
-        onSuccess: ({ id }) => {
-          draft.discard()
-          void navigate({ to: '/roster/$entryId', params: { entryId: id } })
-        },
-      },
-    )
-  }
   return (
     <Card aria-labelledby="add">
       <CardHead id="add" title="Add a person" note="nobody is mailed" />
-      <form onSubmit={send} noValidate className={`grid gap-4 ${forms.form}`} aria-label="Add a person">
-        <div className={forms.wide}>
-          <DraftNote draft={draft} />
-        </div>
-        <TextInput
-          ref={name}
-          label="Name"
-          value={now.name}
-          maxLength={120}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, name: value }))}
-        />
-        <TextInput
-          label="Email"
-          type="email"
-          value={now.email}
-          onChange={({ currentTarget: { value } }) => set((before) => ({ ...before, email: value }))}
-        />
-        <div className={forms.wide}>
-          <Refusal error={add.error} />
-          <Button
-            type="submit"
-            icon="plus"
-            disabled={now.name.trim() === '' || now.email.trim() === ''}
-            aria-busy={add.isPending}
-          >
-            Add designer
-          </Button>
-        </div>
-      </form>
+      <DraftForm
+        className={`grid gap-4 ${forms.form}`}
+        aria-label="Add a person"
+        draftKey={`roster-add:${studioId}`}
+        initialValues={{ name: '', email: '' }}
+        mutation={add}
+        onSubmit={(typed, onSent) =>
+          add.mutate(
+            { ...NEW_ENTRY, ...typed },
+            {
+              onSuccess: ({ id }) => {
+                onSent()
+                void navigate({ to: '/roster/$entryId', params: { entryId: id } })
+              },
+            },
+          )
+        }
+      >
+        <Field ref={name} name="name" label="Name" maxLength={120} />
+        <Field name="email" label="Email" type="email" />
+        <Submit variant="plain" icon="plus" className={forms.wide}>
+          Add designer
+        </Submit>
+      </DraftForm>
     </Card>
   )
 }

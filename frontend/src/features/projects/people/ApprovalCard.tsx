@@ -1,17 +1,18 @@
 import { Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
 import { categoriesQuery } from '@/api/project'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
 
 import type { Project } from '../api'
 import { approvalSettingsQuery, useSetBlockers, useSetChecklist } from './api'
+import { linesOf } from '../words'
 import classes from './People.module.css'
 
 const BLOCKERS = [
@@ -109,36 +110,40 @@ interface ChecklistFormProps {
 
 function ChecklistForm({ projectId, category, items }: ChecklistFormProps) {
   const saved = items.join('\n')
-  const [text, setText, draft] = useDraft(`checklist:${projectId}:${category}:${saved}`, saved)
   const write = useSetChecklist(projectId)
-  const onSubmit = (event: FormEvent) => {
-    event.preventDefault()
-    if (write.isPending) return
-    const lines = text.split('\n').map((line) => line.trim())
-    write.mutate(
-      { category, items: lines.filter(Boolean) },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast(`The checklist of ${nameOf(category)} is saved.`)
-        },
-      },
-    )
-  }
   return (
-    <form className={`grid gap-3 ${classes.checklist}`} onSubmit={onSubmit}>
-      <Textarea
-        label={`Items for ${nameOf(category)}`}
-        description="One a line. An item that stays as it is keeps its checks."
-        rows={6}
-        value={text}
-        onChange={(event) => setText(event.currentTarget.value)}
-      />
-      <DraftNote draft={draft} />
-      <Refusal inset error={write.error} />
-      <Button type="submit" disabled={text === saved} aria-busy={write.isPending}>
-        Save checklist
-      </Button>
-    </form>
+    <DraftForm
+      className={`grid gap-3 ${classes.checklist}`}
+      draftKey={`checklist:${projectId}:${category}:${saved}`}
+      initialValues={{ items: saved }}
+      mutation={write}
+      onSubmit={({ items: text }, onSent) =>
+        write.mutate(
+          { category, items: linesOf(text) },
+          {
+            onSuccess: () => {
+              onSent()
+              showToast(`The checklist of ${nameOf(category)} is saved.`)
+            },
+          },
+        )
+      }
+    >
+      {({ items: text }) => (
+        <>
+          <Field
+            as={Textarea}
+            optional
+            name="items"
+            label={`Items for ${nameOf(category)}`}
+            description="One a line. An item that stays as it is keeps its checks."
+            rows={6}
+          />
+          <Submit variant="plain" disabled={text === saved}>
+            Save checklist
+          </Submit>
+        </>
+      )}
+    </DraftForm>
   )
 }

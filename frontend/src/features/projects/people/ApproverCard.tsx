@@ -1,22 +1,22 @@
-import { Select, TextInput } from '@mantine/core'
+import { Select } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
-import { useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Avatar } from '@/ui/Avatar'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
 import { type Project } from '../api'
 import { approverHistoryQuery, invitedApproversQuery, type Member, useInviteApprover, useNameApprover } from './api'
-import { against, sentence } from '../words'
+import { sentence } from '../words'
 import { candidatesOf } from './candidates'
 import classes from './People.module.css'
 
@@ -24,32 +24,11 @@ import classes from './People.module.css'
 export function ApproverCard({ project, members = [] }: { project: Project; members: readonly Member[] | undefined }) {
   const { data: me } = useQuery(meQuery)
   const { data: history, error } = useQuery(approverHistoryQuery(project.id))
-  const [naming, setNaming] = useState(false)
-  const [personId, setPersonId] = useState<string | null>(null)
-  const [reason, setReason, draft] = useDraft(`approver:${project.id}`, '')
+  const [naming, setNaming] = useState<string | null>(null)
   const name = useNameApprover(project.id)
   const { approver, mine } = project
   const candidates = candidatesOf(project, members).filter(({ person }) => person.id !== approver.id)
   const own = candidates.find(({ person }) => person.id === me?.person.id)
-  const begin = (id: string | null) => {
-    setPersonId(id)
-    setNaming(true)
-  }
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (personId === null || name.isPending) return
-    name.mutate(
-      { person_id: personId, reason },
-      {
-        onSuccess: (changed) => {
-          showToast(`${changed.approver.name} is the approver now.`)
-          setNaming(false)
-          draft.discard()
-        },
-      },
-    )
-  }
-  const fields = name.error instanceof ApiProblem && name.error.errors.length > 0
   return (
     <Card aria-labelledby="approver">
       <CardHead id="approver" title="Approver" note={ofWhat(project)} />
@@ -62,49 +41,50 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
           )}
         </div>
       </div>
-      {mine.is_producer && !naming && (
+      {mine.is_producer && naming === null && (
         <div className={`row wrap ${classes.acts}`}>
           {candidates.length > 0 && (
-            <Button onClick={() => begin(candidates[0]?.person.id ?? null)}>Change approver</Button>
+            <Button onClick={() => setNaming(candidates[0]?.person.id ?? null)}>Change approver</Button>
           )}
           {own && (
-            <Button variant="quiet" onClick={() => begin(own.person.id)}>
+            <Button variant="quiet" onClick={() => setNaming(own.person.id)}>
               Make me the approver
             </Button>
           )}
         </div>
       )}
-      {naming && candidates.length > 0 && (
-        <form onSubmit={send} noValidate className="grid gap-3 p-3-inset-4" aria-label="Change the approver">
-          <Select
+      {naming !== null && candidates.length > 0 && (
+        <DraftForm
+          className="grid gap-3 p-3-inset-4"
+          aria-label="Change the approver"
+          draftKey={`approver:${project.id}`}
+          initialValues={{ person_id: naming, reason: '' }}
+          mutation={name}
+          onSubmit={(typed, onSent) =>
+            name.mutate(typed, {
+              onSuccess: (changed) => {
+                showToast(`${changed.approver.name} is the approver now.`)
+                setNaming(null)
+                onSent()
+              },
+            })
+          }
+        >
+          <Field
+            as={Select}
+            name="person_id"
             label="New approver"
             data={candidates.map(({ person }) => ({
               value: person.id,
               label: person.id === me?.person.id ? `${person.name} (you)` : person.name,
             }))}
-            value={personId}
-            onChange={setPersonId}
             allowDeselect={false}
-            error={against(name.error, 'person_id')}
           />
-          <TextInput
-            label="Reason (logged)"
-            value={reason}
-            onChange={({ currentTarget }) => setReason(currentTarget.value)}
-            error={against(name.error, 'reason')}
-          />
-          {!fields && <Refusal inset error={name.error} />}
-          <div className="row wrap">
-            <Button type="submit" variant="primary" aria-busy={name.isPending}>
-              Make approver
-            </Button>
-            <Button variant="quiet" onClick={() => setNaming(false)}>
-              Cancel
-            </Button>
-          </div>
-        </form>
+          <Field optional name="reason" label="Reason (logged)" />
+          <Submit onCancel={() => setNaming(null)}>Make approver</Submit>
+        </DraftForm>
       )}
-      {mine.is_producer && !naming && <InviteApprover project={project} />}
+      {mine.is_producer && naming === null && <InviteApprover project={project} />}
       <Refusal inset error={error} />
       {history && history.length > 0 && (
         <>
@@ -134,18 +114,6 @@ const ofWhat = ({ category_approvers: own }: Project): string =>
 function InviteApprover({ project }: { project: Project }) {
   const invite = useInviteApprover(project.id, project.studio.id)
   const { data: invited = [] } = useQuery(invitedApproversQuery(project.id, project.studio.id))
-  const [email, setEmail] = useState('')
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (invite.isPending) return
-    invite.mutate(email, {
-      onSuccess: (invitation) => {
-        setEmail('')
-        showToast(invitation.is_named ? `${invitation.email} is the approver now.` : `${invitation.email} is invited.`)
-      },
-    })
-  }
-  const isAtField = invite.error instanceof ApiProblem && invite.error.errors.length > 0
   return (
     <>
       <h3 className={classes.part}>Invite an approver</h3>
@@ -155,22 +123,24 @@ function InviteApprover({ project }: { project: Project }) {
           <MailedLink projectId={project.id} ofId={invitation.id} recipient={invitation.email} />
         </div>
       ))}
-      <form onSubmit={send} noValidate className="grid gap-3 p-3-inset-4" aria-label="Invite an approver">
-        <TextInput
-          label="Approver’s email"
-          type="email"
-          autoComplete="off"
-          value={email}
-          onChange={({ currentTarget }) => setEmail(currentTarget.value)}
-          error={against(invite.error, 'email')}
-        />
-        {!isAtField && <Refusal inset error={invite.error} />}
-        <div className="row wrap">
-          <Button type="submit" aria-busy={invite.isPending}>
-            Invite as approver
-          </Button>
-        </div>
-      </form>
+      <Form
+        className="grid gap-3 p-3-inset-4"
+        aria-label="Invite an approver"
+        initialValues={{ email: '' }}
+        mutation={invite}
+        resets
+        onSubmit={({ email }) =>
+          invite.mutate(email, {
+            onSuccess: (invitation) =>
+              showToast(
+                invitation.is_named ? `${invitation.email} is the approver now.` : `${invitation.email} is invited.`,
+              ),
+          })
+        }
+      >
+        <Field name="email" label="Approver’s email" type="email" autoComplete="off" />
+        <Submit variant="plain">Invite as approver</Submit>
+      </Form>
     </>
   )
 }

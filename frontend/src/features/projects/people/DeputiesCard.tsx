@@ -1,15 +1,14 @@
-import { Select, TextInput } from '@mantine/core'
+import { Select } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
-import type { FormEvent } from 'react'
 
-import { ApiProblem } from '@/api'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Avatar } from '@/ui/Avatar'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
@@ -17,7 +16,6 @@ import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Project } from '../api'
 import { deputiesQuery, type Deputy, type Member, useNameDeputy, useWithdrawDeputy } from './api'
-import { against } from '../words'
 import { candidatesOf } from './candidates'
 import classes from './People.module.css'
 
@@ -81,79 +79,50 @@ interface NameDeputyProps {
 
 function NameDeputy({ project, members, today, timeZone }: NameDeputyProps) {
   const name = useNameDeputy(project.id)
-  const [typed, setTyped, draft] = useDraft(`deputy:${project.id}`, {
-    person_id: project.approver.id,
-    deputy_id: '',
-    from_on: '',
-    until_on: '',
-  })
   const people = candidatesOf(project, members).map(({ person }) => ({ value: person.id, label: person.name }))
-  const change = (field: Partial<typeof typed>) => setTyped((now) => ({ ...now, ...field }))
-  const isComplete = Object.values(typed).every(Boolean)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (name.isPending || !isComplete) return
-    name.mutate(typed, {
-      onSuccess: (saved) => {
-        showToast(`${saved.deputy.name} approves for ${saved.person.name}, ${spanOf(saved)}.`)
-        draft.discard()
-      },
-    })
-  }
-  const isAtField = name.error instanceof ApiProblem && name.error.errors.length > 0
   return (
     <>
       <h3 className={classes.part}>Name a deputy</h3>
-      <form onSubmit={send} noValidate className="grid gap-3 p-3-inset-4" aria-label="Name a deputy">
-        <Select
-          label="In place of"
-          data={people}
-          value={typed.person_id}
-          allowDeselect={false}
-          onChange={(id) => id && change({ person_id: id })}
-          error={against(name.error, 'person_id')}
-        />
-        <Select
-          label="Deputy"
-          placeholder="Choose a person"
-          data={people.filter(({ value }) => value !== typed.person_id)}
-          value={typed.deputy_id === '' ? null : typed.deputy_id}
-          allowDeselect={false}
-          onChange={(id) => id && change({ deputy_id: id })}
-          error={against(name.error, 'deputy_id')}
-        />
-        <div className="grid grid-cols-2 gap-3">
-          <TextInput
-            label="First day"
-            type="date"
-            value={typed.from_on}
-            onChange={({ currentTarget }) => change({ from_on: currentTarget.value })}
-            error={against(name.error, 'from_on')}
-          />
-          <TextInput
-            label="Last day"
-            type="date"
-            min={typed.from_on > today ? typed.from_on : today}
-            value={typed.until_on}
-            onChange={({ currentTarget }) => change({ until_on: currentTarget.value })}
-            error={against(name.error, 'until_on')}
-          />
-        </div>
-        <p className="small mid">
-          Both days count, in the time zone of the studio: {timeZone}.{' '}
-          <Link className="link" to="/studio">
-            Change it
-          </Link>
-        </p>
-        <DraftNote draft={draft} />
-        {!isAtField && <Refusal inset error={name.error} />}
-        <div className="row wrap">
-          <Button type="submit" aria-busy={name.isPending} disabled={!isComplete}>
-            Name deputy
-          </Button>
-          {!isComplete && <span className="small mid">Choose both people and both days.</span>}
-        </div>
-      </form>
+      <DraftForm
+        className="grid gap-3 p-3-inset-4"
+        aria-label="Name a deputy"
+        draftKey={`deputy:${project.id}`}
+        initialValues={{ person_id: project.approver.id, deputy_id: '', from_on: '', until_on: '' }}
+        mutation={name}
+        onSubmit={(typed, onSent) =>
+          name.mutate(typed, {
+            onSuccess: (saved) => {
+              showToast(`${saved.deputy.name} approves for ${saved.person.name}, ${spanOf(saved)}.`)
+              onSent()
+            },
+          })
+        }
+      >
+        {(typed) => (
+          <>
+            <Field as={Select} name="person_id" label="In place of" data={people} allowDeselect={false} />
+            <Field
+              as={Select}
+              name="deputy_id"
+              label="Deputy"
+              placeholder="Choose a person"
+              data={people.filter(({ value }) => value !== typed.person_id)}
+              allowDeselect={false}
+            />
+            <div className="grid grid-cols-2 gap-3">
+              <Field name="from_on" label="First day" type="date" />
+              <Field name="until_on" label="Last day" type="date" min={typed.from_on > today ? typed.from_on : today} />
+            </div>
+            <p className="small mid">
+              Both days count, in the time zone of the studio: {timeZone}.{' '}
+              <Link className="link" to="/studio">
+                Change it
+              </Link>
+            </p>
+            <Submit variant="plain">Name deputy</Submit>
+          </>
+        )}
+      </DraftForm>
     </>
   )
 }

@@ -1,15 +1,14 @@
-import { Select, Textarea, TextInput } from '@mantine/core'
+import { Select, Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import type { FormEvent } from 'react'
 
-import { ApiProblem } from '@/api'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { mailedLinksQuery, MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { Avatar } from '@/ui/Avatar'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { ago, dueDay, shortDay } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
@@ -26,7 +25,7 @@ import {
   useInviteDesigner,
   useRevokeInvitation,
 } from './api'
-import { against, KIND_MEANINGS, KIND_WORDS, KINDS, canActForStudio } from '../words'
+import { KIND_MEANINGS, KIND_WORDS, KINDS, canActForStudio } from '../words'
 import classes from './People.module.css'
 
 const KIND_CHOICES = KINDS.map((kind) => ({ value: kind, label: `${KIND_WORDS[kind]}: ${KIND_MEANINGS[kind]}` }))
@@ -168,67 +167,49 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
   )
 }
 
+const NEW_INVITATION: { email: string; kind: EngagementKind; note: string } = { email: '', kind: 'contract', note: '' }
+
 function Invite({ project, first }: { project: Project; first: boolean }) {
   const invite = useInviteDesigner(project.id)
-  const [{ email, kind, note }, setTyped, draft] = useDraft<{ email: string; kind: EngagementKind; note: string }>(
-    `invite:${project.id}`,
-    { email: '', kind: 'contract', note: '' },
-  )
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (invite.isPending) return
-    invite.mutate(
-      { email, kind, note },
-      {
-        onSuccess: (invitation) => {
-          showToast(`${invitation.email} is invited.`)
-          draft.discard()
-        },
-      },
-    )
-  }
-  const fields = invite.error instanceof ApiProblem && invite.error.errors.length > 0
   return (
     <>
       <h3 className={classes.part}>Invite a designer</h3>
-      <form onSubmit={send} noValidate className={`grid gap-3 ${classes.invite}`} aria-label="Invite a designer">
-        <TextInput
-          label="Email"
-          type="email"
-          inputMode="email"
-          spellCheck={false}
-          autoComplete="off"
-          value={email}
-          onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, email: value }))}
-          error={against(invite.error, 'email')}
-        />
-        <Select
-          label="Engagement"
-          data={KIND_CHOICES}
-          value={kind}
-          allowDeselect={false}
-          onChange={(value) => {
-            if (isKind(value)) setTyped((now) => ({ ...now, kind: value }))
-          }}
-        />
-        <Textarea
+      <DraftForm
+        className={`grid gap-3 ${classes.invite}`}
+        aria-label="Invite a designer"
+        draftKey={`invite:${project.id}`}
+        initialValues={NEW_INVITATION}
+        mutation={invite}
+        onSubmit={(typed, onSent) =>
+          invite.mutate(typed, {
+            onSuccess: (invitation) => {
+              showToast(`${invitation.email} is invited.`)
+              onSent()
+            },
+          })
+        }
+      >
+        <Field name="email" label="Email" type="email" autoComplete="off" />
+        <Field as={Select} name="kind" label="Engagement" data={KIND_CHOICES} allowDeselect={false} />
+        <Field
+          as={Textarea}
+          optional
           className={classes.whole}
+          name="note"
           label="Message (optional)"
           rows={2}
           resize="vertical"
-          value={note}
-          onChange={({ currentTarget: { value } }) => setTyped((now) => ({ ...now, note: value }))}
-          error={against(invite.error, 'note')}
         />
-        <DraftNote draft={draft} />
-        {!fields && <Refusal inset error={invite.error} />}
-        <div className={`row wrap ${classes.whole}`}>
-          <Button type="submit" variant={first ? 'primary' : 'plain'} aria-busy={invite.isPending}>
-            Send invitation
-          </Button>
-          <span className="small mid">The link shows the sound list, works for 30 days, and can be revoked.</span>
-        </div>
-      </form>
+        <Submit
+          variant={first ? 'primary' : 'plain'}
+          className={`row wrap ${classes.whole}`}
+          beside={
+            <span className="small mid">The link shows the sound list, works for 30 days, and can be revoked.</span>
+          }
+        >
+          Send invitation
+        </Submit>
+      </DraftForm>
     </>
   )
 }

@@ -1,18 +1,20 @@
 import { Textarea } from '@mantine/core'
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
 import { put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts'
 import { showToast } from '@/app/toast'
 import { type ReasonKind, reasonsQuery, type ReviewReasons } from '@/judging/reasons'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { Segmented } from '@/ui/Segmented'
 
 import type { Project } from '../api'
+import { linesOf } from '../words'
 import classes from './People.module.css'
 
 const KINDS: { value: ReasonKind; label: string }[] = [
@@ -62,47 +64,52 @@ interface ReasonsFormProps {
 
 function ReasonsForm({ project, kind, list }: ReasonsFormProps) {
   const saved = list.reasons.join('\n')
-  const [text, setText, draft] = useDraft(`reasons:${project.studio.id}:${kind}:${saved}`, saved)
   const write = useSetReasons(project)
-  const save = (reasons: string[], message: string) => {
-    if (write.isPending) return
+  const save = (reasons: string[], message: string, onSent?: () => void) =>
     write.mutate(
       { [kind]: reasons },
       {
         onSuccess: () => {
-          draft.discard()
+          onSent?.()
           showToast(message)
         },
       },
     )
-  }
-  const onSubmit = (event: FormEvent) => {
-    event.preventDefault()
-    const lines = text.split('\n').map((line) => line.trim())
-    save(lines.filter(Boolean), `${WHAT[kind]}: the list is saved.`)
-  }
   return (
-    <form className={`grid gap-3 ${classes.checklist}`} onSubmit={onSubmit}>
-      <Textarea
-        label={WHAT[kind]}
-        description="One a line, up to nine of 40 letters, in the order of the digits. What was said before stays as it was said."
-        rows={9}
-        value={text}
-        onChange={(event) => setText(event.currentTarget.value)}
-      />
-      <DraftNote draft={draft} />
-      <Refusal inset error={write.error} />
-      <div className="row">
-        <Button type="submit" disabled={text === saved} aria-busy={write.isPending}>
-          Save list
-        </Button>
-        {list.is_own && (
-          <Button onClick={() => save([], `${WHAT[kind]}: ours again.`)} aria-busy={write.isPending}>
-            Reset to defaults
-          </Button>
-        )}
-      </div>
-    </form>
+    <DraftForm
+      className={`grid gap-3 ${classes.checklist}`}
+      draftKey={`reasons:${project.studio.id}:${kind}:${saved}`}
+      initialValues={{ reasons: saved }}
+      mutation={write}
+      onSubmit={({ reasons }, onSent) => save(linesOf(reasons), `${WHAT[kind]}: the list is saved.`, onSent)}
+    >
+      {({ reasons }) => (
+        <>
+          <Field
+            as={Textarea}
+            optional
+            name="reasons"
+            label={WHAT[kind]}
+            description="One a line, up to nine of 40 letters, in the order of the digits. What was said before stays as it was said."
+            rows={9}
+          />
+          <Submit
+            variant="plain"
+            disabled={reasons === saved}
+            className="row"
+            beside={
+              list.is_own && (
+                <Button onClick={() => save([], `${WHAT[kind]}: ours again.`)} aria-busy={write.isPending}>
+                  Reset to defaults
+                </Button>
+              )
+            }
+          >
+            Save list
+          </Submit>
+        </>
+      )}
+    </DraftForm>
   )
 }
 

@@ -9,7 +9,7 @@ import { formDraft, keepDraft, keptDraft } from '@/app/drafts'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ErrorBanner } from '@/ui/ErrorBanner'
-import { Form, Submit, useField } from '@/ui/Form'
+import { Field, Form, Submit } from '@/ui/Form'
 import { bytes, day } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 
@@ -194,8 +194,8 @@ function HandoffForm({ cueId, makerId, makerName, onClose }: HandoffFormProps) {
           ? 'Whoever continues it sees your versions of this cue and their source banks.'
           : `Whoever continues it sees the versions of ${makerName}, and the source banks that the contract hands over.`}
       </p>
-      <Percent />
-      <Missing />
+      <Field as={NumberInput} name="done_percent" label="Done, in percent" min={0} max={100} />
+      <Field as={Textarea} name="missing" label="What is missing" rows={3} />
       <Submit
         beside={
           <Button variant="quiet" onClick={close}>
@@ -207,16 +207,4 @@ function HandoffForm({ cueId, makerId, makerName, onClose }: HandoffFormProps) {
       </Submit>
     </Form>
   )
-}
-
-function Percent() {
-  const { fieldKey, props } = useField('done_percent')
-  return (
-    <NumberInput key={fieldKey} {...props} label="Done, in percent" min={0} max={100} required withAsterisk={false} />
-  )
-}
-
-function Missing() {
-  const { fieldKey, props } = useField('missing')
-  return <Textarea key={fieldKey} {...props} label="What is missing" rows={3} required withAsterisk={false} />
 }
