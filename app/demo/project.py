@@ -143,7 +143,7 @@ class _Maker:
                 thrusters_in_one_file(),
             ],
         )
-        self._split(thrusters_in_one_file().file_name)
+        self._split(thrusters_in_one_file().file_name, "thruster_burst")
         self._request_changes(cues.THIRD_CHANGE)
         self._ask(*cues.QUESTION)
         self._cut(*cues.CUT)
@@ -290,15 +290,14 @@ class _Maker:
         body = {"upload_id": upload["upload_id"], "file_name": sound.file_name}
         self._designer.ask("POST", f"/deliveries/{delivery_id}/takes", json=body)
 
-    def _split(self, file_name: str) -> None:
-        """Make the sounds of one file variations of its cue, once, as the designer does on arrival."""
-        for take in self._takes():
-            if take["file_name"] == file_name:
-                path = f"/takes/{take['id']}/split"
-                if self._designer.ask("GET", path)["state"] != "used":
-                    self._designer.ask("POST", path, json={})
-                    self._await(lambda at=path: self._designer.ask("GET", at)["state"] == "made")
-                    self._designer.ask("POST", f"{path}/use", json={})
+    def _split(self, file_name: str, cue: str) -> None:
+        """Make the sounds of one file variations of a cue, once, as the designer does on arrival."""
+        whole = next((take for take in self._takes() if take["file_name"] == file_name), None)
+        if whole is not None:  # once it is split it is not listed
+            path = f"/takes/{whole['id']}/split"
+            self._designer.ask("POST", path, json={})
+            self._await(lambda: self._designer.ask("GET", path)["state"] == "made")
+            self._designer.ask("POST", f"{path}/use", json={"cue_id": self._cues[cue]})
         self._await(self._queue_is_empty)
 
     def _takes(self, **filters: str) -> list[dict[str, Any]]:
