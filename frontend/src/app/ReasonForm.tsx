@@ -1,4 +1,4 @@
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from './drafts/DraftForm'
 import { Field, Submit } from '@/ui/Form'
 import type { ReactNode } from 'react'
 

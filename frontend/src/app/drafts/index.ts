@@ -1,4 +1,3 @@
-export { DraftForm } from './DraftForm'
 export { DraftNote } from './DraftNote'
 export { formDraft } from './formDraft'
 export { LeaveGuard } from './LeaveGuard'

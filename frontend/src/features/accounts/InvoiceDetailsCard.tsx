@@ -1,6 +1,6 @@
 import { useId } from 'react'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
 import { Field, Submit } from '@/ui/Form'

@@ -4,7 +4,7 @@ import { Link } from '@tanstack/react-router'
 import { type ReactNode, useState } from 'react'
 
 import { projectQuery } from '@/api/project'
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { Button } from '@/ui/Button'
 import { CardHead } from '@/ui/Card'
 import { ConfirmInline } from '@/ui/ConfirmInline'

@@ -3,7 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
 import { contractQuery } from '@/api/project'
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { ReasonForm } from '@/app/ReasonForm'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'

@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { amount, money, percent } from '@/money/words'

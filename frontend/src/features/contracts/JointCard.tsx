@@ -5,7 +5,7 @@ import { type ReactNode, useState } from 'react'
 
 import { projectQuery } from '@/api/project'
 import { keptCuesQuery } from '@/api/soundList'
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { planQuery } from '@/money/api'
 import { minorOf, money } from '@/money/words'

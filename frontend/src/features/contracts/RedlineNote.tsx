@@ -2,7 +2,7 @@ import { Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Fragment } from 'react'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { Button } from '@/ui/Button'
 import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'

@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'

@@ -1,7 +1,7 @@
 import { NativeSelect } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { daysQuery, type ContractMoney, useLogDay } from '@/money/api'
 import { amount, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'

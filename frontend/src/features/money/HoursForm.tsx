@@ -1,6 +1,6 @@
 import { NativeSelect } from '@mantine/core'
 import { keptCuesQuery } from '@/api/soundList'
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { useQuery } from '@tanstack/react-query'
 
 import { type ContractMoney, useLogHours, type WorkedDay } from '@/money/api'

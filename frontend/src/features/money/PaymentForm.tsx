@@ -1,6 +1,6 @@
 import type { UseMutationResult } from '@tanstack/react-query'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import type { Invoice, PaymentAdd } from '@/money/api'
 import { amount, minorOf, money } from '@/money/words'
 import { Field, Submit } from '@/ui/Form'

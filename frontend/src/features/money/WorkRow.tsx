@@ -1,6 +1,6 @@
 import { useState } from 'react'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { useRefuseDay, useSettleDay, type WorkedDay } from '@/money/api'
 import { amount } from '@/money/words'
 import { Button } from '@/ui/Button'

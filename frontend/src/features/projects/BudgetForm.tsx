@@ -2,7 +2,7 @@ import { useState } from 'react'
 
 import { put, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { minorOf, money } from '@/money/words'
 import { Button } from '@/ui/Button'

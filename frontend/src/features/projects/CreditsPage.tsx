@@ -2,7 +2,7 @@ import { Checkbox } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'

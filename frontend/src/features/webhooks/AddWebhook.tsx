@@ -1,6 +1,6 @@
 import { Checkbox, NativeSelect } from '@mantine/core'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { Card, CardHead } from '@/ui/Card'
 import { Field, Submit } from '@/ui/Form'
 

@@ -1,6 +1,6 @@
 import { Checkbox, NativeSelect, Textarea } from '@mantine/core'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { amount, minorOf } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'

@@ -3,7 +3,7 @@ import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
 import { categoriesQuery } from '@/api/project'
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
 import { Field, Submit } from '@/ui/Form'

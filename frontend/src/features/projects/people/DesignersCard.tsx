@@ -1,7 +1,7 @@
 import { Select, Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { mailedLinksQuery, MailedLink } from '@/mails'
 import { Button } from '@/ui/Button'

@@ -4,7 +4,7 @@ import { useState } from 'react'
 
 import { put, useMutation } from '@/api'
 import { invalidate, queryKeys } from '@/api/queryKeys'
-import { DraftForm } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { type ReasonKind, reasonsQuery, type ReviewReasons } from '@/judging/reasons'
 import { Button } from '@/ui/Button'
