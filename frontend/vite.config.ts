@@ -47,9 +47,9 @@ export default defineConfig({
     setupFiles: ['src/test/setup.ts'],
     restoreMocks: true,
     maxWorkers: 2,
-    // A fast test takes at most 1 s of a processor; on a loaded machine that can be a minute. These only end what hangs.
-    testTimeout: 300_000,
-    hookTimeout: 300_000,
+    // A fast test takes at most 1 s of a processor; on a loaded machine that was over 10 s. These only end what hangs.
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
     tags: [{ name: 'slow', description: 'Left to `npm run test:slow`.' }],
     projects: [
       // Files share a page environment and modules: to load them for each doubled what the tests of screens cost.

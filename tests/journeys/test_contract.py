@@ -103,7 +103,6 @@ def parties(server: RunningServer) -> Parties:
     return Parties(server)
 
 
-@pytest.mark.slow
 def test_from_the_template_to_the_last_payment(parties: Parties, server: RunningServer) -> None:
     studio, designer = parties.studio, parties.designer
     assert "not-rising" not in {advice["code"] for advice in parties.plan()["advice"]}
