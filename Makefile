@@ -36,7 +36,7 @@ hooks: setup  # Check what you commit before it is committed
 
 quick: setup .make/postgresql .make/librosa  ## Pass the test files nearest to what is not committed (SINCE=main: nearest to a branch's changes)
 	@files=$$($(BIN)/python -m tests.affected --since '$(SINCE)') || exit 1; \
-	  test -z "$$files" || $(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m 'not slow' $$files || test $$? = 5
+	  test -z "$$files" || $(BIN)/pytest -q -n $(WORKERS) --dist loadfile -m 'not slow' $$files || test $$? = 5
 	@cd frontend && npx vitest run --tags-filter='!slow' --changed $(SINCE) --passWithNoTests
 
 test: .make/kernel  ## Set up and pass the fast tests, two parts at a time: about 15 minutes on two cores
@@ -60,28 +60,28 @@ check: setup  ## Lint, types, import contracts, code that nobody calls, OpenAPI 
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
-	$(BIN)/pytest -q -n $(WORKERS) --dist loadgroup -m lint tests/house tests/audio_checks/test_pages.py
+	$(BIN)/pytest -q -n $(WORKERS) --dist loadfile -m lint tests/house tests/audio_checks/test_pages.py
 	@! $(BIN)/vulture | grep -E 'unused (class|function|import|method)|unreachable' || { echo "nobody calls these: remove them"; exit 1; }
 	$(BIN)/soundlist openapi .make/openapi.json && diff -u frontend/openapi.json .make/openapi.json >/dev/null || \
 	  { echo "frontend/openapi.json is not what the server says: run make openapi"; exit 1; }
 	cd frontend && npm run --silent typecheck && npm run --silent lint
 
 unit: setup .make/postgresql  # Fast Python tests, on SQLite and a folder of sounds
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m '$(FAST)' --record=.make/statements $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadfile -m '$(FAST)' --record=.make/statements $(ARGS)
 
 slow-unit: setup .make/postgresql .make/s3 .make/librosa .make/caddy  # Slow Python tests, on SQLite and a folder of sounds
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m slow $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadfile -m slow $(ARGS)
 
 coverage: setup .make/postgresql .make/s3 .make/librosa  # Lines and branches that the tests of rooms and journeys run; 95 % in rules, services and queries
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --cov --cov-report= tests/app tests/journeys $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadfile --cov --cov-report= tests/app tests/journeys $(ARGS)
 	@$(BIN)/coverage report --include='app/*' --format=total | sed 's/^/app, percent: /'
 	@$(BIN)/coverage report --include='app/*/rules.py,app/*/*_rules.py,app/*/service.py,app/*/queries.py,app/*/*_queries.py' --fail-under=95
 
 unit-postgres: setup .make/postgresql  # Fast tests of what differs on PostgreSQL
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup -m 'both_databases and $(FAST)' --database postgres $$(grep -rlw --include='test_*.py' both_databases tests/app) $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadfile -m 'both_databases and $(FAST)' --database postgres $$(grep -rlw --include='test_*.py' both_databases tests/app) $(ARGS)
 
 slow-unit-postgres: setup .make/postgresql .make/s3 .make/librosa  # On PostgreSQL and S3, the slow tests and every statement that make unit recorded
-	@$(BIN)/pytest -n $(WORKERS) --dist loadgroup --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)
+	@$(BIN)/pytest -n $(WORKERS) --dist loadfile --database postgres --store s3 --recorded=.make/statements tests/app tests/journeys $(ARGS)
 
 frontend-test: setup  # Fast tests of the frontend's parts
 	@cd frontend && npm run --silent test

@@ -10,7 +10,7 @@ from hypothesis import settings
 
 from tests.support.postgres import Postgres, running_postgres
 from tests.support.s3 import BUILT_WITHIN_S, S3Server, run_s3
-from tests.support.statements import Recorder, fewest, recorded, test_id
+from tests.support.statements import Recorder, fewest, recorded
 
 if TYPE_CHECKING:
     from tests.support.server import RunningServer
@@ -54,12 +54,9 @@ def pytest_configure(config: pytest.Config) -> None:
     config.pluginmanager.register(recorder)
 
 
-@pytest.hookimpl(tryfirst=True)  # pytest-xdist reads the groups
+@pytest.hookimpl(tryfirst=True)  # before pytest selects by markers
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what this database and store do not need, and keep tests that share a fixture of their module together.
-
-    A module's fixture would otherwise be made once in every process, and beside SQLite a PostgreSQL server started.
-    """
+    """Leave out what this database and store do not need."""
     kept = items[:]
     if config.getoption("--database") == POSTGRES:
         kept = [item for item in kept if "database_url" in getattr(item, "fixturenames", ())]
@@ -73,13 +70,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if "s3" in getattr(item, "fixturenames", ()):  # its server is built from source, which takes minutes
             item.add_marker(pytest.mark.slow)
-            item.add_marker(pytest.mark.timeout(BUILT_WITHIN_S + float(item.config.getini("timeout"))))
-        if config.getoption("--database") == SQLITE and "postgres" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.xdist_group("postgres"))
-        elif isinstance(item, pytest.Function) and any(
-            found[-1].scope == "module" for found in item._fixtureinfo.name2fixturedefs.values() if found
-        ):
-            item.add_marker(pytest.mark.xdist_group(item.nodeid.split("::")[0]))
+            item.add_marker(pytest.mark.timeout(BUILT_WITHIN_S + float(config.getini("timeout"))))
 
 
 def pytest_collection_finish() -> None:
@@ -90,11 +81,11 @@ def pytest_collection_finish() -> None:
 
 def needed(items: list[pytest.Item], folder: Path) -> list[pytest.Item]:
     """Return the marked tests, those without a record, and the fewest others that send all that is recorded."""
-    ids = {test_id(item) for item in items}
+    ids = {item.nodeid for item in items}
     sent = {test: what for test, what in recorded(folder).items() if test in ids}
-    always = {test_id(item) for item in items if item.get_closest_marker("both_databases")}
+    always = {item.nodeid for item in items if item.get_closest_marker("both_databases")}
     chosen = fewest(sent, always) | always | (ids - sent.keys())
-    return [item for item in items if test_id(item) in chosen]
+    return [item for item in items if item.nodeid in chosen]
 
 
 @pytest.fixture(scope="session")

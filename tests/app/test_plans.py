@@ -28,7 +28,7 @@ SMALL = {
 LARGE = set(Base.metadata.tables) - SMALL
 
 
-pytestmark = [pytest.mark.both_databases, pytest.mark.xdist_group("plans")]
+pytestmark = pytest.mark.both_databases
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ from tests.attack.siege import lay_siege, table
 from tests.kill.processes import Zygote
 from tests.support.postgres import running_postgres
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("kill"), pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 SECONDS = 12.0  # more where the machine is slow: each attack runs once
 
 

@@ -7,7 +7,7 @@ import pytest
 from tests.attack.large_zip import pass_through
 from tests.kill.processes import Zygote
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("kill"), pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 
 
 def test_a_zip_of_300_mib_becomes_takes(tmp_path: Path):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("docs_site")]  # both build in one folder
+pytestmark = pytest.mark.slow  # both build in one folder
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -22,7 +22,7 @@ import pytest
 
 from tests.support.s3 import free_port
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("release")]
+pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
 VERSION = "v7.8.9-5-gabcdef012"

@@ -27,7 +27,7 @@ from audio_checks.spec.delivery_spec import new_spec
 from tests.support.s3 import free_port
 from tests.support.waves import sine, write_wav
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("release")]
+pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
 UV = str(Path(sys.executable).with_name("uv"))

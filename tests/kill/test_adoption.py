@@ -14,7 +14,7 @@ from tests.support.adoptions import sent
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+pytestmark = [pytest.mark.kill, pytest.mark.slow]
 FILES = {f"ui/click_0{place}.wav": wav_bytes(sine(hz=440 * place, dbfs=-6, seconds=0.2)) for place in (1, 2)}
 
 

@@ -15,7 +15,7 @@ from tests.support.postgres import Postgres
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+pytestmark = [pytest.mark.kill, pytest.mark.slow]
 SOUND = wav_bytes(sine(hz=440, dbfs=-6, seconds=0.2))
 
 

@@ -17,7 +17,7 @@ from tests.kill.processes import ProcessServer, SomeOf, wait_until
 from tests.support.deliver import add_cues, deliver, open_delivery
 from tests.support.server import World
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+pytestmark = [pytest.mark.kill, pytest.mark.slow]
 POINTS = (
     "conformance.before_fix",
     "conformance.after_fix",

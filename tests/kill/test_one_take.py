@@ -18,7 +18,7 @@ from tests.support.deliver import add_cues, deliver, open_delivery, upload
 from tests.support.server import World
 from tests.support.waves import sine, wav_bytes
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+pytestmark = [pytest.mark.kill, pytest.mark.slow]
 SOUND = wav_bytes(sine(hz=440, dbfs=-6, seconds=0.2))
 CHECK_POINTS = [f"conformance.{point}" for point in ("before_check", "after_check", "before_commit", "after_commit")]
 RENDER_POINTS = [f"renders.{point}" for point in ("before_render", "after_render", "before_commit", "after_commit")]

@@ -19,7 +19,7 @@ from tests.kill.processes import ProcessServer, free_port, wait_until
 from tests.kill.proxy import CADDY, running_caddy, running_proxy
 from tests.support.server import World
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+pytestmark = [pytest.mark.kill, pytest.mark.slow]
 PEOPLE = 4  # shared out among the proxies
 PAUSE_S = 0.05
 DRAIN_S = 1.0  # a health check comes round several times in it

@@ -10,7 +10,7 @@ import pytest
 
 from tests.kill.processes import ProcessServer, free_port, wait_until
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+pytestmark = [pytest.mark.kill, pytest.mark.slow]
 
 
 DRAIN_S = 60.0  # the longest that there is

@@ -19,7 +19,7 @@ from tests.support.deliver import BYTES, TUS, metadata, open_delivery
 from tests.support.s3 import S3Server
 from tests.support.server import RunningServer, World
 
-pytestmark = [pytest.mark.kill, pytest.mark.slow, pytest.mark.xdist_group("kill")]
+pytestmark = [pytest.mark.kill, pytest.mark.slow]
 CONTENT = random.Random(1).randbytes(3_000_000)
 SHA256 = hashlib.sha256(CONTENT).hexdigest()
 HALF = 1_234_567

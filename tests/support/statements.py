@@ -69,19 +69,13 @@ class Recorder:
         self.sent.clear()
         result = yield
         if "server" in getattr(item, "fixturenames", ()):
-            self.write(test_id(item))
+            self.write(item.nodeid)
         return result
 
     def write(self, test: str) -> None:
         """Add a line for a test."""
         with self._file.open("a") as file:
             file.write(json.dumps([test, sorted(self.sent.copy())]) + "\n")
-
-
-def test_id(item: pytest.Item) -> str:
-    """Return the id of a test without the group that pytest-xdist adds."""
-    groups = "_".join(sorted(mark.args[0] for mark in item.iter_markers("xdist_group")))
-    return item.nodeid.removesuffix(f"@{groups}")
 
 
 def recorded(folder: Path) -> dict[str, set[str]]:
