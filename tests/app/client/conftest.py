@@ -1,4 +1,4 @@
-"""An approved project, made once, and a client of it."""
+"""An approved project, made once for a file of tests, and a client of it."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,7 +11,7 @@ from tests.app.client.served import Client, RunDesk, client_of
 from tests.support.server import RunningServer, World
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")  # a token wants a sign-in of the last minutes
 def approved(server: RunningServer) -> World:
     """Three accepted sounds of two cues, and a third cue without one; tests leave it as it is."""
     world = World(server)
