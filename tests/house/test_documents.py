@@ -21,7 +21,7 @@ KINDS = {"", ".c", ".css", ".md", ".mjs", ".py", ".service", ".sh", ".toml", ".t
 def texts() -> Iterator[tuple[Path, str]]:
     """Yield every source and document with its text; the changelog tells of earlier times."""
     for folder, folders, names in os.walk(ROOT):
-        folders[:] = [name for name in folders if name not in MADE and not name.endswith("_cache")]
+        folders[:] = [name for name in folders if name not in MADE and not name.endswith(("_cache", ".cache"))]
         for path in (Path(folder, name) for name in names if name not in ("CHANGELOG.md", "uv.lock")):
             if path.suffix in KINDS and path.is_file():
                 content = path.read_bytes()
