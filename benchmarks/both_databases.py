@@ -52,13 +52,13 @@ def write_down(times: Mapping[str, Times], about: str, section: str, *, in_docs:
     """Print the table of both databases, and write it into its section of docs/reference/benchmarks.md where wanted."""
     head = ["ms", *(f"{database} {figure}" for database in times for figure in ("p50", "p95", "CPU"))]
     pages = next(iter(times.values()))
-    rows = [[page, *(f"{one:.0f}" for of_one in times.values() for one in of_one[page])] for page in pages]
+    rows = [[page, *(f"{ms:.0f}" for by_page in times.values() for ms in by_page[page])] for page in pages]
     load = f"load {', '.join(f'{one:.1f}' for one in os.getloadavg())} at the end"
     text = f"One web process; {about}; {machine()}; {load}.\n\n{table(head, rows)}"
     print(text)
     if in_docs:
-        slowest = sorted(pages, key=lambda page: -max(of_one[page][1] for of_one in times.values()))[:SHOWN]
+        slowest = sorted(pages, key=lambda page: -max(by_page[page][1] for by_page in times.values()))[:SHOWN]
         head = ["ms, the slowest three", *(f"{database} {figure}" for database in times for figure in ("p95", "CPU"))]
-        rows = [[page, *(f"{one:.0f}" for of_one in times.values() for one in of_one[page][1:])] for page in slowest]
+        rows = [[page, *(f"{ms:.0f}" for by_page in times.values() for ms in by_page[page][1:])] for page in slowest]
         text = f"One web process; {about}; {machine()}; {load}.\n\n{table(head, rows)}"
         write_between(DOCS / "reference/benchmarks.md", section, text)
