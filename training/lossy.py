@@ -3,8 +3,10 @@
 `make weights` (`python -m training.lossy`) has real encoders code sounds of many families, trims them, changes their
 level and the rate of some; and takes sounds that were never coded, many of which look coded. Kept apart are
 families of sounds, encoders and every second real recording. Needs ffmpeg; real recordings come from SOUNDS_DIR.
+Those of RECORDED_DIR are tried as they came, and nothing is learned from them.
 """
 
+import csv
 import json
 import os
 from collections.abc import Callable, Iterator
@@ -20,9 +22,9 @@ from sklearn.metrics import roc_auc_score
 from audio_checks.judge import CANNOT_TELL
 from audio_checks.judge import lossy as judgement
 from audio_checks.measure.cliff import cliff_of
-from audio_checks.measure.codec_frames import CodecFrames
+from audio_checks.measure.codec_frames import USUAL_RATES_HZ, CodecFrames
 from audio_checks.measure.spectrum import Spectrum
-from training import dataset
+from training import dataset, recorded
 from training.codecs import CODERS, LOOK_ALIKES, coded
 from training.shapes import Draws, Floats
 from training.tables import as_table, write_tables
@@ -30,6 +32,7 @@ from training.tables import as_table, write_tables
 FALSE_ALARMS = 0.005
 UNDECIDED = 0.1  # of the clean sounds without a low-pass
 LONGEST_S = 3.0
+FULL_KBIT_S = 256  # of two channels: beyond, few lines are silent
 REAL_SHARE = 0.3
 PLAIN = "as it was made"
 AFTERWARDS = {"trimmed": 0.7, "resampled": 0.3}
@@ -134,10 +137,14 @@ def _measured(draws: Draws, x: Floats, rate_hz: int, way: str, kbit_s: int | Non
         to_hz = 48_000 if rate_hz == 44_100 else 44_100
         x, rate_hz = signal.resample_poly(x, to_hz // 300, rate_hz // 300, window=("kaiser", 12.0)), to_hz
     full = 2.0 ** (15 if draws.random() < 0.5 else 23)
-    x = np.clip(np.round(x * full), -full, full - 1) / full
-    spectrum = Spectrum(rate_hz, x.shape[1], len(x), step=1 / full)
+    return _as_it_is(np.clip(np.round(x * full), -full, full - 1) / full, rate_hz, 1 / full, way, kbit_s, afterwards)
+
+
+def _as_it_is(x: Floats, rate_hz: int, step: float, way: str, kbit_s: int | None, afterwards: str) -> Known:
+    """Measure a sound."""
+    spectrum = Spectrum(rate_hz, x.shape[1], len(x), step=step)
     spectrum.add(x)
-    frames = CodecFrames(rate_hz, x.shape[1], len(x), step=1 / full)
+    frames = CodecFrames(rate_hz, x.shape[1], len(x), step=step)
     frames.add(x)
     best = max(frames.result()["codec_traces"], key=lambda trace: trace.contrast, default=None)
     return Known(
@@ -148,6 +155,30 @@ def _measured(draws: Draws, x: Floats, rate_hz: int, way: str, kbit_s: int | Non
         best and best.codec,
         judgement.low_pass_of(cliff_of(spectrum.result()["mean_spectrum"])),
     )
+
+
+def recordings_as_they_came() -> Iterator[Known]:
+    """Yield the recordings of RECORDED_DIR at the rates of codecs, those in Ogg Vorbis with their bit rate."""
+    home = recorded.folder()
+    with (home / "FILES.csv").open(encoding="utf-8", newline="") if home else open(os.devnull) as rows:
+        for row in csv.DictReader(rows):
+            file, kbit_s = row["file"], None
+            if file.startswith("ir/") or int(row["rate"]) not in USUAL_RATES_HZ:
+                continue
+            if row["subtype"] == "VORBIS":
+                kbit_s = vorbis_kbit_s(home / file)
+            way = "Vorbis" if kbit_s else "game" if file.startswith("game/") else "instrument"
+            full = 2.0 ** (23 if row["subtype"] == "PCM_24" else 15)
+            x, rate_hz = soundfile.read(home / file, always_2d=True)
+            x = np.clip(np.round(x * full), -full, full - 1) / full
+            yield _as_it_is(x, rate_hz, 1 / full, way, kbit_s, "")
+
+
+def vorbis_kbit_s(path: Path) -> int:
+    """Return the nominal bit rate of an Ogg Vorbis file as that of two channels."""
+    head = path.read_bytes()[:128]
+    at = head.index(b"\x01vorbis")
+    return round(int.from_bytes(head[at + 20 : at + 24], "little") / 500 / head[at + 11])
 
 
 def learned(some: list[Known]) -> dict[str, list[float]]:
@@ -208,8 +239,24 @@ def by_look_alike(some: list[Known]) -> str:
     return "\n".join(lines)
 
 
-def _share(verdicts: list[str], wanted: str) -> str:
-    return f"{verdicts.count(wanted) / len(verdicts):.2f}" if verdicts else ""
+def by_recording(some: list[Known]) -> str:
+    """Return how recordings are judged as they came: by whose they are, or by bit rate."""
+    groups = {
+        "uncoded: instruments, by their makers": [one for one in some if one.way == "instrument"],
+        "uncoded: sounds of games": [one for one in some if one.way == "game"],
+        f"Ogg Vorbis, up to {FULL_KBIT_S} kbit/s": [one for one in some if one.kbit_s and one.kbit_s <= FULL_KBIT_S],
+        "Ogg Vorbis, more than that": [one for one in some if one.kbit_s and one.kbit_s > FULL_KBIT_S],
+    }
+    lines = ["| came as | recordings | called lossy | called clean | cannot tell |", "|---|---|---|---|---|"]
+    for name, group in groups.items():
+        verdicts = [one.verdict for one in group]
+        shares = " | ".join(_share(verdicts, verdict, 3) for verdict in ("lossy", "clean", CANNOT_TELL))
+        lines.append(f"| {name} | {len(group)} | {shares} |")
+    return "\n".join(lines)
+
+
+def _share(verdicts: list[str], wanted: str, digits: int = 2) -> str:
+    return f"{verdicts.count(wanted) / len(verdicts):.{digits}f}" if verdicts else ""
 
 
 def main() -> None:
@@ -224,6 +271,8 @@ def main() -> None:
             "lossy by look": by_look_alike(tried["kept apart"]),
         }
     )
+    if recordings := list(recordings_as_they_came()):
+        write_tables({"lossy, recordings": by_recording(recordings)})
 
 
 if __name__ == "__main__":
