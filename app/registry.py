@@ -72,8 +72,7 @@ SUBSCRIBERS: dict[str, tuple[str, ...]] = {  # beside kinds of notices, which na
     "guest_copy.asked": ("shares.make_guest_copy",),
     "archive.received": ("deliveries.unpack_archive",),
     "take.received": ("renders.prepare_take",),
-    "take.in_review": ("builds.compare_take",),
-    "take.fingerprinted": ("builds.compare_with_libraries",),
+    "take.in_review": (),
     "library.added": ("builds.compare_library",),
     "take.returned": (),
     "take.rendered": ("renders.measure_timbre",),
@@ -142,12 +141,7 @@ CHORES = (
     "operations.carry_out_erasures",
     "operations.end_masters",
 )  # jobs that no event asks for
-LOW_PRIORITY_JOBS = frozenset(
-    {
-        *("builds.fingerprint_take", "builds.compare_take"),
-        *("builds.compare_with_libraries", "builds.compare_library"),
-    }
-)
+LOW_PRIORITY_JOBS = frozenset({"builds.fingerprint_take", "builds.compare_take", "builds.compare_library"})
 
 
 class Rooms(NamedTuple):

@@ -1,5 +1,6 @@
 """Jobs of one take: its check, its picture and its game files."""
 
+from collections.abc import Callable
 from uuid import UUID
 
 import structlog
@@ -23,7 +24,15 @@ from audio_checks import (
     Unreadable,
 )
 
+Step = Callable[[Runtime, UUID, TakeWorkspace], None]
+_last_steps: list[Step] = []
 log = structlog.get_logger(__name__)
+
+
+def last_step(step: Step) -> Step:
+    """Register a higher room's step on a received take, which the take's own job runs last, in the same child."""
+    _last_steps.append(step)
+    return step
 
 
 @job("renders.prepare_take")
@@ -33,6 +42,8 @@ def prepare_take(runtime: Runtime, payload: Payload) -> None:
         take_id = UUID(payload["take_id"])
         check_take(runtime, take_id, workspace)
         _make_renders(runtime, take_id, workspace)
+        for step in _last_steps:
+            step(runtime, take_id, workspace)
 
 
 @job("renders.make_renders")

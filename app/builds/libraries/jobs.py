@@ -10,32 +10,18 @@ from app.builds.libraries import service as libraries
 from app.builds.libraries.models import LibrarySound
 from app.builds.libraries.queries import SoundKey
 from app.builds.libraries.service import LibraryFound
-from app.builds.same_sounds import queries as same_sound_queries
 from app.builds.same_sounds.models import MasterFingerprint
 from app.core.jobs.queue import BULK, Payload, job
 from app.core.runtime import Runtime
-from app.deliveries.queries import take_with_cue
 from audio_checks import difference_of, likely_sounds
 
 TAKES_AT_ONCE = 200  # that one job compares with a new sheet; it asks for the next ones
 Moments = tuple[Sequence[SoundKey], list[bytes]]
 
 
-@job("builds.compare_with_libraries")
-def compare_with_libraries(runtime: Runtime, payload: Payload) -> None:
-    """Look for a fingerprinted take's sound among the files of the studio's libraries."""
-    with runtime.database.reading() as session:
-        take = take_with_cue(session, UUID(payload["take_id"]))
-        if take is None:
-            return
-        take_id, sha256 = take.id, take.master_sha256
-        fingerprint = same_sound_queries.master_fingerprints(session, take.studio_id, [sha256]).get(sha256)
-        if fingerprint is None:
-            return
-        matches = _found(session, fingerprint, queries.library_moments(session, take.studio_id))
-    if matches:
-        with runtime.database.writing() as session:
-            libraries.save_library_matches(session, take_id, matches)
+def library_matches(session: Session, fingerprint: MasterFingerprint) -> list[LibraryFound]:
+    """Return the files of the studio's libraries that hold a fingerprinted sound."""
+    return _found(session, fingerprint, queries.library_moments(session, fingerprint.studio_id))
 
 
 @job("builds.compare_library")

@@ -120,6 +120,8 @@ def remove_library(session: Session, actor: Actor, library_id: UUID) -> None:
 
 def save_library_matches(session: Session, take_id: UUID, matches: Sequence[LibraryFound]) -> None:
     """Record the files of libraries that a take equals, unless their library was removed."""
+    if not matches:
+        return
     take = session.get_one(Take, take_id)
     rows = [
         {

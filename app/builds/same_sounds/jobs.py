@@ -1,18 +1,24 @@
-"""The job that looks for a take's sound in the studio's other projects."""
+"""A take's sound is looked for in the studio's other projects and in sound libraries."""
 
 from uuid import UUID
 
 import structlog
+from sqlalchemy.orm import Session
 
-from app.builds.same_sounds import queries
-from app.builds.same_sounds import service as same_sounds
+from app.builds.libraries.jobs import library_matches
+from app.builds.libraries.service import save_library_matches
+from app.builds.same_sounds import queries, service
 from app.builds.same_sounds.models import MasterFingerprint
 from app.conformance import checking
-from app.core.events import publish
+from app.conformance.workspaces import TakeWorkspace
 from app.core.jobs.queue import BULK, Payload, job
 from app.core.runtime import Runtime
 from app.core.storage import BlobAltered, BlobMissing
+from app.deliveries.models import Take
 from app.deliveries.queries import take_with_cue
+from app.deliveries.rules import TakeState
+from app.renders.children import children
+from app.renders.take_jobs import last_step
 from audio_checks import (
     FINGERPRINT_VERSION,
     SandboxFailed,
@@ -24,77 +30,87 @@ from audio_checks import (
 )
 
 log = structlog.get_logger(__name__)
+COMPARED_STATES = (TakeState.CONFORMING, TakeState.APPROVED)
 EARLIER_AT_ONCE = 50  # takes approved before masters were fingerprinted; each of them asks for the next ones
 
 
 @job("builds.compare_take")
 def compare_take(runtime: Runtime, payload: Payload) -> None:
-    """Fingerprint a take's master and look for its sound among the approved ones of the studio's other projects."""
+    """Compare an approved take, and schedule the same for takes approved before masters were fingerprinted."""
+    take_id = UUID(payload["take_id"])
+    with TakeWorkspace(runtime.store, children()) as workspace:
+        compare_checked_take(runtime, take_id, workspace)
     with runtime.database.reading() as session:
-        take = take_with_cue(session, UUID(payload["take_id"]))
-        if take is None:
-            return
-        take_id, project_id = take.id, take.project_id
-        studio_id, sha256, size_bytes = take.studio_id, take.master_sha256, take.master_bytes
-        is_known = queries.has_master_fingerprint(session, studio_id, sha256)
-    if not is_known:
-        try:
-            known_sounds = _known(runtime, studio_id, sha256, size_bytes)
-        except (BlobAltered, BlobMissing) as error:
-            # Nothing is recorded: once it is restored, the next check or approval compares it.
-            log.warning("a master could not be compared", sha256=sha256, error=str(error))
-            return
-        with runtime.database.writing() as session:
-            same_sounds.save_master_fingerprint(session, studio_id, sha256, known_sounds)
-    matches = _found_elsewhere(runtime, studio_id, project_id, sha256)
+        take = take_with_cue(session, take_id)
+        earlier = queries.approved_without_fingerprint(session, take.studio_id, EARLIER_AT_ONCE) if take else []
+    if take is None or not earlier:
+        return
     with runtime.database.writing() as session:
-        if matches:
-            same_sounds.save_same_sounds(session, take_id, matches)
-        publish(session, "take.fingerprinted", studio_id=studio_id, take_id=take_id)
-        for earlier in queries.approved_without_fingerprint(session, studio_id, EARLIER_AT_ONCE):
+        for earlier_id in earlier:
             runtime.queue.enqueue(
                 session,
                 "builds.compare_take",
-                {"take_id": str(earlier)},
-                key=f"builds.compare_take:{FINGERPRINT_VERSION}:{earlier}",
-                studio_id=studio_id,
+                {"take_id": str(earlier_id)},
+                key=f"builds.compare_take:{FINGERPRINT_VERSION}:{earlier_id}",
+                studio_id=take.studio_id,
                 priority=BULK,
             )
 
 
-def _known(runtime: Runtime, studio_id: UUID, sha256: str, size_bytes: int) -> SoundSignature | None:
+@last_step
+def compare_checked_take(runtime: Runtime, take_id: UUID, workspace: TakeWorkspace) -> None:
+    """Fingerprint the master of a take that passed its check, and look for it in other projects and in libraries."""
+    with runtime.database.reading() as session:
+        take = take_with_cue(session, take_id)
+        if take is None or take.cue_id is None or take.state not in COMPARED_STATES:
+            return
+        known = queries.master_fingerprints(session, take.studio_id, [take.master_sha256]).get(take.master_sha256)
     try:
-        with (
-            runtime.store.local_copy(studio_id, sha256) as path,
-            checking.sandbox().child(timeout_s=checking.time_for(size_bytes), reads=[path]) as child,
-        ):
-            return child.call(sound_signature, str(path))
+        fingerprint = known or service.new_fingerprint(take.studio_id, take.master_sha256, _signature(take, workspace))
+    except (BlobAltered, BlobMissing) as error:
+        # Nothing is recorded: once it is restored, the next check or approval compares it.
+        log.warning("a master could not be compared", sha256=take.master_sha256, error=str(error))
+        return
+    with runtime.database.reading() as session:
+        elsewhere = _found_elsewhere(session, take.project_id, fingerprint)
+        in_libraries = library_matches(session, fingerprint)
+    if known and not elsewhere and not in_libraries:
+        return
+    with runtime.database.writing() as session:
+        if not known:
+            service.save_master_fingerprint(session, fingerprint)
+        service.save_same_sounds(session, take_id, elsewhere)
+        save_library_matches(session, take_id, in_libraries)
+
+
+def _signature(take: Take, workspace: TakeWorkspace) -> SoundSignature | None:
+    child = workspace.child(take.delivery_id)
+    child.timeout_s = checking.time_for(take.master_bytes)
+    try:
+        return child.call(sound_signature, str(workspace.master(take.studio_id, take.master_sha256)))
     except (Unreadable, SandboxFailed) as error:
-        log.info("a master could not be fingerprinted", sha256=sha256, error=str(error))
+        log.info("a master could not be fingerprinted", sha256=take.master_sha256, error=str(error))
         return None
 
 
-def _found_elsewhere(
-    runtime: Runtime, studio_id: UUID, project_id: UUID, sha256: str
-) -> list[same_sounds.FoundElsewhere]:
-    with runtime.database.reading() as session:
-        mine = queries.master_fingerprints(session, studio_id, [sha256]).get(sha256)
-        if mine is None or mine.fingerprint is None:
-            return []
-        elsewhere = queries.approved_moments_elsewhere(session, studio_id, project_id)
+def _found_elsewhere(session: Session, project_id: UUID, mine: MasterFingerprint) -> list[service.FoundElsewhere]:
+    if mine.fingerprint is None:
+        return []
+    elsewhere = queries.approved_moments_elsewhere(session, mine.studio_id, project_id)
     places = likely_sounds(mine.fingerprint, [moments for _, moments in elsewhere])
-    with runtime.database.reading() as session:
-        likely = queries.master_fingerprints(session, studio_id, [elsewhere[index][0] for index in places])
+    if not places:
+        return []
+    likely = queries.master_fingerprints(session, mine.studio_id, [elsewhere[index][0] for index in places])
     return [match for other in likely.values() if (match := _compared(mine, other)) is not None]
 
 
-def _compared(mine: MasterFingerprint, other: MasterFingerprint) -> same_sounds.FoundElsewhere | None:
+def _compared(mine: MasterFingerprint, other: MasterFingerprint) -> service.FoundElsewhere | None:
     if mine.fingerprint is None or other.fingerprint is None:
         return None
     difference = difference_of(other.fingerprint, mine.fingerprint)
     if difference is None:
         return None
-    return same_sounds.FoundElsewhere(
+    return service.FoundElsewhere(
         other.sound_sha256,
         difference,
         has_same_samples=mine.pcm_sha256 == other.pcm_sha256,

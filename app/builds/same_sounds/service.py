@@ -15,7 +15,7 @@ from app.builds.same_sounds.models import MasterFingerprint, SameSound
 from app.builds.same_sounds.rules import is_named, words_of_same_sound
 from app.builds.same_sounds.schemas import LibraryMatchRead, SameSoundRead, SameSoundsRead
 from app.core import clock
-from app.core.db import insert_all_if_absent, insert_if_absent
+from app.core.db import insert_all_if_absent, insert_if_absent, row_of
 from app.deliveries.errors import TakeNotFound
 from app.deliveries.models import Take
 from app.deliveries.service import take_for
@@ -36,30 +36,35 @@ class FoundElsewhere:
     is_resampled: bool
 
 
-def save_master_fingerprint(session: Session, studio_id: UUID, sha256: str, fingerprint: SoundSignature | None) -> None:
-    """Record a master's fingerprint once, in place of one made by another version; None: it could not be read."""
+def new_fingerprint(studio_id: UUID, sha256: str, signature: SoundSignature | None) -> MasterFingerprint:
+    """Return the fingerprint of a master; of one that could not be read, where there is no signature."""
+    return MasterFingerprint(
+        studio_id=studio_id,
+        sound_sha256=sha256,
+        fingerprint_version=FINGERPRINT_VERSION,
+        pcm_sha256=signature.pcm_sha256 if signature else None,
+        sample_rate_hz=signature.sample_rate_hz if signature else 0,
+        fingerprint=signature.fingerprint if signature else None,
+        moments=signature.moments if signature else b"",
+    )
+
+
+def save_master_fingerprint(session: Session, fingerprint: MasterFingerprint) -> None:
+    """Record a master's fingerprint once, in place of one made by another version."""
     session.execute(
         delete(MasterFingerprint).where(
-            MasterFingerprint.studio_id == studio_id,
-            MasterFingerprint.sound_sha256 == sha256,
+            MasterFingerprint.studio_id == fingerprint.studio_id,
+            MasterFingerprint.sound_sha256 == fingerprint.sound_sha256,
             MasterFingerprint.fingerprint_version != FINGERPRINT_VERSION,
         )
     )
-    row = {
-        "studio_id": studio_id,
-        "sound_sha256": sha256,
-        "fingerprint_version": FINGERPRINT_VERSION,
-        "pcm_sha256": fingerprint.pcm_sha256 if fingerprint else None,
-        "sample_rate_hz": fingerprint.sample_rate_hz if fingerprint else 0,
-        "fingerprint": fingerprint.fingerprint if fingerprint else None,
-        "moments": fingerprint.moments if fingerprint else b"",
-        "made_at": clock.now(),
-    }
-    insert_if_absent(session, MasterFingerprint, row, unique=("studio_id", "sound_sha256"))
+    insert_if_absent(session, MasterFingerprint, row_of(fingerprint), unique=("studio_id", "sound_sha256"))
 
 
 def save_same_sounds(session: Session, take_id: UUID, matches: Sequence[FoundElsewhere]) -> None:
     """Record the takes that hold the same sound, for both sides, unless they are no longer approved."""
+    if not matches:
+        return
     by_hash = {found_match.sha256: found_match for found_match in matches}
     take = session.get_one(Take, take_id)
     rows = []

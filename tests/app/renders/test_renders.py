@@ -15,6 +15,7 @@ from sqlalchemy.orm import Session, joinedload
 import audio_checks
 from app.core import kill_points
 from app.core.db import new_id
+from app.core.jobs.queue import workflows
 from app.deliveries.models import Take
 from app.projects.models import Spec
 from app.projects.queries import current_spec
@@ -240,7 +241,7 @@ def test_a_spec_that_moved_on_meanwhile_leaves_the_set_open(world: World) -> Non
 
 
 @pytest.mark.slow
-def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_job_and_one_child_do_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
     add_cue(world, "beep")
     fork, forked = audio_checks.Sandbox._fork, []
 
@@ -251,8 +252,13 @@ def test_one_child_does_all_of_a_take(world: World, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(audio_checks.Sandbox, "_fork", counted)
     heard = sounds(world, deliver_sound(world, "beep.wav", sine(hz=997, rate=96_000, seconds=0.2)))
     assert heard["master"]["state"] == "drawn"
-    # To compare it with other projects is a job of its own, for which nobody waits.
-    assert [module for module in forked if module != "audio_checks.audit.same_sound"] == ["audio_checks.run.runner"]
+    assert world.approver.get(f"/v1/takes/{heard['take_id']}/same-sounds").json()["is_compared"]
+    assert forked == ["audio_checks.run.runner"]
+    jobs = workflows(is_sqlite=world.server.runtime.database.is_sqlite)
+    name = jobs.c.attributes["job"].as_string()
+    of_studio = select(name).where(jobs.c.queue_partition_key.startswith(str(world.studio_id)))
+    names = world.server.in_database(lambda session: session.scalars(of_studio).all())
+    assert [name for name in names if not name.startswith("notifications.")] == ["renders.prepare_take"]
 
 
 @pytest.mark.slow

@@ -17,7 +17,6 @@ const JOBS: Partial<Record<string, string>> = {
   'notifications.notify_work_refused': 'Notify about refused work',
   'amendments.settle_ended': 'Settle contracts whose notice is over',
   'builds.compare_take': 'Compare a version with other projects',
-  'builds.compare_with_libraries': 'Compare a version with sound libraries',
   'builds.compare_library': 'Compare a sound library with versions',
   'builds.fingerprint_pack': 'Analyse sounds missing from a manifest',
   'builds.fingerprint_take': 'Analyse an approved version',
