@@ -3,12 +3,9 @@
 import re
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import sqlalchemy as sa
-from alembic import command
-from alembic.config import Config
-from alembic.migration import MigrationContext
-from alembic.script import ScriptDirectory
 
 from app import tables  # noqa: F401  every model, for the comparison
 from app.core.db import Database
@@ -17,7 +14,11 @@ from app.core.runtime import Runtime
 from app.core.web.health import NotReady
 from app.row_security import ensure_rows_are_guarded, guard_rows
 
+if TYPE_CHECKING:
+    from alembic.config import Config
+
 MIGRATIONS = Path(__file__).resolve().parent.parent / "migrations"
+NAMED = re.compile(r"""^(revision|down_revision) = (?:["'](\w+)["']|None)""", re.MULTILINE)
 BEFORE_RELEASE = re.compile(r"00\d\d|0001_[0-9a-f]{8}")  # revisions that versions before 1.0 gave
 
 
@@ -29,8 +30,10 @@ class MadeBeforeRelease(CannotUpgrade):
     """The database was made by a version before 1.0, whose tables no version upgrades."""
 
 
-def alembic_config(database: Database) -> Config:
+def alembic_config(database: Database) -> "Config":
     """Return Alembic's configuration for a database; there is no ini file."""
+    from alembic.config import Config  # 8 MiB that web process and worker do without
+
     config = Config()
     config.set_main_option("script_location", str(MIGRATIONS))
     config.attributes["engine"] = database.engine
@@ -39,6 +42,8 @@ def alembic_config(database: Database) -> Config:
 
 def migrate(database: Database) -> None:
     """Upgrade our tables and those of the job queue; raise CannotUpgrade where the database's revision is unknown."""
+    from alembic import command
+
     ensure_upgradable(current_revision(database))
     queue.create_tables(database)
     command.upgrade(alembic_config(database), "head")
@@ -62,7 +67,14 @@ def login_warning(database: Database) -> str | None:
 def current_revision(database: Database) -> str | None:
     """Return the revision of a database's tables; None where it has none."""
     with database.engine.connect() as connection:
-        return MigrationContext.configure(connection).get_current_revision()
+        return revision_by(connection)
+
+
+def revision_by(connection: sa.Connection) -> str | None:
+    """Return the revision that Alembic wrote into a connection's database; None where it never did."""
+    if not sa.inspect(connection).has_table("alembic_version"):
+        return None
+    return connection.scalar(sa.text("select version_num from alembic_version"))
 
 
 def ensure_upgradable(revision: str | None) -> None:
@@ -90,14 +102,23 @@ def ensure_made_since_release(revision: str | None) -> None:
 @cache
 def _history() -> tuple[str, ...]:
     """Return the revisions that this version knows, the newest first."""
-    script = ScriptDirectory(str(MIGRATIONS))
-    return tuple(revision.revision for revision in script.walk_revisions())
+    return history_in(MIGRATIONS / "versions")
+
+
+def history_in(folder: Path) -> tuple[str, ...]:
+    """Return the revisions of a folder of migrations, the newest first; each but the first follows one other."""
+    named = [dict(NAMED.findall(path.read_text(encoding="utf-8"))) for path in folder.glob("*.py")]
+    followers = {migration["down_revision"]: migration["revision"] for migration in named}
+    history: list[str] = []
+    while newest := followers.get(history[-1] if history else ""):
+        history.append(newest)
+    return tuple(reversed(history))
 
 
 def ensure_at_head(runtime: Runtime) -> None:
     """Raise NotReady where the database lacks tables of this version; one that a newer version changed will do."""
     with runtime.database.reading() as session:
-        revision = MigrationContext.configure(session.connection()).get_current_revision()
+        revision = revision_by(session.connection())
     revisions = _history()
     try:
         ensure_made_since_release(revision)

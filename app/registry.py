@@ -60,6 +60,7 @@ PARSERS = (
     "audio_checks.placeholders.recorded",
     "app.voice_lines.script_text",
     "app.hiring.roster.files",
+    "icalendar",
     "app.agreements.clauses.template_files",
     "app.agreements.signing.seal_files",
     "app.agreements.word.file",

@@ -14,7 +14,6 @@ from typing import Any
 from uuid import UUID
 
 import sqlalchemy as sa
-from alembic.migration import MigrationContext
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Person, Studio
@@ -23,7 +22,7 @@ from app.core.plural import counted
 from app.core.runtime import Runtime
 from app.core.storage import READ_BYTES, BlobAltered, BlobMissing
 from app.core.web.health import NotReady
-from app.migrate import ensure_at_head
+from app.migrate import ensure_at_head, revision_by
 from app.operations.erasure import scope_queries as scopes
 from app.operations.scrubbing import queries as blob_queries
 from app.transfers import rows
@@ -120,7 +119,7 @@ def _ensure_this_version(runtime: Runtime) -> None:
 
 
 def _revision(session: Session) -> str | None:
-    return MigrationContext.configure(session.connection()).get_current_revision()
+    return revision_by(session.connection())
 
 
 def _rows_of(table: sa.Table, studio_id: UUID) -> sa.ColumnElement[bool] | None:

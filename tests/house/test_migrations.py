@@ -1,15 +1,18 @@
 """One migration, equal to the models; what cannot be upgraded is refused; and no table of ours is DBOS's."""
 
+import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 import sqlalchemy as sa
 from alembic import command
+from alembic.config import Config
+from alembic.script import ScriptDirectory
 
 from app.core.db import CONSTRAINT_NAMES, Base, Database
 from app.core.jobs import queue
-from app.migrate import CannotUpgrade, MadeBeforeRelease, alembic_config, migrate
+from app.migrate import CannotUpgrade, MadeBeforeRelease, alembic_config, history_in, migrate
 from app.row_security import PERSONAL, SERVERS_OWN, UNGUARDED
 from migrations.write_initial import INITIAL, release_of, write_initial
 from tests.support.postgres import Postgres
@@ -58,6 +61,20 @@ def tables_of(database: Database) -> set[str]:
 def test_the_history_ends_at_the_models(database: Database):
     migrate(database)
     command.check(alembic_config(database))
+
+
+def test_the_history_is_the_one_that_alembic_reads(tmp_path: Path):
+    config, folder = Config(), tmp_path / "versions"
+    folder.mkdir()
+    shutil.copy(INITIAL, folder)
+    for name in ("script.py.mako", "env.py"):
+        shutil.copy(INITIAL.parent.parent / name, tmp_path)
+    config.set_main_option("script_location", str(tmp_path))
+    command.revision(config, "second")
+    command.revision(config, "third")
+    walked = [script.revision for script in ScriptDirectory(str(tmp_path)).walk_revisions()]
+    assert len(walked) == 3
+    assert list(history_in(folder)) == walked
 
 
 @pytest.mark.slow

@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Sequence
 from datetime import date, datetime, timedelta
 from itertools import groupby
+from typing import TYPE_CHECKING
 from uuid import UUID
 
-from icalendar import Calendar, Event
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
@@ -24,12 +24,17 @@ from app.projects.errors import NdaNeeded, ProjectNotFound
 from app.projects.service import ProjectAccess, project_access
 from app.sound_lists.models import Cue
 
+if TYPE_CHECKING:
+    from icalendar import Event
+
 REFRESH = timedelta(hours=6)
 NAMED = 20  # cues of one day that its event names
 
 
 def feed(session: Session, secret: str) -> bytes:
     """Return the calendar behind a link; raise CalendarNotFound where its holder sees the project no more."""
+    from icalendar import Calendar  # 2.5 MiB, for a page that programs fetch a few times a day
+
     actor, link = calendar.holder_of(session, secret)
     try:
         access = project_access(session, actor, link.project_id)
@@ -49,7 +54,7 @@ def feed(session: Session, secret: str) -> bytes:
 
 def _cues_due(
     session: Session, access: ProjectAccess, contracts: Sequence[Contract], link: CalendarLink
-) -> Iterator[Event]:
+) -> Iterator["Event"]:
     """Yield one event for each day on which cues are due; a designer's own, once a contract says which those are."""
     own_cue_ids = _own_cues(session, contracts) if access.only_designer_id and contracts else None
     open_cues = [
@@ -77,7 +82,7 @@ def _names(cues: Sequence[Cue]) -> str:
     return f"{named} and {len(cues) - NAMED} more" if len(cues) > NAMED else named
 
 
-def _of_contract(session: Session, actor: Actor, contract: Contract, name: str) -> Iterator[Event]:
+def _of_contract(session: Session, actor: Actor, contract: Contract, name: str) -> Iterator["Event"]:
     stamp = contract.agreed_at or contract.created_at
     cues = plan_queries.cues_of(session, contract.id)
     for milestone in plan_queries.milestones_of(session, contract.id):
@@ -102,7 +107,7 @@ def _of_contract(session: Session, actor: Actor, contract: Contract, name: str) 
             )
 
 
-def _named(session: Session, contracts: Sequence[Contract], name: str) -> Iterator[Event]:
+def _named(session: Session, contracts: Sequence[Contract], name: str) -> Iterator["Event"]:
     terms = named_terms(session, contracts) if contracts else {}
     for contract in contracts:
         if contract.agreed_at is not None:
@@ -111,7 +116,9 @@ def _named(session: Session, contracts: Sequence[Contract], name: str) -> Iterat
                 yield _event(uid, contract.agreed_at, named_day.day, f"{name}: {named_day.words}", contract.title)
 
 
-def _event(uid: str, stamp: datetime, day: date, summary: str, description: str) -> Event:
+def _event(uid: str, stamp: datetime, day: date, summary: str, description: str) -> "Event":
+    from icalendar import Event
+
     return Event.new(
         uid=f"{uid}@soundlist",
         stamp=stamp,

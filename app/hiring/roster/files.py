@@ -9,7 +9,6 @@ from datetime import UTC, date, datetime, time, timedelta
 from typing import Any
 
 from dateutil.rrule import rrulestr
-from icalendar import Calendar
 
 from app.hiring.errors import CalendarUnreadable
 from app.hiring.roster.columns import known_heads_in
@@ -50,6 +49,8 @@ def parse_calendar(data: bytes, today: str) -> list[Range]:
             fix="export the coming year only",
         )
     try:
+        from icalendar import Calendar  # loaded where files are parsed only
+
         calendars: Any = Calendar.from_ical(data, multiple=True)
         events: list[Event] = [
             event for calendar in calendars for event in calendar.walk("VEVENT") if _takes_time(event)
