@@ -1,16 +1,15 @@
 import { PasswordInput, TextInput } from '@mantine/core'
+import { useForm, type UseFormReturnType } from '@mantine/form'
 import {
   type ComponentProps,
   type ComponentPropsWithRef,
   createContext,
   type ElementType,
-  type FormEvent,
   type ReactNode,
   useContext,
   useEffect,
   useEffectEvent,
   useRef,
-  useState,
 } from 'react'
 
 import { ApiProblem } from '@/api/problem'
@@ -22,12 +21,9 @@ import { Refusal } from './Refusal'
 import { sentence } from './sentence'
 
 type Values = Record<string, unknown>
-type Errors = Record<string, string>
 
 interface FormState {
-  values: Values
-  errors: Errors
-  change: (part: Values) => void
+  form: UseFormReturnType<Values>
   isPending: boolean
 }
 
@@ -59,6 +55,7 @@ export interface FormProps<V> extends Omit<ComponentPropsWithRef<'form'>, 'onSub
 }
 
 const errorsOf = (error: unknown) => (error instanceof ApiProblem ? error.errors : [])
+const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b)
 
 /** Fields and a button that sends them. What the server refuses stands below its field, and what was typed stays. */
 export function Form<V extends object>({
@@ -73,48 +70,48 @@ export function Form<V extends object>({
   children,
   ...rest
 }: FormProps<V>) {
-  const [typed, setTyped] = useState(initialValues)
-  const [errors, setErrors] = useState<Errors>({})
-  const form = useRef<HTMLFormElement>(null)
-  const values = kept ?? typed
+  const element = useRef<HTMLFormElement>(null)
+  const form = useForm<Values>({
+    initialValues: (kept ?? initialValues) as Values,
+    validate: (values) => ({ ...emptyFields(element.current), ...checks?.(values as V) }),
+    onValuesChange: (values) => onValuesChange?.(values as V),
+  })
+  const values = form.values as V
   const refused = errorsOf(error)
   const isSaidBelowFields = refused.length > 0 && refused.every(({ field }) => field in initialValues)
 
-  const change = (part: Partial<V>) => {
-    const next = { ...values, ...part }
-    setTyped(next)
-    onValuesChange?.(next)
-    setErrors((before) => Object.fromEntries(Object.entries(before).filter(([name]) => !(name in part))))
-  }
-  const show = (found: Errors) => {
-    setErrors(found)
-    const [first] = Object.keys(found)
-    if (first) form.current?.querySelector<HTMLElement>(`[data-path="${first}"]`)?.focus()
-  }
-  const showRefusal = useEffectEvent(() =>
-    show(Object.fromEntries(refused.map(({ field, message }) => [field, sentence(message)]))),
-  )
+  const focus = (errors: object) =>
+    element.current?.querySelector<HTMLElement>(`[data-path="${Object.keys(errors)[0]}"]`)?.focus()
+  const showRefusal = useEffectEvent(() => {
+    const errors = Object.fromEntries(refused.map(({ field, message }) => [field, sentence(message)]))
+    form.setErrors(errors)
+    focus(errors)
+  })
   useEffect(() => {
     if (error instanceof ApiProblem) showRefusal()
   }, [error])
+  const follow = useEffectEvent(() => {
+    if (kept && !same(kept, form.getValues())) form.setValues(kept)
+  })
+  useEffect(() => follow(), [kept])
   const clear = useEffectEvent(() =>
-    setTyped({ ...initialValues, ...(typeof resets === 'function' && resets(values)) }),
+    form.setValues({ ...initialValues, ...(typeof resets === 'function' && resets(values)) }),
   )
   useEffect(() => {
     if (resets && isSuccess) clear()
   }, [resets, isSuccess])
 
-  const send = (event: FormEvent<HTMLFormElement>) => {
-    event.preventDefault()
-    if (isPending) return
-    const unfit = Object.entries(checks?.(values) ?? {}).filter((entry): entry is [string, string] => Boolean(entry[1]))
-    const found = { ...emptyFields(event.currentTarget), ...Object.fromEntries(unfit) }
-    show(found)
-    if (Object.keys(found).length === 0) onSubmit(values)
-  }
+  const send = form.onSubmit((typed) => onSubmit(typed as V), focus)
+  const change = (part: Partial<V>) => Object.entries(part).forEach(([name, value]) => form.setFieldValue(name, value))
   return (
-    <State value={{ values: values as Values, errors, change: change as FormState['change'], isPending }}>
-      <form ref={form} {...rest} className={className} onSubmit={send} noValidate>
+    <State value={{ form, isPending }}>
+      <form
+        ref={element}
+        {...rest}
+        className={className}
+        onSubmit={(event) => (isPending ? event.preventDefault() : send(event))}
+        noValidate
+      >
         {typeof children === 'function' ? children(values, change) : children}
         {!isSaidBelowFields && <Refusal error={error} className="col-span-full" />}
       </form>
@@ -136,11 +133,7 @@ type FieldProps<C extends ElementType> = Omit<
   onValue?: (value: string) => void
 }
 
-const valueOf = (given: unknown): unknown => {
-  if (typeof given !== 'object' || given === null || !('currentTarget' in given)) return given
-  const { type, checked, value } = given.currentTarget as HTMLInputElement
-  return type === 'checkbox' ? checked : value
-}
+type Bound = Values & { onChange: (given: unknown) => void }
 
 /** One input of a form, with its error below. */
 export function Field<C extends ElementType = typeof TextInput>({
@@ -150,26 +143,22 @@ export function Field<C extends ElementType = typeof TextInput>({
   onValue,
   ...rest
 }: FieldProps<C>) {
-  const { values, errors, change } = useFormState()
-  const value = values[name]
+  const { form } = useFormState()
+  const isChecked = typeof form.values[name] === 'boolean'
   const { type } = rest as { type?: string }
   const Input: ElementType = as ?? (type === 'password' ? PasswordInput : TextInput)
-  const bound = {
-    ...(type === 'email' && { inputMode: 'email', spellCheck: false }),
-    ...(type === 'password' && { type: undefined, visibilityToggleButtonProps: { 'aria-label': 'Show password' } }),
-    ...(typeof value === 'boolean' ? { checked: value } : { value, required: !optional, withAsterisk: false }),
-  }
+  const bound = form.getInputProps(name, { type: isChecked ? 'checkbox' : 'input', withFocus: false }) as Bound
   return (
     <Input
       {...rest}
       {...bound}
+      {...(type === 'email' && { inputMode: 'email', spellCheck: false })}
+      {...(type === 'password' && { type: undefined, visibilityToggleButtonProps: { 'aria-label': 'Show password' } })}
+      {...(!isChecked && { required: !optional, withAsterisk: false })}
       name={name}
-      data-path={name}
-      error={errors[name]}
       onChange={(given: unknown) => {
-        const next = valueOf(given)
-        change({ [name]: next })
-        onValue?.(next as string)
+        bound.onChange(given)
+        onValue?.(form.getValues()[name] as string)
       }}
     />
   )

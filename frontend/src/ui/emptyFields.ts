@@ -1,7 +1,7 @@
 /** Names and words for the required fields of a form that hold nothing. */
-export function emptyFields(form: HTMLFormElement): Record<string, string> {
-  const required = form.querySelectorAll<HTMLInputElement>('input[required], textarea[required], select[required]')
-  const empty = [...required].filter(({ value }) => value.trim() === '')
+export function emptyFields(form: HTMLFormElement | null): Record<string, string> {
+  const required = form?.querySelectorAll<HTMLInputElement>('input[required], textarea[required], select[required]')
+  const empty = [...(required ?? [])].filter(({ value }) => value.trim() === '')
   return Object.fromEntries(
     empty.map(({ dataset, name, type, labels }) => [
       dataset.path ?? name,

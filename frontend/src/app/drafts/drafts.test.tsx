@@ -1,7 +1,11 @@
 import { act, fireEvent, render, screen } from '@testing-library/react'
 import { beforeEach, expect, test, vi } from 'vitest'
 
+import { draw } from '@/test/draw'
+import { Field } from '@/ui/Form'
+
 import { DraftNote, forgetDrafts, keepDraft, keptDraft, openDraftsOf, useDraft } from '.'
+import { DraftForm } from './DraftForm'
 import { isAnythingTyped, keepDrafts } from './store'
 
 function Note({ about = 'c1' }: { about?: string }) {
@@ -14,6 +18,8 @@ function Note({ about = 'c1' }: { about?: string }) {
     </>
   )
 }
+
+const idle = { isPending: false, error: null }
 
 const field = () => screen.getByLabelText<HTMLInputElement>('Note')
 const type = (text: string) => fireEvent.change(field(), { target: { value: text } })
@@ -102,4 +108,20 @@ test('what was typed since the page was opened makes leaving ask; what was resto
   expect(isAnythingTyped()).toBe(false)
   keepDraft('sheet:p1', { text: 'pasted' }, true)
   expect(isAnythingTyped()).toBe(false)
+})
+
+test('a draft that is discarded leaves the form that showed it', () => {
+  const form = (
+    <DraftForm draftKey="form:c1" initialValues={{ note: 'as saved' }} mutation={idle} onSubmit={() => undefined}>
+      <Field name="note" label="Note" />
+    </DraftForm>
+  )
+  const page = draw(form)
+  type('half a sentence')
+  page.unmount()
+  draw(form)
+  expect(field().value).toBe('half a sentence')
+  fireEvent.click(screen.getByText('Discard'))
+  expect(field().value).toBe('as saved')
+  expect(keptDraft('form:c1')).toBeNull()
 })
