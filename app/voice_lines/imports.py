@@ -1,14 +1,16 @@
 """A script becomes voice lines, each with a cue per language: all of them, or none."""
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 from uuid import UUID
 
 from sqlalchemy.orm import Session
 
 from app.accounts.rules import Actor
 from app.core.db import new_id
+from app.core.plural import counted
 from app.projects.models import Project
 from app.projects.service import project_access
 from app.sound_lists.names.service import refusals_of_edits
@@ -23,7 +25,7 @@ from app.voice_lines.models import Character, VoiceLine, VoiceSettings, VoiceTex
 from app.voice_lines.rules import CATEGORY, merged_order
 from app.voice_lines.schemas import LineChange, ScriptAsk, ScriptColumn, ScriptFault, ScriptRead, ScriptRow
 from app.voice_lines.script_rows import Column, KnownLines, RowFault, Speaker, SpokenRow, Words, columns_of, spoken_rows
-from audio_checks import stem_in_language
+from audio_checks import stem_in_language, stems_of
 
 SAMPLES = 3
 
@@ -36,6 +38,17 @@ class NewText:
     language: str
     cue_id: UUID | None = None  # of a cue that owns the name already
     edit: Edit | None = None  # of a cue to add
+
+    @property
+    def stem(self) -> str:
+        """The name of its cue."""
+        return stem_in_language(self.language, self.plan.spoken.file_name)
+
+    @property
+    def stem_sets(self) -> list[list[str]]:
+        """The names of its files, without endings: as the script numbers them, or else one file or any set."""
+        numbers = [self.plan.spoken.variations] if self.plan.spoken.variations else [1, 2]
+        return [stems_of("", self.stem, number) for number in numbers]
 
 
 @dataclass
@@ -71,6 +84,7 @@ def import_script(
     by_key = {line.folded: line for line in lines}
     delivered = queries.cues_with_takes(session, project.id)
     plans = [_plan(row, by_key.get(folded(row.key)), texts, delivered) for row in spoken]
+    faults += _faults_of_variations(plans, texts)
     faults += _add_cues_to(session, project, plans)
     failed = sorted({fault.row for fault in faults})
     plans = [plan for plan in plans if plan.spoken.row not in failed]
@@ -122,26 +136,47 @@ def _plan(
     return plan
 
 
+def _faults_of_variations(plans: Sequence[LinePlan], texts: Mapping[tuple[UUID, str], VoiceText]) -> Iterator[RowFault]:
+    """Yield the rows that name another number of files than the cue of their line has variations."""
+    for plan in plans:
+        wanted = plan.spoken.variations
+        known = [texts.get((plan.line.id, language)) for language in plan.spoken.texts] if plan.line and wanted else []
+        for cue in (text.cue for text in known if text and text.cue.variations != wanted):
+            yield RowFault(plan.spoken.row, "variations", _unlike(wanted or 1, cue.name, cue.variations))
+            break
+
+
+def _unlike(wanted: int, cue_name: str, variations: int) -> str:
+    return (
+        f"{counted(wanted, 'file')} in the script, and {cue_name} has {counted(variations, 'variation')}; "
+        "change Variations on the sound list first"
+    )
+
+
 def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) -> list[RowFault]:
     """Give each new text the cue that owns its name, or a cue to add; return what is wrong with names."""
     new = [text for plan in plans for text in plan.new_texts]
-    stems = {
-        id(text_added): stem_in_language(text_added.language, text_added.plan.spoken.file_name) for text_added in new
-    }
-    owners = stem_owners(session, project.id, {folded(stem) for stem in stems.values()}) if new else {}
+    stems = {folded(stem) for text in new for stems in text.stem_sets for stem in stems}
+    owners = {key: owner[0] for key, owner in stem_owners(session, project.id, stems).items()} if new else {}
+    variations = queries.variations_of(session, owners.values())
     pinned = {text.cue_id for text in queries.texts_of(session, project.id)}
     rows: dict[int, NewText] = {}
     faults = []
     for number, new_text in enumerate(new, start=1):
-        stem, row = stems[id(new_text)], new_text.plan.spoken.row
-        owner = owners.get(folded(stem))
-        if owner is not None and owner[0] in pinned:
-            faults.append(RowFault(row, "file_name", f'the file name "{stem}" belongs to another voice line already'))
+        row = new_text.plan.spoken.row
+        owner_sets = [[owners.get(folded(stem)) for stem in stems] for stems in new_text.stem_sets]
+        owner = next((owning[0] for owning in owner_sets if owning[0] and len(set(owning)) == 1), None)
+        wanted = new_text.plan.spoken.variations
+        if owner is not None and owner in pinned:
+            message = f'the file name "{new_text.stem}" belongs to another voice line already'
+            faults.append(RowFault(row, "file_name", message))
+        elif owner is not None and wanted and wanted != variations[owner]:
+            faults.append(RowFault(row, "variations", _unlike(wanted, new_text.stem, variations[owner])))
         elif owner is not None:
-            new_text.cue_id = owner[0]
-            pinned.add(owner[0])
+            new_text.cue_id = owner
+            pinned.add(owner)
         else:
-            new_text.edit = Edit(number, whole_facts(_cue_facts(new_text, stem), NEW_CUE))
+            new_text.edit = Edit(number, whole_facts(_cue_facts(new_text), NEW_CUE))
             rows[number] = new_text
     of_cues = row_faults(session, project, [text_added.edit for text_added in rows.values() if text_added.edit])
     faults += [RowFault(rows[fault.row].plan.spoken.row, "file_name", fault.message) for fault in of_cues]
@@ -149,14 +184,15 @@ def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) 
     return list(by_row.values())
 
 
-def _cue_facts(new_text: NewText, stem: str) -> dict[str, str]:
+def _cue_facts(new_text: NewText) -> dict[str, Any]:
     spoken = new_text.plan.spoken
     description = (
         f"Voice line {spoken.key} of {spoken.character}, {new_text.language}: its text is with the voice lines."
     )
     return {
-        "name": stem,
-        "file_name": stem,
+        "name": new_text.stem,
+        "file_name": new_text.stem,
+        "variations": spoken.variations or 1,
         "category": CATEGORY,
         "description": description,
         "use": spoken.scene or "",
@@ -301,6 +337,7 @@ def _row_read(plan: LinePlan) -> ScriptRow:
         character=spoken.character,
         scene=spoken.scene or (plan.line.scene if plan.line else ""),
         text=next(iter(spoken.texts.values()), ""),
+        files=spoken.variations or 1,
         languages=list(spoken.texts),
         changes=plan.changes,
     )

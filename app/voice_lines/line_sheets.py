@@ -2,10 +2,13 @@
 
 import csv
 import io
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
+from uuid import UUID
 
 from app.sound_lists.rules import spreadsheet_safe
+from app.voice_lines.rules import PICK_UPS
 from app.voice_lines.schemas import VoiceLineRead
 
 PICK_UP_COLUMNS = (
@@ -19,11 +22,21 @@ MADE_AT = datetime(2000, 1, 1)  # noqa: DTZ001  a workbook has no zone; the same
 def script_csv(lines: Mapping[str, Sequence[VoiceLineRead]]) -> str:
     """Return the script as CSV that our own import reads: a column for each language."""
     first = next(iter(lines.values()), ())
+    most_files = Counter[UUID]()
+    for line in (line for reads in lines.values() for line in reads):
+        most_files[line.id] = max(most_files[line.id], len(line.files))
     texts = {language: {line.id: line.text or "" for line in reads} for language, reads in lines.items()}
-    head = ("key", "character", "scene", "direction", "file_name", *lines)
+    head = ("key", "character", "scene", "direction", "file_name", "variations", *lines)
     rows = (
         (
-            *(line.key, line.character.name, line.scene, line.direction, line.path.partition("/")[2]),
+            *(
+                line.key,
+                line.character.name,
+                line.scene,
+                line.direction,
+                line.path.partition("/")[2],
+                str(most_files[line.id]),
+            ),
             *(texts[language].get(line.id, "") for language in lines),
         )
         for line in first
@@ -66,7 +79,8 @@ def _pick_up(line: VoiceLineRead) -> tuple[str, ...]:
         f"{neighbour.character}: {neighbour.text}" if neighbour else "" for neighbour in (line.before, line.after)
     )
     who = (line.language, line.character.name, line.performer or "", line.directed_by, line.scene, line.key)
-    return (*who, before, line.text or "", after, line.direction, line.reason, line.path)
+    files = ", ".join(file.path for file in line.files if file.state in PICK_UPS)
+    return (*who, before, line.text or "", after, line.direction, line.reason, files)
 
 
 def _csv(rows: Iterable[Sequence[str]]) -> str:

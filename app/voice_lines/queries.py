@@ -147,15 +147,23 @@ def takes_of(
 ) -> dict[UUID, list[TakeFacts]]:
     """Return the takes of cues with their lengths, those of one designer where one is given."""
     drawn = (Picture.studio_id == Take.studio_id) & (Picture.sound_sha256 == Take.master_sha256)
-    facts = select(Take.cue_id, Take.id, Take.number, Take.state, Take.received_at, Picture.duration_s)
+    facts = select(Take.cue_id, Take.id, Take.variation, Take.number, Take.state, Take.received_at, Picture.duration_s)
     query = facts.outerjoin(Picture, drawn).where(Take.project_id == project_id, in_array(Take.cue_id, "cue_ids"))
     if designer_id is not None:
         query = query.where(Take.designer_id == designer_id)
     takes: dict[UUID, list[TakeFacts]] = defaultdict(list)
-    for cue_id, take_id, number, state, received_at, duration_s in session.execute(query, {"cue_ids": list(cue_ids)}):
+    for cue_id, take_id, variation, number, state, received_at, duration_s in session.execute(
+        query, {"cue_ids": list(cue_ids)}
+    ):
         if cue_id is not None and number is not None:
-            takes[cue_id].append(TakeFacts(take_id, number, state, received_at, duration_s))
+            takes[cue_id].append(TakeFacts(take_id, variation, number, state, received_at, duration_s))
     return takes
+
+
+def variations_of(session: Session, cue_ids: Iterable[UUID]) -> dict[UUID, int]:
+    """Return the variations of cues."""
+    query = select(Cue.id, Cue.variations).where(in_array(Cue.id, "cue_ids"))
+    return dict(session.execute(query, {"cue_ids": list(cue_ids)}).all())
 
 
 def cues_with_takes(session: Session, project_id: UUID) -> set[UUID]:

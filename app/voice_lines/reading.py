@@ -20,6 +20,7 @@ from app.voice_lines.rules import (
     LineStatus,
     TakeFacts,
     approved_duration_s,
+    file_statuses,
     is_length_off,
     length_percent,
     line_status,
@@ -28,6 +29,7 @@ from app.voice_lines.rules import (
 from app.voice_lines.schemas import (
     CharacterBrief,
     LineCue,
+    LineFile,
     LineTake,
     PickUpsRead,
     SpokenBeside,
@@ -35,17 +37,43 @@ from app.voice_lines.schemas import (
     VoiceLineRead,
     VoiceLines,
 )
-from audio_checks import game_path, stem_in_language
+from audio_checks import game_path, stem_in_language, stems_of
 
 PAGE = 200
-NOT_TRANSLATED = LineStatus(LineState.NO_TEXT)
+NOT_TRANSLATED = (LineStatus(LineState.NO_TEXT),)
 
 
 class LanguageTexts(NamedTuple):
     """The texts of one language, and what was delivered of them."""
 
     texts: Mapping[UUID, VoiceText]  # by line
-    statuses: Mapping[UUID, LineStatus]  # by line
+    statuses: Mapping[UUID, Sequence[LineStatus]]  # of the files of each line
+
+    def state_of(self, line_id: UUID) -> LineState:
+        """Return the state of a line."""
+        return line_status(self.statuses.get(line_id, NOT_TRANSLATED)).state
+
+
+class TakeReasons(NamedTuple):
+    """The reasons to record again, by take."""
+
+    requested: Mapping[UUID, str]
+    errors: Mapping[UUID, str]
+
+    def of_line(self, line: VoiceLine, statuses: Sequence[LineStatus]) -> str:
+        """Return why files of a line must be recorded, each by its name where the line has several."""
+        reasons = {
+            stem: self._of_file(status)
+            for stem, status in zip(stems_of("", line.file_name, len(statuses)), statuses, strict=True)
+        }
+        if len(statuses) == 1:
+            return "".join(reasons.values())
+        return "; ".join(f"{stem}: {reason}" for stem, reason in reasons.items() if reason)
+
+    def _of_file(self, status: LineStatus) -> str:
+        take_id = status.take.id if status.take else None
+        requested, error = (texts.get(take_id, "") if take_id else "" for texts in self)
+        return reason_of(status, requested=requested, error=error)
 
 
 class ScriptReader:
@@ -89,38 +117,25 @@ class ScriptReader:
 
     def _reads(self, language: str, language_texts: LanguageTexts, lines: Sequence[VoiceLine]) -> list[VoiceLineRead]:
         """Return some lines in one language."""
-        statuses = [language_texts.statuses.get(line.id, NOT_TRANSLATED) for line in lines]
-        requested = queries.requested_changes(
-            self._session, [status_read.take.id for status_read in statuses if status_read.take]
-        )
-        returned = [
-            status_read.take.id
-            for status_read in statuses
-            if status_read.take and status_read.state is LineState.RETURNED
+        judged = [
+            (status.take.id, status.state)
+            for line in lines
+            for status in language_texts.statuses.get(line.id, NOT_TRANSLATED)
+            if status.take
         ]
-        errors = queries.first_errors(self._session, returned)
-        reads = []
-        for line, status in zip(lines, statuses, strict=True):
-            take_id = status.take.id if status.take else None
-            reason = reason_of(
-                status,
-                requested=requested.get(take_id, "") if take_id else "",
-                error=errors.get(take_id, "") if take_id else "",
-            )
-            before, after = self._neighbours[line.id]
-            reads.append(
-                self._read(
-                    line, language, language_texts.texts.get(line.id), status, reason, before=before, after=after
-                )
-            )
-        return reads
+        requested = queries.requested_changes(self._session, [take_id for take_id, _ in judged])
+        errors = queries.first_errors(
+            self._session, [take_id for take_id, state in judged if state is LineState.RETURNED]
+        )
+        reasons = TakeReasons(requested, errors)
+        return [self._read(line, language, language_texts, reasons) for line in lines]
 
     def page(
         self, language: str, *, state: LineState | None, character_id: UUID | None, search: str, start: int
     ) -> VoiceLines:
         """Return the lines of one language that fit a filter, from a place on."""
         language_texts = self._said(language)
-        states = {line.id: language_texts.statuses.get(line.id, NOT_TRANSLATED).state for line in self.lines}
+        states = {line.id: language_texts.state_of(line.id) for line in self.lines}
         counts = Counter(states.values())
         words = search.casefold().split()
         matching = [
@@ -163,7 +178,7 @@ class ScriptReader:
             stale_lines = [
                 line
                 for line in self.lines
-                if language_texts.statuses.get(line.id, NOT_TRANSLATED).state in PICK_UPS
+                if language_texts.state_of(line.id) in PICK_UPS
                 and (character_id is None or line.character_id == character_id)
             ]
             reads += self._reads(language, language_texts, stale_lines)
@@ -188,11 +203,11 @@ class ScriptReader:
         return self._texts(self.original_language)
 
     @cached_property
-    def _original_lengths(self) -> dict[UUID, float | None]:
-        """Return the length of each line's approved take in the original language, by any designer."""
+    def _original_takes(self) -> dict[UUID, list[TakeFacts]]:
+        """Return the takes of each line in the original language, by any designer."""
         cues = [text.cue_id for text in self._original.values()]
         takes = queries.takes_of(self._session, self._project.id, cues, None)
-        return {line_id: approved_duration_s(takes[text.cue_id]) for line_id, text in self._original.items()}
+        return {line_id: takes[text.cue_id] for line_id, text in self._original.items()}
 
     @cached_property
     def _castings(self) -> dict[tuple[UUID, str], Casting]:
@@ -205,24 +220,28 @@ class ScriptReader:
         cues = [text.cue_id for text in texts.values()]
         takes = queries.takes_of(self._session, self._project.id, cues, self._access.only_designer_id)
         statuses = {
-            line_id: line_status(takes[text.cue_id], versions[text.id], is_cut=text.cue.state is CueState.CUT)
+            line_id: file_statuses(
+                takes[text.cue_id],
+                versions[text.id],
+                variations=text.cue.variations,
+                is_cut=text.cue.state is CueState.CUT,
+            )
             for line_id, text in texts.items()
         }
         return LanguageTexts(texts, statuses)
 
     def _read(
-        self,
-        line: VoiceLine,
-        language: str,
-        text: VoiceText | None,
-        status: LineStatus,
-        reason: str,
-        *,
-        before: VoiceLine | None,
-        after: VoiceLine | None,
+        self, line: VoiceLine, language: str, language_texts: LanguageTexts, reasons: TakeReasons
     ) -> VoiceLineRead:
+        text = language_texts.texts.get(line.id)
+        statuses = language_texts.statuses.get(line.id, NOT_TRANSLATED)
+        status = line_status(statuses)
         take, casting = status.take, self._castings.get((line.character_id, language))
-        original_s = self._original_lengths.get(line.id)
+        before, after = self._neighbours[line.id]
+        variation = statuses.index(status) + 1
+        original_s = approved_duration_s(
+            [original for original in self._original_takes.get(line.id, ()) if original.variation == variation]
+        )
         is_translation = language != self.original_language
         percent = length_percent(take.duration_s if take else None, original_s) if is_translation else None
         original = self._original.get(line.id)
@@ -238,10 +257,11 @@ class ScriptReader:
             original_text=original.text if original else None,
             before=self._beside(before),
             after=self._beside(after),
-            path=game_path(language, stem_in_language(language, line.file_name)),
+            path=_path(line, language),
+            files=_files(line, language, statuses),
             cue=self._cue(text),
             state=status.state,
-            reason=reason,
+            reason=reasons.of_line(line, statuses),
             take=_take(take),
             recorded_text=status.recorded_text,
             original_duration_s=original_s,
@@ -261,6 +281,18 @@ class ScriptReader:
             return None
         cue = text.cue
         return LineCue(id=cue.id, number=cue.number, label=label(self._project.cue_prefix, cue.number), name=cue.name)
+
+
+def _path(line: VoiceLine, language: str) -> str:
+    return game_path(language, stem_in_language(language, line.file_name))
+
+
+def _files(line: VoiceLine, language: str, statuses: Sequence[LineStatus]) -> list[LineFile]:
+    stems = stems_of("", stem_in_language(language, line.file_name), len(statuses))
+    return [
+        LineFile(path=game_path(language, stem), state=status.state)
+        for stem, status in zip(stems, statuses, strict=True)
+    ]
 
 
 def line_of_cue(session: Session, access: ProjectAccess, cue_id: UUID) -> VoiceLineRead | None:

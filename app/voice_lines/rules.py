@@ -15,6 +15,7 @@ DEFAULT_LANGUAGE = "en"
 DEFAULT_TOLERANCE_PERCENT = 10
 CATEGORY = "vo"  # of the cues that are made for lines; the presets of the delivery spec have it
 MAX_KEY_CHARS = 100
+MAX_FILES_CHARS = 5_000  # of a cell that names each file of a line
 MAX_NAME_CHARS = 120
 MAX_SCENE_CHARS = 200
 MAX_TEXT_CHARS = 5_000
@@ -80,7 +81,8 @@ class LineState(StrEnum):
     CUT = "cut"
 
 
-PICK_UPS = (LineState.STALE, LineState.CHANGE_REQUESTED, LineState.RETURNED, LineState.NO_TAKE)
+PICK_UPS = (LineState.NO_TAKE, LineState.STALE, LineState.RETURNED, LineState.CHANGE_REQUESTED)
+_FURTHEST_FIRST = (LineState.NO_TEXT, LineState.CUT, *PICK_UPS, LineState.IN_REVIEW, LineState.APPROVED)
 
 
 @dataclass(frozen=True)
@@ -88,6 +90,7 @@ class TakeFacts:
     """The facts of one take that its line's state depends on."""
 
     id: UUID
+    variation: int
     number: int
     state: TakeState
     received_at: datetime
@@ -105,7 +108,7 @@ class TextFrom:
 
 @dataclass(frozen=True)
 class LineStatus:
-    """The state of a line in one language, the take that it is judged by, and the text that this was made from."""
+    """The state of one file of a line, the take that it is judged by, and the text that this was made from."""
 
     state: LineState
     take: TakeFacts | None = None
@@ -154,14 +157,29 @@ def text_at(texts: Sequence[TextFrom], moment: datetime) -> str:
     return (before or texts)[-1 if before else 0].text
 
 
-def line_status(takes: Iterable[TakeFacts], texts: Sequence[TextFrom], *, is_cut: bool) -> LineStatus:
-    """Return the state of a line in one language.
+def file_statuses(
+    takes: Sequence[TakeFacts], texts: Sequence[TextFrom], *, variations: int, is_cut: bool
+) -> list[LineStatus]:
+    """Return the state of each file of a line in one language."""
+    if is_cut:
+        return [LineStatus(LineState.CUT)] * variations
+    return [
+        _file_status([take for take in takes if take.variation == variation], texts)
+        for variation in range(1, variations + 1)
+    ]
+
+
+def line_status(statuses: Sequence[LineStatus]) -> LineStatus:
+    """Return the state of a line: that of its file which is furthest from approved."""
+    return min(statuses, key=lambda status: _FURTHEST_FIRST.index(status.state))
+
+
+def _file_status(takes: Iterable[TakeFacts], texts: Sequence[TextFrom]) -> LineStatus:
+    """Return the state of one file.
 
     It is judged by its newest approved take of the present text, or else by its newest take of that text. Where every
-    take was made from another text, the line is stale, by its newest approved take, or else its newest.
+    take was made from another text, the file is stale, by its newest approved take, or else its newest.
     """
-    if is_cut:
-        return LineStatus(LineState.CUT)
     heard = [take for take in takes if take.state is not TakeState.SET_ASIDE]
     newest_first = sorted(heard, key=lambda take: (take.received_at, take.number), reverse=True)
     if not newest_first:
@@ -182,7 +200,7 @@ _STATES = {
 
 
 def reason_of(status: LineStatus, *, requested: str, error: str) -> str:
-    """Return the reason to record a line, or record it again; empty where there is none.
+    """Return the reason to record a file, or record it again; empty where there is none.
 
     `requested` is the change that was requested for the take, `error` what the checks found in it.
     """

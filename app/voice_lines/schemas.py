@@ -41,7 +41,8 @@ class ScriptAsk(Schema):
     language: Language = Field(DEFAULT_LANGUAGE, description="Of the text, where no column names its language.")
     mapping: dict[Annotated[str, Field(max_length=200)], Annotated[str, Field(max_length=40)]] | None = Field(
         None,
-        description="Column → `key`, `character`, `scene`, `direction`, `file_name`, `text`, `ignore` or a language.",
+        description="Column → `key`, `character`, `scene`, `direction`, `file_name`, `variations`, `text`, `ignore` "
+        "or a language.",
     )
     speaker: str = Field("", max_length=100, description="Who speaks the lines that name no one.")
     speaker_in_key: bool = Field(
@@ -86,6 +87,7 @@ class ScriptRow(Schema):
     character: str
     scene: str
     text: str
+    files: int = Field(description="In each language; 1 where the script does not say.")
     languages: list[str]
     changes: list[LineChange]
 
@@ -152,6 +154,13 @@ class LineTake(Schema):
     duration_s: float | None
 
 
+class LineFile(Schema):
+    """One file of a line and its state."""
+
+    path: str
+    state: LineState
+
+
 class VoiceLineRead(Schema):
     """A line of the script in one language."""
 
@@ -167,8 +176,9 @@ class VoiceLineRead(Schema):
     before: SpokenBeside | None
     after: SpokenBeside | None
     path: str = Field(description="Where its file is expected: one name, in a folder per language.")
+    files: list[LineFile] = Field(description="Each of its files: one, or the variations of its cue.")
     cue: LineCue | None
-    state: LineState
+    state: LineState = Field(description="Of the file that is furthest from approved.")
     reason: str = Field(description="Why it must be recorded, or recorded again; empty where it need not.")
     take: LineTake | None
     recorded_text: str | None = Field(description="What a stale take says.")

@@ -15,6 +15,7 @@ HEADS: Mapping[str, str] = {
     "direction": "direction|directions|acting|acting note|acting notes|note|notes|performance|delivery|emotion|tone|"
     "intention|parenthetical|context|comment|regie|regieanweisung|anweisung|kontext|didascalie",
     "file_name": "file name|filename|file|wav|wav name|audio file|sound file|dateiname|datei|fichier|archivo",
+    "variations": "variations|number of variations|variants|number of files|files|anzahl|varianten|variationen",
     "text": "text|line|lines|dialogue|dialog|dialogue text|line text|script|copy|spoken text|original|original text|"
     "source|source text|dialogzeile|dialogtext|sprechtext|texte|texto",
 }
@@ -31,6 +32,7 @@ class ScriptField(StrEnum):
     SCENE = "scene"
     DIRECTION = "direction"
     FILE_NAME = "file_name"
+    VARIATIONS = "variations"  # files of the line, numbered
     TEXT = "text"  # in the language that the request names
     IGNORE = "ignore"
 

@@ -4,11 +4,12 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from app.sound_lists.rules import folded, tidy_line, tidy_text, typed_text
+from app.sound_lists.rules import MAX_VARIATIONS, folded, tidy_line, tidy_text, typed_text
 from app.sound_lists.sheets.rules import Sheet
 from app.voice_lines.errors import ScriptUnreadable, SpeakerMissing
 from app.voice_lines.rules import (
     MAX_DIRECTION_CHARS,
+    MAX_FILES_CHARS,
     MAX_KEY_CHARS,
     MAX_LANGUAGES,
     MAX_NAME_CHARS,
@@ -18,14 +19,17 @@ from app.voice_lines.rules import (
     language_tag,
 )
 from app.voice_lines.script_columns import ScriptField, meaning_of
+from audio_checks import names_in_row, stems_of
 
 LONGEST: Mapping[str, int] = {
     ScriptField.KEY: MAX_KEY_CHARS,
     ScriptField.CHARACTER: MAX_NAME_CHARS,
     ScriptField.SCENE: MAX_SCENE_CHARS,
     ScriptField.DIRECTION: MAX_DIRECTION_CHARS,
-    ScriptField.FILE_NAME: MAX_KEY_CHARS,
+    ScriptField.FILE_NAME: MAX_FILES_CHARS,
+    ScriptField.VARIATIONS: MAX_KEY_CHARS,
 }
+ONE_LINE = LONGEST.keys() - {ScriptField.FILE_NAME}  # a cell may name each file of a line on a line of its own
 NO_CHARACTERS = frozenset({"vo", "dx", "dlg", "dia", "line", "dialog", "dialogue"})  # before the name, in ids of lines
 WHO_SPEAKS = (
     "map a column to the character, name one speaker for all lines, or say that line ids begin with the speaker"
@@ -61,6 +65,7 @@ class SpokenRow:
     scene: str | None
     direction: str | None
     file_name: str
+    variations: int | None  # numbered files of the line
     texts: dict[str, str]  # by language
 
 
@@ -176,7 +181,7 @@ def spoken_rows(
         # A scene is written once, in a merged cell or before its first line, and holds until the next.
         scene = given.get(ScriptField.SCENE) or scene
         given[ScriptField.CHARACTER] = given.get(ScriptField.CHARACTER) or speaker.of(given.get(ScriptField.KEY, ""))
-        faults_of_row = list(_faults_of(row, given))
+        faults_of_row = [*_faults_of(row, given), *_faults_of_files(row, given)]
         if not faults_of_row:
             spoken = keys.spoken_row(row, given, scene or None)
             faults_of_row = list(keys.faults_of(spoken))
@@ -191,7 +196,7 @@ def _cells(columns: Sequence[Column], cells: Sequence[str]) -> dict[str, str]:
     for column in columns:
         if column.meaning != ScriptField.IGNORE:
             text = typed_text(cells[column.place])
-            given[column.meaning] = tidy_line(text) if column.meaning in LONGEST else tidy_text(text)
+            given[column.meaning] = tidy_line(text) if column.meaning in ONE_LINE else tidy_text(text)
     return given
 
 
@@ -204,6 +209,33 @@ def _faults_of(row: int, given: Mapping[str, str]) -> Iterator[RowFault]:
         longest = LONGEST.get(meaning, MAX_TEXT_CHARS)
         if len(text) > longest:
             yield RowFault(row, meaning, f"{len(text):,} characters; at most {longest:,} are kept")
+
+
+def _faults_of_files(row: int, given: dict[str, str]) -> Iterator[RowFault]:
+    """Yield what is wrong with the files of a row; several files that are one numbered set become name and number."""
+    count = given.get(ScriptField.VARIATIONS, "")
+    if count and not (count.isdecimal() and 1 <= int(count) <= MAX_VARIATIONS):
+        message = f'{MAX_VARIATIONS} files are the most of a line, in whole numbers from 1; found "{count[:40]}"'
+        yield RowFault(row, ScriptField.VARIATIONS, message)
+        return
+    files = _with_endings(given.get(ScriptField.FILE_NAME, ""))
+    try:
+        named = names_in_row("", files)
+    except ValueError as error:
+        yield RowFault(row, ScriptField.FILE_NAME, str(error))
+        return
+    given[ScriptField.FILE_NAME] = next(iter(stems_of("", named.file_name if named.variations else files)), "")
+    if named.variations is not None:
+        if count and int(count) != named.variations:
+            message = f"{named.variations} files are named, and {count} are wanted beside; make them one number"
+            yield RowFault(row, ScriptField.FILE_NAME, message)
+        given[ScriptField.VARIATIONS] = str(named.variations)
+
+
+def _with_endings(files: str) -> str:
+    """Return the names in a cell of files; where none of several has an ending, each gets one, to tell them apart."""
+    names = [name.strip() for name in re.split(r"[,;|\n]", files) if name.strip()]
+    return ", ".join(f"{name}.wav" for name in names) if len(names) > 1 and "." not in files else files
 
 
 class _Keys:
@@ -233,6 +265,7 @@ class _Keys:
             scene=scene,
             direction=given.get(ScriptField.DIRECTION),
             file_name=given.get(ScriptField.FILE_NAME) or self._known.file_names.get(folded(key)) or key,
+            variations=int(given.get(ScriptField.VARIATIONS) or 0) or None,
             texts=texts,
         )
 

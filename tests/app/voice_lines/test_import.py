@@ -279,3 +279,59 @@ def test_a_speaker_is_read_from_the_id_of_the_line(world: World) -> None:
     assert [row["character"] for row in read["rows"]] == ["Anna", "Ben", "Anna", "Narrator"]
     nameless = sent(world, "Line ID,Text\n0100,Who?\n", speaker_in_key=True, dry_run=True)
     assert nameless["errors"][0]["message"] == "no character; wanted the name of the one who speaks"
+
+
+FILES = """Line ID,Character,Audio file,Text
+grunt,Guard,"grunt_01.wav, grunt_02.wav, grunt_03.wav",Hngh!
+halt,Guard,halt.wav,Halt!
+"""
+
+
+def test_several_files_of_a_line_are_the_variations_of_its_cue(world: World) -> None:
+    read = imported(world, FILES)
+    assert [(row["key"], row["files"]) for row in read["rows"]] == [("grunt", 3), ("halt", 1)]
+    assert cue_names(world) == {"en_grunt", "en_halt"}, "one cue a line and language"
+    grunt = lines(world)["grunt"]
+    assert [file["path"] for file in grunt["files"]] == ["en/grunt_01", "en/grunt_02", "en/grunt_03"]
+    exported = world.producer.get(f"/v1/projects/{world.project_id}/voice-lines.csv").text
+    again = imported(world, exported)
+    assert [(row["key"], row["files"], row["action"]) for row in again["rows"]] == [
+        ("grunt", 3, "same"), ("halt", 1, "same"),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("cell", ["grunt_01; grunt_02", "grunt_01.wav\ngrunt_02.wav", "grunt_01|grunt_02"])
+def test_a_cell_names_files_in_any_usual_way(world: World, cell: str) -> None:
+    read = sent(world, f'Line ID,Character,File,Text\ngrunt,Guard,"{cell}",Hngh!\n', dry_run=True)
+    assert [(row["files"], read["errors"]) for row in read["rows"]] == [(2, [])]
+
+
+def test_a_column_counts_the_files_of_a_line(world: World) -> None:
+    imported(world, "Line ID,Character,Variations,Text\ngrunt,Guard,2,Hngh!\nhalt,Guard,,Halt!\n")
+    assert [len(line["files"]) for line in lines(world).values()] == [2, 1]
+
+
+@pytest.mark.parametrize(
+    ("cells", "column", "words"),
+    [
+        ('"grunt_01.wav, roar.wav",', "Audio file", "give each a row of its own"),
+        ('"grunt_01.wav, grunt_02.wav",5', "Audio file", "2 files are named"),
+        ("grunt.wav,100", "Variations", "found \"100\""),
+        ("grunt.wav,many", "Variations", "found \"many\""),
+    ],
+)  # fmt: skip
+def test_files_that_are_no_set_of_variations_are_refused(world: World, cells: str, column: str, words: str) -> None:
+    read = sent(world, f"Line ID,Character,Audio file,Variations,Text\ngrunt,Guard,{cells},Hngh!\n")
+    assert messages(read) == [(2, column)]
+    assert words in read["errors"][0]["message"]
+    assert not read["imported"]
+
+
+def test_a_line_takes_over_the_cue_of_its_files_and_says_where_their_numbers_differ(world: World) -> None:
+    add_cues(world, {"name": "en_grunt", "file_name": "en_grunt", "category": "vo", "variations": 3})
+    other = sent(world, FILES.replace(", grunt_03.wav", ""))
+    assert other["errors"][0]["message"].startswith("2 files in the script, and en_grunt has 3 variations")
+    imported(world, FILES)
+    assert cue_names(world) == {"en_grunt", "en_halt"}
+    changed = sent(world, FILES.replace(", grunt_03.wav", ""))
+    assert changed["errors"][0]["message"].startswith("2 files in the script, and en_grunt has 3 variations")

@@ -11,6 +11,7 @@ from app.voice_lines.rules import (
     TakeFacts,
     TextFrom,
     Validity,
+    file_statuses,
     is_covered,
     is_known_language,
     is_length_off,
@@ -30,8 +31,8 @@ def hours(count: int) -> datetime:
     return START + timedelta(hours=count)
 
 
-def take(number: int, state: TakeState, at: int) -> TakeFacts:
-    return TakeFacts(new_id(), number, state, hours(at), 1.0)
+def take(number: int, state: TakeState, at: int, variation: int = 1) -> TakeFacts:
+    return TakeFacts(new_id(), variation, number, state, hours(at), 1.0)
 
 
 @pytest.mark.parametrize(
@@ -85,10 +86,30 @@ def test_a_take_is_stale_by_the_text_of_its_time(texts: list[TextFrom], *, stale
 )
 def test_the_state_of_a_line(takes: list[tuple[int, TakeState, int]], state: LineState) -> None:
     texts = [FIRST, TextFrom("Stay.", hours(2))]
-    status = line_status([take(*one) for one in takes], texts, is_cut=False)
+    status = line_status(file_statuses([take(*one) for one in takes], texts, variations=1, is_cut=False))
     assert status.state is state
     assert status.recorded_text == ("Go." if state is LineState.STALE else None)
-    assert line_status([take(*one) for one in takes], texts, is_cut=True).state is LineState.CUT
+    assert {status.state for status in file_statuses([], texts, variations=2, is_cut=True)} == {LineState.CUT}
+
+
+@pytest.mark.parametrize(
+    ("second", "state"),
+    [
+        ([], LineState.NO_TAKE),
+        ([(1, TakeState.APPROVED, 1, 2)], LineState.STALE),
+        ([(1, TakeState.RETURNED, 3, 2)], LineState.RETURNED),
+        ([(1, TakeState.CONFORMING, 3, 2)], LineState.IN_REVIEW),
+        ([(1, TakeState.APPROVED, 3, 2)], LineState.APPROVED),
+    ],
+)
+def test_a_line_of_two_files_is_as_far_as_the_one_behind(
+    second: list[tuple[int, TakeState, int, int]], state: LineState
+) -> None:
+    texts = [FIRST, TextFrom("Stay.", hours(2))]
+    takes = [take(1, TakeState.APPROVED, 3), *(take(*facts) for facts in second)]
+    statuses = file_statuses(takes, texts, variations=2, is_cut=False)
+    assert [status.state for status in statuses] == [LineState.APPROVED, state]
+    assert line_status(statuses).state is state
 
 
 @pytest.mark.parametrize(

@@ -196,3 +196,17 @@ def test_a_cue_without_a_line(world: World) -> None:
     cue = answer.json()[0]["id"]
     assert world.producer.get(f"/v1/cues/{cue}/voice-line").json() is None
     assert world.stranger.get(f"/v1/cues/{cue}/voice-line").status_code == 404
+
+
+def test_each_file_of_a_line_is_recorded_and_approved_by_itself(world: World) -> None:
+    imported(world, "Line ID,Character,Variations,Text\ngrunt,Guard,2,Hngh!\n")
+    assert pick_ups(world) == {("en", "grunt"): "grunt_01: no take yet; grunt_02: no take yet"}
+    recorded(world, "en/grunt_01.wav", approve=True)
+    line = lines(world)["grunt"]
+    assert (line["state"], [file["state"] for file in line["files"]]) == ("no_take", ["approved", "no_take"])
+    assert pick_ups(world) == {("en", "grunt"): "grunt_02: no take yet"}
+    sheet = world.producer.get(f"/v1/projects/{world.project_id}/pick-ups.csv").text
+    assert next(csv.DictReader(io.StringIO(sheet.removeprefix("\ufeff"))))["file"] == "en/grunt_02"
+    recorded(world, "en/grunt_02.wav", 1.1, approve=True)
+    assert lines(world)["grunt"]["state"] == "approved"
+    assert pick_ups(world) == {}

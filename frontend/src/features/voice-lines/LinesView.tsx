@@ -93,7 +93,10 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
                   )}
                   {line.direction && <span className="small mid">({line.direction})</span>}
                 </span>
-                <span className={`small dim mono ${classes.path}`}>{line.path}</span>
+                <span className={`small dim mono ${classes.path}`}>
+                  {line.path}
+                  {line.files.length > 1 && ` (${line.files.length} files)`}
+                </span>
                 <span className={classes.stands}>
                   <LineState state={line.state} />
                   {line.length_is_off && line.length_percent !== null && (

@@ -55,7 +55,7 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
           <ul>
             {lines.map((line) => (
               <li key={line.id} className={classes.pickUp}>
-                <span className={`small dim mono ${classes.path}`}>{line.path}</span>
+                <span className={`small dim mono ${classes.path}`}>{filesToRecord(line).join(', ')}</span>
                 <div className={classes.context}>
                   {line.before && (
                     <p className="small dim">
@@ -72,7 +72,9 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
                 </div>
                 <div>
                   <LineState state={line.state} />
-                  {line.state !== 'no_take' && <p className="small mid">{sentence(line.reason)}</p>}
+                  {(line.state !== 'no_take' || line.files.length > 1) && (
+                    <p className="small mid">{sentence(line.reason)}</p>
+                  )}
                 </div>
               </li>
             ))}
@@ -82,6 +84,9 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
     </>
   )
 }
+
+const filesToRecord = ({ files }: VoiceLine): string[] =>
+  files.filter(({ state }) => state !== 'approved' && state !== 'in_review').map(({ path }) => path)
 
 interface Part {
   key: string

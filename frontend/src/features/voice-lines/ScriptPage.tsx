@@ -45,6 +45,7 @@ const FIELDS = [
   ['scene', 'Scene'],
   ['direction', 'Direction'],
   ['file_name', 'File name'],
+  ['variations', 'Number of files'],
   ['text', 'Text'],
   ['ignore', 'Leave out'],
 ] as const
@@ -386,6 +387,7 @@ function Rows({ read }: { read: ScriptRead }) {
                   </span>{' '}
                   <span className="mono">{row.key}</span> <span className="strong">{row.character}</span>{' '}
                   {row.action === 'add' && row.text}
+                  {row.files > 1 && <span className="small dim"> {plural(row.files, 'file')} in each language</span>}
                 </p>
                 {row.action === 'change' &&
                   row.changes.map(({ field, before, after, makes_stale }) => (

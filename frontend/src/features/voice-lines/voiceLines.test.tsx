@@ -21,6 +21,7 @@ const line = (id: string, more: object = {}) => ({
   before: null,
   after: null,
   path: `de/${id}`,
+  files: [{ path: `de/${id}`, state: 'no_take' }],
   cue: { id: `c-${id}`, number: 7, label: 'SW-007', name: `de_${id}` },
   state: 'no_take',
   reason: 'no take yet',
@@ -40,6 +41,10 @@ const LINES = [
     reason: 'the text changed; the take says: Haltet.',
     text: 'Haltet die Stellung.',
     recorded_text: 'Haltet.',
+    files: [
+      { path: 'de/captain_020_01', state: 'approved' },
+      { path: 'de/captain_020_02', state: 'stale' },
+    ],
     take: { id: 't1', number: 2, state: 'approved', duration_s: 1.2 },
   }),
   line('maya_010', {
@@ -148,6 +153,8 @@ test('the pick-up list names its reasons and can be taken away', async () => {
   open('/projects/p1/voice-lines?view=pick-ups&language=de')
   const part = await screen.findByRole('region', { name: 'Captain, German (de)' })
   expect(part).toHaveTextContent('The text changed; the take says: Haltet.')
+  expect(part).toHaveTextContent('de/captain_020_02')
+  expect(part, 'what is approved is not recorded again').not.toHaveTextContent('captain_020_01')
   expect(screen.getByRole('link', { name: 'XLSX' })).toHaveAttribute(
     'href',
     '/v1/projects/p1/pick-ups.xlsx?language=de',
@@ -183,6 +190,7 @@ test('a script is read before it is imported, with errors by row', { tags: ['slo
         character: 'Maya',
         scene: '',
         text: 'Go.',
+        files: 3,
         languages: ['en'],
         changes: [],
       },
@@ -207,6 +215,7 @@ test('a script is read before it is imported, with errors by row', { tags: ['slo
   await userEvent.type(screen.getByRole('textbox', { name: 'Text' }), 'MAYA')
   expect(await screen.findByText(/Row 9, Character/)).toBeVisible()
   expect(screen.getByText('Row 1 is not read: Old.', { exact: false })).toBeVisible()
+  expect(screen.getByText('3 files in each language')).toBeVisible()
   expect(screen.getByText('1 error: 1 row will be left out.')).toBeVisible()
   expect(screen.getByRole('button', { name: 'Import 1 line' })).toBeEnabled()
   const body = wrote(asked, 'POST /v1/projects/p1/voice-lines/import').at(-1)?.body
