@@ -33,6 +33,7 @@ from app.projects.errors import ProducerNeeded
 
 router = APIRouter(prefix="/v1", tags=["contracts"])
 MARKED = PerUserLimit(2, "texts with redlines")
+PREVIEWS = PerUserLimit(2, "previews of redlines")  # apart: those still running keep nobody from sending
 RedlineNumber = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 
@@ -120,7 +121,7 @@ def preview_redlines(
     contract_id: UUID, body: schemas.RedlinesSet, session: DbSession, actor: Actor = allows(Audience.DESIGNER)
 ) -> schemas.RedlinesPreview:
     """Return the text as changes would mark it; nothing is saved."""
-    with MARKED.of(actor.person):
+    with PREVIEWS.of(actor.person):
         marked, draft_problems = redlines.preview(session, actor, contract_id, _changes(body.changes))
         return schemas.RedlinesPreview(
             clauses=[schemas.MarkedClauseRead.model_validate(clause) for clause in marked],

@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.agreements.plan.queries import terms_of
 from app.agreements.queries import contract_by_id, version_by_number
+from app.agreements.redlines.endpoints import PREVIEWS
 from tests.app.agreements.conftest import Contracts, words_of
 from tests.app.agreements.redlining import EDITED, INSERTED, STRUCK, Redlining, refusal
 from tests.app.sound_lists.lists import add
@@ -385,3 +386,11 @@ def test_a_designer_bound_to_an_nda_learns_nothing_by_inserting_variables(world:
     assert shown.status_code == 200, shown.text
     assert "Secret boss" not in shown.text
     assert "{cues}" in shown.text
+
+
+def test_previews_that_still_run_keep_nobody_from_sending(world: World, redlining: Redlining):
+    with PREVIEWS.of(world.designer_id), PREVIEWS.of(world.designer_id):
+        preview = world.designer.post(f"/v1{redlining.path}/redline-preview", json={"changes": [STRUCK]})
+        assert (preview.status_code, "previews of redlines" in preview.text) == (429, True)
+        redlining.propose(STRUCK)
+    assert redlining.draft()["state"] == "draft"
