@@ -42,7 +42,7 @@ async function opened(browser: Browser, url: string, part: string, faults: strin
 }
 
 const says = (page: Page, words: string) =>
-  page.waitForFunction((wanted) => document.body.innerText.includes(wanted), { timeout: 30_000 }, words)
+  page.waitForFunction((wanted) => document.body.innerText.includes(wanted), { timeout: 120_000 }, words)
 
 async function expectUsable(page: Page, where: string): Promise<void> {
   await page.evaluate(await readFile(AXE, 'utf8'))
@@ -71,7 +71,7 @@ test('in Firefox an approver hears and decides, a designer delivers, a producer 
     await approver.keyboard.press(' ')
     await approver.waitForFunction(
       () => Number(getComputedStyle(document.querySelector('[role=slider]')!).getPropertyValue('--at')) > 0.05,
-      { timeout: 30_000 },
+      { timeout: 120_000 },
     )
     await approver.keyboard.press('a')
     await says(approver, 'Heard.')

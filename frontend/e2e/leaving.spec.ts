@@ -120,7 +120,7 @@ test('whatever is typed is there again, however a form is left @slow', async ({ 
     const { items } = await ask<{ items: { cue: { id: string } }[] }>(producer, queue)
     cue = items[0]?.cue.id ?? ''
     expect(cue).not.toBe('')
-  }).toPass({ timeout: 60_000 })
+  }).toPass({ timeout: 300_000 })
 
   const select = page.getByRole('combobox', { name: 'Map Mood to' })
   const plan = page.getByRole('group', { name: /alpha|milestone 1/i })

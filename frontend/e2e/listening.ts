@@ -9,7 +9,7 @@ export async function listenAndApprove(page: Page, done: string): Promise<void> 
   await expect(async () => {
     await page.keyboard.press('a')
     await expect(heard.or(approved).first()).toBeVisible({ timeout: 8_000 })
-  }).toPass({ timeout: 40_000 })
+  }).toPass({ timeout: 300_000 })
   if (await heard.isVisible()) await page.keyboard.press('a')
   await expect(approved).toBeVisible()
 }

@@ -258,8 +258,8 @@ test('the main job, from an empty studio to a build that passed', async ({ serve
     const back = card(designer, /Needs your fix/)
     await expect(async () => {
       await designer.reload() // it leaves after ten seconds, in which it can be undone
-      await expect(back.getByRole('heading', { name: 'victory_sting' })).toBeVisible({ timeout: 3_000 })
-    }).toPass({ timeout: 60_000 })
+      await expect(back.getByRole('heading', { name: 'victory_sting' })).toBeVisible({ timeout: 10_000 })
+    }).toPass({ timeout: 300_000 })
     await expect(back.getByRole('list', { name: 'Requested changes' })).toContainText('Third chord higher')
     await expect(back.getByRole('button', { name: /^0\.\d{3} s$/ })).toBeVisible()
     await chooseBy('s', designer, 'sting with third chord.wav', wav({ seconds: 1, pitchHz: 660, channels: 2 }))

@@ -19,7 +19,7 @@ async function open(page: Page, scheme: 'light' | 'dark', size: { width: number;
   await page.setViewportSize(size)
   await page.emulateMedia({ colorScheme: scheme })
   await page.goto(`${parts.url}/parts`)
-  await expect(page.getByRole('heading', { level: 1, name: 'Parts' })).toBeVisible({ timeout: 15_000 })
+  await expect(page.getByRole('heading', { level: 1, name: 'Parts' })).toBeVisible()
 }
 
 for (const scheme of ['light', 'dark'] as const) {

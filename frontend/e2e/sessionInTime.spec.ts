@@ -75,7 +75,7 @@ async function aheadMs(leader: Page, listener: Page, sinceMs: number): Promise<n
 async function followed(leader: Page, listener: Page, forS: number): Promise<() => Promise<number[]>> {
   const sinceMs = Date.now()
   await expect
-    .poll(async () => Math.abs((await aheadMs(leader, listener, sinceMs)).at(-1) ?? Infinity), { timeout: 30_000 })
+    .poll(async () => Math.abs((await aheadMs(leader, listener, sinceMs)).at(-1) ?? Infinity), { timeout: 120_000 })
     .toBeLessThan(FOLLOWED_MS)
   const [fromMs, untilMs] = [Date.now(), Date.now() + forS * 1_000]
   await leader.waitForTimeout(untilMs - fromMs)

@@ -43,8 +43,8 @@ async function records(browser: Browser, url: string): Promise<void> {
     await producer.goto(lines)
     await expect(async () => {
       await producer.reload()
-      await expect(producer.getByRole('button', { name: /^No take 1/ })).toBeVisible({ timeout: 2_000 })
-    }).toPass({ timeout: 60_000 })
+      await expect(producer.getByRole('button', { name: /^No take 1/ })).toBeVisible({ timeout: 10_000 })
+    }).toPass({ timeout: 300_000 })
   })
 
   await test.step('a changed text makes its take stale, until it is said to fit', async () => {

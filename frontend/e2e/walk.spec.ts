@@ -66,7 +66,7 @@ async function linkFor(page: Page, url: string, recipient: string): Promise<stri
     const { mails } = await ask<{ mails: { recipient: string; link: string | null }[] }>(page.context(), outbox)
     link = mails.find((mail) => mail.recipient === recipient)?.link ?? ''
     expect(link).not.toBe('')
-  }).toPass({ timeout: 30_000 })
+  }).toPass({ timeout: 300_000 })
   return link
 }
 
@@ -156,9 +156,9 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     }
     for (const [name, bytes] of Object.entries(WRONG)) await writeFile(join(folder, name), bytes)
     await desk.getByLabel('Folder to deliver').setInputFiles(folder)
-    await expect(desk.getByText('This is an MP3 named .wav.')).toBeVisible({ timeout: 30_000 })
-    await expect(tray.getByText('1 file without a cue')).toBeVisible({ timeout: 60_000 })
-    await expect(desk.getByText(/^One file has no cue yet/)).toBeVisible({ timeout: 30_000 })
+    await expect(desk.getByText('This is an MP3 named .wav.')).toBeVisible()
+    await expect(tray.getByText('1 file without a cue')).toBeVisible()
+    await expect(desk.getByText(/^One file has no cue yet/)).toBeVisible()
     await expect(badge(desk, 'Deliveries')).toHaveText(/^Deliveries\s*1/)
     const projectId = /\/projects\/([0-9a-f-]{36})/.exec(page.url())?.[1] ?? ''
     const wanted = Object.entries(MESSY).map(([name, cue]) => [name.split('/').at(-1), cue])
@@ -169,7 +169,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
       )
       const found = items.map(({ file_name: name, cue }) => [name.split('/').at(-1), cue?.name])
       expect(Object.fromEntries(found)).toEqual(Object.fromEntries(wanted))
-    }).toPass({ timeout: 60_000 })
+    }).toPass({ timeout: 300_000 })
     await expect(tray.getByText('1 file without a cue')).toBeVisible()
     await expect(badge(desk, 'Deliveries')).toHaveText(/^Deliveries\s*1/)
   })
@@ -200,7 +200,7 @@ test('from sign-up to a signed contract, a messy delivery and the verdicts, coun
     const projectId = /\/projects\/([0-9a-f-]{36})/.exec(page.url())?.[1] ?? ''
     await expect(async () => {
       await page.goto(`${url}/projects/${projectId}/review`)
-      await expect(page.getByText(`${many} waiting`).first()).toBeAttached({ timeout: 3_000 })
+      await expect(page.getByText(`${many} waiting`).first()).toBeAttached({ timeout: 10_000 })
     }).toPass({ timeout: 120_000 })
     await heardAll(page.context(), url, projectId)
     await page.reload()

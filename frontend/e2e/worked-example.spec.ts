@@ -226,7 +226,7 @@ async function secretFor(producer: Party, studio: string, recipient: string): Pr
     const isInvitation = /\/(join|invitation)\//
     link = mails.find((mail) => mail.recipient === recipient && isInvitation.test(mail.link ?? ''))?.link ?? ''
     expect(link).not.toBe('')
-  }).toPass({ timeout: 30_000 })
+  }).toPass({ timeout: 300_000 })
   return link.split('/').at(-1) ?? ''
 }
 
@@ -328,7 +328,7 @@ async function deliver({ project }: Story, designer: Party, name: string, pitchH
   const { id } = await designer.ask<Take>('POST', `/deliveries/${delivery}/takes`, body)
   await expect(async () => {
     expect((await designer.ask<Take>('GET', `/takes/${id}`)).state).toBe('conforming')
-  }).toPass({ timeout: 30_000 })
+  }).toPass({ timeout: 300_000 })
   return id
 }
 
