@@ -74,7 +74,8 @@ def revision_by(connection: sa.Connection) -> str | None:
     """Return the revision that Alembic wrote into a connection's database; None where it never did."""
     if not sa.inspect(connection).has_table("alembic_version"):
         return None
-    return connection.scalar(sa.text("select version_num from alembic_version"))
+    revision: str | None = connection.scalar(sa.text("select version_num from alembic_version"))
+    return revision
 
 
 def ensure_upgradable(revision: str | None) -> None:
