@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 from uuid import UUID
 
-from sqlalchemy import Boolean, ColumnElement, Select, String, func, literal, literal_column, select, union_all
+from sqlalchemy import Boolean, ColumnElement, Select, String, Uuid, func, literal, literal_column, select, union_all
 from sqlalchemy.orm import Session
 
 from app.accounts.models import Studio
@@ -85,6 +85,8 @@ def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead
     sums: dict[UUID, dict[KeptKind, KeptFiles]] = defaultdict(dict)
     rows = session.execute(union_all(*(_summed(source, studio_id) for source in KEPT), _drawn(studio_id)))
     for whose, kind_word, files, size_bytes in rows:
+        if not files:
+            continue
         kind = KeptKind(kind_word)
         kept_files = sums[whose].get(kind, KeptFiles(kind=kind, files=0, size_bytes=0))
         sums[whose][kind] = KeptFiles(
@@ -108,12 +110,16 @@ def storage(session: Session, studio_id: UUID | None = None) -> list[StorageRead
 def _summed(source: Source, studio_id: UUID | None) -> Sums:
     """Sum up files by studio, those with the same bytes once."""
     kind, whose, sha256, size_bytes = source
-    files = select(whose.label("studio_id"), func.max(size_bytes).label("size_bytes")).where(sha256.is_not(None))
+    # The same bytes have one size, so that both databases walk along the index and sort nothing.
+    files = select(whose.label("studio_id"), sha256, size_bytes.label("size_bytes")).distinct()
+    files = files.where(sha256.is_not(None))
     if whose.class_ in ONLY:
         files = files.where(ONLY[whose.class_])
     if studio_id is not None:
-        files = files.where(whose == studio_id)
-    distinct_files = files.group_by(whose, sha256).subquery()
+        distinct_files = files.where(whose == studio_id).subquery()
+        of_studio = literal(studio_id, Uuid)
+        return select(of_studio, literal(kind.value, String), func.count(), func.sum(distinct_files.c.size_bytes))
+    distinct_files = files.subquery()
     summed = select(
         distinct_files.c.studio_id, literal(kind.value, String), func.count(), func.sum(distinct_files.c.size_bytes)
     )

@@ -151,3 +151,20 @@ def test_jobs_that_are_done_are_not_read_to_report_the_others(server: RunningSer
     assert len(reads) > len(plans)
     without = r"idx_workflow_status_(in_flight|partition_dequeue|pending|delayed|failed)|Bitmap Heap Scan"
     assert [line for line in reads if not re.search(without, line)] == []
+
+
+def test_what_a_studio_keeps_is_summed_along_an_index(server: RunningServer, made: Made):
+    """And not sorted first, which takes longer than the sums."""
+    screen, engine = SCREENS["what a studio keeps"], server.runtime.database.engine
+    if engine.dialect.name != "sqlite":
+        pytest.skip("how PostgreSQL finds equal rows depends on their number")
+    asking = sign_in(server.browser(), server.runtime.settings, screen.secret(made))
+    with heard(engine) as statements:
+        assert asking.get(screen.address(made)).status_code == 200
+    with engine.connect() as connection:
+        (summing,) = [each for each in statements if "UNION ALL" in each[0]]
+        lines = plan_of(connection, summing)
+    for index in ("ix_deliveries_takes_kept", "ix_renders_renders_kept"):
+        (place,) = [place for place, line in enumerate(lines) if index in line]
+        assert "TEMP B-TREE" not in "".join(lines[place : place + 3])
+    assert not [line for line in lines if "TEMP B-TREE FOR GROUP BY" in line]
