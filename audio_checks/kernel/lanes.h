@@ -98,6 +98,43 @@ LOOP void NAMED(middles)(const double *RESTRICT samples, const double *RESTRICT 
     memcpy(middles, sums, sizeof sums);
 }
 
+LOOP void NAMED(excursions)(const double *RESTRICT touched, double *RESTRICT bends, double *RESTRICT kinks,
+                            double *RESTRICT beside) {
+    VECTOR seconds[PARTS + SPAN - 1][NAMED(FOUR)], fourths[PARTS + SPAN - 1][NAMED(FOUR)];
+    for (int part = 0; part < PARTS + SPAN - 1; part++) {
+        for (int which = 0; which < NAMED(FOUR); which++) {
+            const double *x = touched + part * PART + which * WIDTH;
+            const VECTOR first = (AT(x) + AT(x + 2)) - ALL(2) * AT(x + 1);
+            const VECTOR second = (AT(x + 1) + AT(x + 3)) - ALL(2) * AT(x + 2);
+            const VECTOR third = (AT(x + 2) + AT(x + 4)) - ALL(2) * AT(x + 3);
+            seconds[part][which] = SIZES(first);
+            fourths[part][which] = SIZES((first + third) - ALL(2) * second);
+        }
+    }
+    for (int part = 0; part < PARTS + SPAN - 2; part++) {
+        for (int which = 0; which < NAMED(FOUR); which++) {
+            seconds[part][which] = LARGER(seconds[part][which], seconds[part + 1][which]);
+            fourths[part][which] = LARGER(fourths[part][which], fourths[part + 1][which]);
+        }
+    }
+    for (int part = 0; part < PARTS; part++) {
+        const double *x = touched + 2 * SPAN - 1 + part * PART;
+        VECTOR bend[NAMED(FOUR)], kink[NAMED(FOUR)], highest[NAMED(FOUR)];
+        for (int which = 0; which < NAMED(FOUR); which++) {
+            const double *here = x + which * WIDTH;
+            bend[which] = seconds[part][which], kink[which] = fourths[part][which];
+            for (int pair = 2; pair < SPAN; pair += 2) {
+                bend[which] = LARGER(bend[which], seconds[part + pair][which]);
+                kink[which] = LARGER(kink[which], fourths[part + pair][which]);
+            }
+            highest[which] = LARGER(SIZES(AT(here)), SIZES(AT(here + 1)));
+        }
+        bends[part] = NAMED(top_of_four)(bend);
+        kinks[part] = NAMED(top_of_four)(kink);
+        beside[part] = NAMED(top_of_four)(highest);
+    }
+}
+
 LOOP double NAMED(product)(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {
     VECTOR sums[NAMED(EIGHT)] = {ALL(0)};
     Py_ssize_t at = 0;

@@ -11,7 +11,7 @@ enum { TAPS = 24, PHASES = 8, MIDDLE_TAPS = 504, HALF_TAPS = 12, FINE_PHASES = 1
 enum { CONTEXT = HALF_TAPS / 4, TOUCHED_BY_FINE = MIDDLE_TAPS + 8 }; /* middles on either side; samples a fine point takes */
 enum { REACH = TOUCHED_BY_FINE - 1 };
 enum { LEAD = TOUCHED_BY_FINE / 2 - 1, NEAR = (TOUCHED_BY_FINE - TAPS) / 2 }; /* taps before an interval's sample; to the first of 24 */
-enum { PART = 4, PARTS = ROW / PART, SPAN = TAPS / PART, TOUCHED = ROW + TAPS };
+enum { TOUCHED = (PARTS + SPAN) * PART };
 
 typedef struct {
     const double *near_taps;   /* (TAPS / 2, PHASES): see interpolate */
@@ -105,28 +105,6 @@ static double fine_curve(drawn_row *row, Py_ssize_t interval, const interpolator
     return highest;
 }
 
-/* The largest second and fourth differences that start at four samples in a row. */
-static inline void find_excursions(const double *x, together *bend, together *kink) {
-    together seconds = BOTH(0, 0), fourths = BOTH(0, 0);
-    for (int at = 0; at < PART; at += TOGETHER, x += TOGETHER) {
-        const together first = (neighbours(x) + neighbours(x + 2)) - 2 * neighbours(x + 1);
-        const together second = (neighbours(x + 1) + neighbours(x + 3)) - 2 * neighbours(x + 2);
-        const together third = (neighbours(x + 2) + neighbours(x + 4)) - 2 * neighbours(x + 3);
-        seconds = larger(seconds, sizes(first));
-        fourths = larger(fourths, sizes((first + third) - 2 * second));
-    }
-    *bend = seconds, *kink = fourths;
-}
-
-/* The highest magnitude of the samples beside a part's intervals. */
-static inline double highest_of_part(const double *x) {
-    together highest = BOTH(0, 0);
-    for (int at = 0; at < PART; at += TOGETHER) {
-        highest = larger(highest, larger(sizes(neighbours(x + at)), sizes(neighbours(x + at + 1))));
-    }
-    return largest(highest);
-}
-
 static void search_part(drawn_row *row, Py_ssize_t from, double excess, double missed, const interpolator *by,
                         found *result) {
     const double *samples = row->samples;
@@ -143,28 +121,21 @@ static void search_part(drawn_row *row, Py_ssize_t from, double excess, double m
     }
 }
 
-/* Search the intervals of a row part by part; the 24 taps of a part touch SPAN parts. */
+/* Search the intervals of a row part by part. */
 static void search_row(const double *samples, Py_ssize_t count, Py_ssize_t first, const interpolator *by, found *result) {
-    drawn_row row = {.samples = samples, .first = first, .count = count, .known = 0};
-    together bends[PARTS + SPAN - 1], kinks[PARTS + SPAN - 1];
-    double copy[TOUCHED];
+    drawn_row row; /* not set to zero: its middles are many, and written before they are read */
+    row.samples = samples, row.first = first, row.count = count, row.known = 0;
+    double copy[TOUCHED], bends[PARTS], kinks[PARTS], beside[PARTS];
     const double *touched = samples + NEAR;
     if (count < ROW) {
         memset(copy, 0, sizeof copy);
         touched = memcpy(copy, touched, (size_t)(count + TAPS - 1) * sizeof(double));
     }
-    for (int part = 0; part < PARTS + SPAN - 1; part++) {
-        find_excursions(touched + part * PART, bends + part, kinks + part);
-    }
+    in_lanes()->excursions(touched, bends, kinks, beside);
     for (int part = 0; part * PART < count; part++) {
-        together bend = bends[part], kink = kinks[part];
-        for (int span = 1; span < SPAN; span++) {
-            bend = larger(bend, bends[part + span]);
-            kink = larger(kink, kinks[part + span]);
-        }
-        const double excess = by->bend * largest(bend) + by->kink * largest(kink);
-        if (highest_of_part(touched + TAPS / 2 - 1 + part * PART) + excess <= result->best) continue;
-        search_part(&row, part * PART, excess, by->missed * largest(kink), by, result);
+        const double excess = by->bend * bends[part] + by->kink * kinks[part];
+        if (beside[part] + excess <= result->best) continue;
+        search_part(&row, part * PART, excess, by->missed * kinks[part], by, result);
     }
 }
 
