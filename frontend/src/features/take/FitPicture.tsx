@@ -1,4 +1,7 @@
+import type { ReactNode } from 'react'
+
 import { plural } from '@/ui/format'
+import { Table } from '@/ui/Table'
 
 import { axisOf, type MeasureFit, said, stands, type TakeFit, WHAT } from './fit'
 import classes from './Fit.module.css'
@@ -69,51 +72,34 @@ function Strip({ fit }: { fit: MeasureFit }) {
 /** Every figure of the picture: this sound, then each that it is compared with. */
 function FitTable({ fit: { measures, cue } }: { fit: TakeFit }) {
   const others = new Map(measures.flatMap((measure) => measure.others.map((sound) => [sound.cue.id, sound])))
+  const rows: { id: string; name: ReactNode; valueOf: (fit: MeasureFit) => number | undefined }[] = [
+    { id: 'this', name: <strong>{cue?.name}, this sound</strong>, valueOf: ({ value }) => value },
+    { id: 'median', name: 'median of the others', valueOf: ({ middle }) => middle },
+    ...[...others.values()].map(({ cue: sound, is_palette }) => ({
+      id: sound.id,
+      name: `${sound.name}${is_palette ? ', palette' : ''}`,
+      valueOf: (fit: MeasureFit) => fit.others.find((candidate) => candidate.cue.id === sound.id)?.value,
+    })),
+  ]
   return (
     <details>
       <summary className="small pointer min-h-24px pt-3px">All figures by sound</summary>
-      <div className="overflow-x-auto">
-        <table className={`small ${classes.table}`} aria-label="This sound and the sounds it is compared with">
-          <thead>
-            <tr>
-              <th scope="col">Sound</th>
-              {measures.map(({ measure }) => (
-                <th key={measure} scope="col">
-                  {WHAT[measure]}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            <tr>
-              <th scope="row" className="strong">
-                {cue?.name}, this sound
-              </th>
-              {measures.map(({ measure, value }) => (
-                <td key={measure}>{said(measure, value)}</td>
-              ))}
-            </tr>
-            <tr>
-              <th scope="row">median of the others</th>
-              {measures.map(({ measure, middle }) => (
-                <td key={measure}>{said(measure, middle)}</td>
-              ))}
-            </tr>
-            {[...others.values()].map(({ cue: sound, is_palette }) => (
-              <tr key={sound.id}>
-                <th scope="row">
-                  {sound.name}
-                  {is_palette && ', palette'}
-                </th>
-                {measures.map((row) => {
-                  const match = row.others.find((candidate) => candidate.cue.id === sound.id)
-                  return <td key={row.measure}>{match ? said(row.measure, match.value) : 'not measured'}</td>
-                })}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <Table
+        label="This sound and the sounds it is compared with"
+        columns={[
+          { head: 'Sound', rowHead: true, cell: ({ name }) => name },
+          ...measures.map((fit) => ({
+            head: WHAT[fit.measure],
+            numeric: true,
+            cell: ({ valueOf }: (typeof rows)[number]) => {
+              const value = valueOf(fit)
+              return value === undefined ? 'not measured' : said(fit.measure, value)
+            },
+          })),
+        ]}
+        rows={rows}
+        keyOf={({ id }) => id}
+      />
     </details>
   )
 }

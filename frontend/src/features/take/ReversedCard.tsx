@@ -1,5 +1,6 @@
 import { Card, CardHead } from '@/ui/Card'
 import { figure, score } from '@/ui/format'
+import { Table } from '@/ui/Table'
 
 import type { Check } from './api'
 import { isTable, judgedOf } from './judged'
@@ -23,31 +24,30 @@ export function ReversedCard({ check }: { check: Check | null | undefined }) {
           The fastest rise and fall of each octave. Hits, shots and speech rise faster than they fall; reversed, they
           fall faster. <span className="nowrap">Press v to play it in reverse.</span>
         </p>
-        <table className={`small ${classes.decayTable}`} aria-label="Rise and fall per octave">
-          <thead>
-            <tr>
-              <th scope="col">Octave</th>
-              <th scope="col">Rises</th>
-              <th scope="col">Falls</th>
-              <td className={classes.lean} />
-            </tr>
-          </thead>
-          <tbody>
-            {bands.map(({ hz, rise_db_s: rise, fall_db_s: fall }) => (
-              <tr key={Number(hz)}>
-                <th scope="row">
-                  {Number(hz) >= 1000 ? `${figure(Number(hz) / 1000)} kHz` : `${figure(Number(hz))} Hz`}
-                </th>
-                <td>{figure(Number(rise))} dB/s</td>
-                <td>{figure(Number(fall))} dB/s</td>
-                <td className={classes.lean} aria-hidden="true">
+        <Table
+          label="Rise and fall per octave"
+          columns={[
+            {
+              head: 'Octave',
+              rowHead: true,
+              cell: ({ hz }) => (Number(hz) >= 1000 ? `${figure(Number(hz) / 1000)} kHz` : `${figure(Number(hz))} Hz`),
+            },
+            { head: 'Rises', numeric: true, cell: ({ rise_db_s: rise }) => `${figure(Number(rise))} dB/s` },
+            { head: 'Falls', numeric: true, cell: ({ fall_db_s: fall }) => `${figure(Number(fall))} dB/s` },
+            {
+              head: '',
+              className: classes.lean,
+              cell: ({ rise_db_s: rise, fall_db_s: fall }) => (
+                <span aria-hidden="true">
                   <i data-rise style={{ width: `${(100 * Number(rise)) / most}%` }} />
                   <i data-fall style={{ width: `${(100 * Number(fall)) / most}%` }} />
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+                </span>
+              ),
+            },
+          ]}
+          rows={bands}
+          keyOf={({ hz }) => Number(hz)}
+        />
       </div>
     </Card>
   )

@@ -2,7 +2,7 @@ import { Textarea } from '@mantine/core'
 import { useDebouncedValue } from '@mantine/hooks'
 import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useSearch } from '@tanstack/react-router'
-import { useRef, useState } from 'react'
+import { type ReactNode, useRef, useState } from 'react'
 
 import { base64Of } from '@/api/base64'
 import { queryKeys } from '@/api/queryKeys'
@@ -19,6 +19,7 @@ import { bytes, figure, plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { Select } from '@/ui/Select'
 import { PageSkeleton } from '@/ui/Skeleton'
+import { Table } from '@/ui/Table'
 
 import forms from '../Hiring.module.css'
 import { importRoster, type RosterImport, useImportRoster, useRosterStudios } from './api'
@@ -239,47 +240,32 @@ function Columns({ read, onMap }: { read: RosterImport; onMap: (name: string, fi
 const ACTION_WORDS = { add: 'Add', change: 'Change', same: 'Same' } as const
 
 function Plan({ read }: { read: RosterImport }) {
-  const shown = read.rows.slice(0, SHOWN_ROWS)
+  const rows: { row: number; happens: ReactNode; name?: string; email?: string }[] = [
+    ...read.errors.map(({ row, column, message }) => ({
+      row,
+      happens: <span className="tone-bad toned">{`Error. ${column ? `${column}: ` : ''}${message}`}</span>,
+    })),
+    ...read.rows.slice(0, SHOWN_ROWS).map(({ row, action, name, email, changed }) => ({
+      row,
+      happens: `${ACTION_WORDS[action]} ${changed.map((field) => FIELD_WORDS[field].toLowerCase()).join(', ')}`,
+      name,
+      email,
+    })),
+  ]
   return (
     <Card aria-labelledby="rows">
       <CardHead id="rows" title="Rows" count={read.rows.length + read.errors.length} />
-      {/* Wide tables scroll by themselves; the focus lets the arrow keys do it. */}
-      {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-      <section className={classes.table} aria-label="Rows of the spreadsheet" tabIndex={0}>
-        <table>
-          <thead>
-            <tr>
-              <th scope="col">Row</th>
-              <th scope="col">What happens</th>
-              <th scope="col">Name</th>
-              <th scope="col">Email</th>
-            </tr>
-          </thead>
-          <tbody>
-            {read.errors.map(({ row, column, message }, at) => (
-              <tr key={`error ${at}`}>
-                <td>{row}</td>
-                <td className="tone-bad" colSpan={3}>
-                  <span className="toned">{`Error. ${column ? `${column}: ` : ''}${message}`}</span>
-                </td>
-              </tr>
-            ))}
-            {shown.map(({ row, action, name, email, changed }) => (
-              <tr key={row}>
-                <td>{row}</td>
-                <td>
-                  {ACTION_WORDS[action]}
-                  {changed.length > 0 && (
-                    <span className="mid">{` ${changed.map((field) => FIELD_WORDS[field].toLowerCase()).join(', ')}`}</span>
-                  )}
-                </td>
-                <td>{name}</td>
-                <td>{email}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </section>
+      <Table
+        label="Rows of the spreadsheet"
+        columns={[
+          { head: 'Row', cell: ({ row }) => row },
+          { head: 'What happens', cell: ({ happens }) => happens },
+          { head: 'Name', cell: ({ name }) => name },
+          { head: 'Email', cell: ({ email }) => email },
+        ]}
+        rows={rows.map((row, at) => ({ ...row, at }))}
+        keyOf={({ at }) => at}
+      />
       {read.rows.length > SHOWN_ROWS && (
         <p className={`small dim ${classes.foot}`}>{`And ${plural(read.rows.length - SHOWN_ROWS, 'more row')}.`}</p>
       )}
