@@ -1,12 +1,11 @@
 import { Checkbox, Select, TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { useNavigate } from '@tanstack/react-router'
-import { type FormEvent, useState } from 'react'
+import { useState } from 'react'
 
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Form, Submit } from '@/ui/Form'
 import { day } from '@/ui/format'
 
 import {
@@ -41,11 +40,9 @@ export function BeginContract({ project, contracts }: { project: Project; contra
   const designers = project.engagements.filter(({ ended_at, kind }) => ended_at === null && kind !== 'in-house')
   const [engagement, setEngagement] = useState<string | null>(null)
   const [kind, setKind] = useState<ContractKind>('single')
-  const [title, setTitle] = useState('')
   const [currency, setCurrency] = useState<string | null>(null)
   const [source, setSource] = useState<string | null>(null)
   const [framework, setFramework] = useState<string | null>(null)
-  const [music, setMusic] = useState(false)
   const chosen = engagement ?? designers[0]?.id ?? null
   const agreesWith = designers.find(({ id }) => id === chosen)?.designer.id
   const frameworks = contracts.filter(
@@ -60,9 +57,8 @@ export function BeginContract({ project, contracts }: { project: Project; contra
   const template = from === LAST || from === LIBRARY ? null : from
   const ofProject = contracts.at(-1)?.currency // the newest
   const money = currency ?? (from === LAST ? last?.currency : undefined) ?? ofProject ?? 'USD'
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (begin.isPending || chosen === null) return
+  const send = ({ title, music }: { title: string; music: boolean }) => {
+    if (chosen === null) return
     const designer = designers.find(({ id }) => id === chosen)?.designer.name ?? ''
     begin.mutate(
       {
@@ -94,7 +90,13 @@ export function BeginContract({ project, contracts }: { project: Project; contra
           </EmptyState>
         </div>
       ) : (
-        <form onSubmit={send} noValidate className={classes.form} aria-label="New contract">
+        <Form
+          className={classes.form}
+          aria-label="New contract"
+          initialValues={{ title: '', music: false }}
+          mutation={begin}
+          onSubmit={send}
+        >
           <Select
             label="With"
             data={designers.map(({ id, designer }) => ({ value: id, label: designer.name }))}
@@ -126,12 +128,7 @@ export function BeginContract({ project, contracts }: { project: Project; contra
               onChange={setFramework}
             />
           )}
-          <TextInput
-            label="Title (optional)"
-            value={title}
-            maxLength={120}
-            onChange={({ currentTarget }) => setTitle(currentTarget.value)}
-          />
+          <Field optional name="title" label="Title (optional)" maxLength={120} />
           <TextInput
             label="Currency"
             description="Three letters, such as USD or EUR"
@@ -154,18 +151,11 @@ export function BeginContract({ project, contracts }: { project: Project; contra
             />
           )}
           {kind !== 'nda' && from === LIBRARY && (
-            <Checkbox
-              label="Includes music (ancillary rights, editions, soundtrack)"
-              checked={music}
-              onChange={({ currentTarget }) => setMusic(currentTarget.checked)}
-            />
+            <Field as={Checkbox} name="music" label="Includes music (ancillary rights, editions, soundtrack)" />
           )}
-          <Refusal error={begin.error} />
           <p className="small mid">A starting point for both parties’ lawyers, not legal advice.</p>
-          <Button type="submit" variant="primary" aria-busy={begin.isPending}>
-            Create draft
-          </Button>
-        </form>
+          <Submit>Create draft</Submit>
+        </Form>
       )}
     </Card>
   )

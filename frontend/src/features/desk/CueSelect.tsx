@@ -1,4 +1,5 @@
 import { Select } from '@mantine/core'
+import type { ReactNode } from 'react'
 
 import { useFocusOnMount } from '@/ui/useFocusOnMount'
 
@@ -6,14 +7,14 @@ import { useCues } from './api'
 
 interface CueSelectProps {
   projectId: string
-  chosen: string | null
-  onChoose: (cueId: string | null) => void
-  error?: string
+  value: string | null
+  onChange: (cueId: string | null) => void
+  error?: ReactNode
   hasFocus: boolean
 }
 
 /** The cue that a question is about. */
-export function CueSelect({ projectId, chosen, onChoose, error, hasFocus }: CueSelectProps) {
+export function CueSelect({ projectId, hasFocus, ...rest }: CueSelectProps) {
   const { data: cues } = useCues(projectId)
   const field = useFocusOnMount<HTMLInputElement>(hasFocus)
   return (
@@ -21,9 +22,7 @@ export function CueSelect({ projectId, chosen, onChoose, error, hasFocus }: CueS
       label="Cue"
       searchable
       data={cues?.map(({ id, label, name }) => ({ value: id, label: `${label} ${name}` })) ?? []}
-      value={chosen}
-      onChange={onChoose}
-      error={error}
+      {...rest}
       ref={field}
       comboboxProps={{ transitionProps: { duration: 0 } }}
     />

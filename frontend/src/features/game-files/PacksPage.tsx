@@ -1,20 +1,22 @@
 import { Checkbox, Select, Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
-import { type SyntheticEvent, useState } from 'react'
+import { useState } from 'react'
 
 import { useMyProject } from '@/api/me'
-import { useDraft } from '@/app/drafts'
+import { DraftNote, useDraft } from '@/app/drafts'
 import { useTitle } from '@/app/title'
-import { Button, ButtonLink } from '@/ui/Button'
+import { ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ClearanceLinks } from '@/ui/ClearanceLinks'
 import { EmptyState } from '@/ui/EmptyState'
+import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day, plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { ShowMore } from '@/ui/ShowMore'
 import { StatusBadge } from '@/ui/StatusBadge'
+import { sentence } from '@/ui/sentence'
 
 import {
   type Changes,
@@ -28,7 +30,7 @@ import {
 } from './api'
 import classes from './Files.module.css'
 import { PullCard } from './PullCard'
-import { changesInWords, HANDOFFS, sentence } from './words'
+import { changesInWords, HANDOFFS } from './words'
 
 /** The packs that were handed out, and the next one. */
 export function PacksPage() {
@@ -158,32 +160,31 @@ function ChangesList({ changes }: { changes: Changes }) {
 }
 
 function SealCard({ projectId, targets }: { projectId: string; targets: readonly string[] }) {
-  const [target, setTarget] = useState(targets[0] ?? '')
-  const [note, setNote, draft] = useDraft(`pack:${projectId}`, '')
-  const [masters, setMasters] = useState(false)
-  const [placeholders, setPlaceholders] = useState(false)
-  const [chosen, setChosen] = useState<Handoff | null>(null)
-  const { data: pack } = useQuery(packQuery(projectId, target))
+  const [typed, setTyped, draft] = useDraft(`next-pack:${projectId}`, {
+    target: targets[0] ?? '',
+    note: '',
+    masters: false,
+    placeholders: false,
+    handoff: null as Handoff | null,
+    allow_missing: false,
+  })
+  const { data: pack } = useQuery(packQuery(projectId, typed.target))
   const seal = useSealPack(projectId)
-  const handoff = chosen ?? pack?.handoff ?? 'none' // that of the target's last pack, until another is chosen
+  const handoff = typed.handoff ?? pack?.handoff ?? 'none' // that of the target's last pack, until another is chosen
   const missing = pack?.missing.length ?? 0
-  const [allowMissing, setAllowMissing] = useState(false)
-  const send = (event: SyntheticEvent) => {
-    event.preventDefault()
-    const body = { target, note, masters, placeholders, handoff, allow_missing: allowMissing }
-    seal.mutate(body, { onSuccess: draft.discard })
-  }
   return (
     <Card aria-labelledby="seal">
       <CardHead id="seal" title="Next pack" />
-      <form className="grid gap-3 p-inset" onSubmit={send}>
-        <Select
-          label="Target"
-          data={[...targets]}
-          value={target}
-          onChange={(chosen) => chosen && setTarget(chosen)}
-          allowDeselect={false}
-        />
+      <Form
+        className="grid gap-3 p-inset"
+        initialValues={typed}
+        values={typed}
+        onValuesChange={setTyped}
+        mutation={seal}
+        onSubmit={(body) => seal.mutate({ ...body, handoff }, { onSuccess: draft.discard })}
+      >
+        <DraftNote draft={draft} />
+        <Field as={Select} name="target" label="Target" data={[...targets]} allowDeselect={false} />
         {pack && (
           <p className="small mid" role="status">
             {pack.cues_accepted === 0
@@ -191,47 +192,39 @@ function SealCard({ projectId, targets }: { projectId: string; targets: readonly
               : sentence(`${plural(pack.files, 'file')}, ${bytes(pack.bytes)}; ${changesInWords(pack.changes)}`)}
           </p>
         )}
-        <Textarea
+        <Field
+          as={Textarea}
+          optional
+          name="note"
           label="Note"
           description="What it is for (shown to the studio in this list)."
-          value={note}
           maxLength={2000}
           rows={2}
-          onChange={({ currentTarget }) => setNote(currentTarget.value)}
         />
         <Select
           label="Import files for"
           description={HANDOFFS[handoff].does}
           data={Object.entries(HANDOFFS).map(([value, { label }]) => ({ value, label }))}
           value={handoff}
-          onChange={(engine) => engine && setChosen(engine as Handoff)}
+          onChange={(engine) => engine && setTyped({ ...typed, handoff: engine as Handoff })}
           allowDeselect={false}
         />
-        <Checkbox
-          label="With masters"
-          checked={masters}
-          onChange={({ currentTarget }) => setMasters(currentTarget.checked)}
-        />
-        <Checkbox
+        <Field as={Checkbox} name="masters" label="With masters" />
+        <Field
+          as={Checkbox}
+          name="placeholders"
           label="With placeholders for sounds that are not accepted"
           description="Placeholders are marked; the game’s CI refuses them."
-          checked={placeholders}
-          onChange={({ currentTarget }) => setPlaceholders(currentTarget.checked)}
         />
         {missing > 0 && (
-          <Checkbox
+          <Field
+            as={Checkbox}
+            name="allow_missing"
             label={`Without ${plural(missing, 'accepted file')} that could not be rendered`}
-            checked={allowMissing}
-            onChange={({ currentTarget }) => setAllowMissing(currentTarget.checked)}
           />
         )}
-        <div>
-          <Button variant="primary" type="submit" disabled={seal.isPending}>
-            Seal pack
-          </Button>
-        </div>
-      </form>
-      <Refusal inset error={seal.error} />
+        <Submit>Seal pack</Submit>
+      </Form>
     </Card>
   )
 }

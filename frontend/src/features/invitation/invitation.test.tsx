@@ -166,7 +166,7 @@ describe('start delivering', () => {
     await user.type(screen.getByLabelText('Your name'), 'Sound designer')
     await user.type(screen.getByLabelText('New password'), 'short')
     await user.click(screen.getByRole('button', { name: 'Create account and go to your desk' }))
-    expect(await screen.findByText('Choose a password of At least 10 characters')).toBeVisible()
+    expect(await screen.findByText('Choose a password of At least 10 characters.')).toBeVisible()
     expect(screen.getByLabelText('Your name')).toHaveValue('Sound designer')
   })
 

@@ -1,13 +1,14 @@
-import { Textarea, TextInput } from '@mantine/core'
+import { Textarea } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { useRef, useState } from 'react'
+import { useRef } from 'react'
 
 import { Dialog } from '@/app/Dialog'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { keepDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { kindName, type Reference, titleOf } from '@/references'
 import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Submit } from '@/ui/Form'
 import { ago, bytes, plural } from '@/ui/format'
 
 import { useChangeReference, useOpenings, useRemoveReference, versionsQuery } from './api'
@@ -30,6 +31,7 @@ export function EditDialog({ reference, onNewVersion, onClose }: EditDialogProps
   )
 }
 
+const SECONDS_HINT = 'Seconds, as in 41.2, or minutes and seconds, as in 0:41.2.'
 const typedSeconds = (s: number | null): string => (s === null ? '' : String(s))
 
 function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { reference: Reference }) {
@@ -39,98 +41,104 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
   const { data: versions } = useQuery(versionsQuery(projectId, id))
   const { data: openings } = useOpenings(projectId, id)
   const files = useRef<HTMLInputElement>(null)
-  const [typed, setTyped, draft] = useDraft(`reference:${projectId}:${id}`, {
-    caption: reference.caption,
-    terms: reference.terms,
-    words: reference.words,
-    start: typedSeconds(reference.start_s),
-    end: typedSeconds(reference.end_s),
-    pin: pinOf(reference),
-  })
-  const [wrong, setWrong] = useState<{ start?: string; end?: string }>({})
   const plays = version.kind === 'audio' || version.kind === 'video' || version.kind === 'link'
-  const save = () => {
-    const start = secondsOf(typed.start)
-    const end = secondsOf(typed.end)
-    const hint = 'Seconds, as in 41.2, or minutes and seconds, as in 0:41.2.'
-    setWrong({ start: start === undefined ? hint : undefined, end: end === undefined ? hint : undefined })
-    if (start === undefined || end === undefined || change.isPending) return
-    const { caption, terms, words, pin } = typed
-    change.mutate(
-      { caption, terms, words, start_s: start, end_s: end, ...bodyOfPin(pin) },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast('Reference saved.')
-          onClose()
-        },
-      },
-    )
-  }
-  const text = (name: 'caption' | 'terms' | 'words' | 'start' | 'end') => ({
-    value: typed[name],
-    onChange: (event: { currentTarget: { value: string } }) =>
-      setTyped({ ...typed, [name]: event.currentTarget.value }),
-  })
+  const draftKey = `reference:${projectId}:${id}`
   return (
-    <form
-      className="grid gap-3"
-      noValidate
-      onSubmit={(event) => {
-        event.preventDefault()
-        save()
-      }}
-    >
-      <Textarea label="Caption" rows={2} maxLength={500} data-autofocus {...text('caption')} />
-      <TextInput label="Terms" description="Always shown with the reference" maxLength={1000} {...text('terms')} />
-      <TextInput
-        label="Words"
-        description="What it shows, as in: warm, crunchy. Where cues and change requests say so, it can be heard."
-        maxLength={200}
-        {...text('words')}
-      />
-      {plays && (
-        <div className="grid grid-cols-2 gap-3">
-          <TextInput label="From" inputMode="decimal" {...text('start')} error={wrong.start} />
-          <TextInput label="To" inputMode="decimal" {...text('end')} error={wrong.end} />
-        </div>
-      )}
-      <PinSelect projectId={projectId} pin={typed.pin} onPin={(pin) => setTyped({ ...typed, pin })} />
-      <DraftNote draft={draft} />
-      <Refusal error={change.error ?? remove.error} />
-      <div className="flex wrap gap-2">
-        <Button type="submit" variant="primary" aria-busy={change.isPending}>
-          Save
-        </Button>
-        <Button icon="upload" onClick={() => files.current?.click()}>
-          New version
-        </Button>
-        <input
-          ref={files}
-          type="file"
-          hidden
-          aria-label="File of the new version"
-          onChange={(event) => {
-            if (event.currentTarget.files?.length) onNewVersion(reference, event.currentTarget.files)
-            onClose()
-          }}
-        />
-        <Button
-          className="end"
-          icon="cross"
-          onClick={() =>
-            remove.mutate(undefined, {
+    <div className="grid gap-3">
+      <DraftForm
+        draftKey={draftKey}
+        className="grid gap-3"
+        initialValues={{
+          caption: reference.caption,
+          terms: reference.terms,
+          words: reference.words,
+          start: typedSeconds(reference.start_s),
+          end: typedSeconds(reference.end_s),
+          pin: pinOf(reference),
+        }}
+        mutation={{ isPending: change.isPending, error: change.error ?? remove.error }}
+        checks={({ start, end }) => ({
+          start: secondsOf(start) === undefined && SECONDS_HINT,
+          end: secondsOf(end) === undefined && SECONDS_HINT,
+        })}
+        onSubmit={({ caption, terms, words, start, end, pin }, onSent) =>
+          change.mutate(
+            {
+              caption,
+              terms,
+              words,
+              start_s: secondsOf(start) ?? null,
+              end_s: secondsOf(end) ?? null,
+              ...bodyOfPin(pin),
+            },
+            {
               onSuccess: () => {
-                draft.discard()
-                showToast('Reference removed from the board.')
+                onSent()
+                showToast('Reference saved.')
                 onClose()
               },
-            })
-          }
-        >
-          Remove
-        </Button>
-      </div>
+            },
+          )
+        }
+      >
+        {({ pin }, set) => (
+          <>
+            <Field as={Textarea} optional name="caption" label="Caption" rows={2} maxLength={500} data-autofocus />
+            <Field optional name="terms" label="Terms" description="Always shown with the reference" maxLength={1000} />
+            <Field
+              optional
+              name="words"
+              label="Words"
+              description="What it shows, as in: warm, crunchy. Where cues and change requests say so, it can be heard."
+              maxLength={200}
+            />
+            {plays && (
+              <div className="grid grid-cols-2 gap-3">
+                <Field optional name="start" label="From" inputMode="decimal" />
+                <Field optional name="end" label="To" inputMode="decimal" />
+              </div>
+            )}
+            <PinSelect projectId={projectId} pin={pin} onPin={(pin) => set({ pin })} />
+            <Submit
+              className="flex wrap gap-2"
+              beside={
+                <>
+                  <Button icon="upload" onClick={() => files.current?.click()}>
+                    New version
+                  </Button>
+                  <input
+                    ref={files}
+                    type="file"
+                    hidden
+                    aria-label="File of the new version"
+                    onChange={(event) => {
+                      if (event.currentTarget.files?.length) onNewVersion(reference, event.currentTarget.files)
+                      onClose()
+                    }}
+                  />
+                  <Button
+                    className="end"
+                    icon="cross"
+                    onClick={() =>
+                      remove.mutate(undefined, {
+                        onSuccess: () => {
+                          keepDraft(draftKey, null)
+                          showToast('Reference removed from the board.')
+                          onClose()
+                        },
+                      })
+                    }
+                  >
+                    Remove
+                  </Button>
+                </>
+              }
+            >
+              Save
+            </Submit>
+          </>
+        )}
+      </DraftForm>
       {(reference.parts ?? 0) > 0 && (
         <p className="small mid">
           {`${plural(reference.parts ?? 0, 'cue was', 'cues were')} spotted from this clip: a new version is shown there too, at the same times.`}
@@ -164,6 +172,6 @@ function Edit({ reference, onNewVersion, onClose }: EditDialogProps & { referenc
           {openings?.pages[0]?.items.length === 0 && <li className="small dim">Nobody has opened it yet.</li>}
         </ul>
       </section>
-    </form>
+    </div>
   )
 }

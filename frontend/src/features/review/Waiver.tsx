@@ -1,10 +1,7 @@
-import { TextInput } from '@mantine/core'
-
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import type { ReviewTake } from '@/judging/api'
-import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Submit } from '@/ui/Form'
 
 import { useWaive } from './api'
 import classes from './Side.module.css'
@@ -17,40 +14,31 @@ interface WaiverProps {
 
 /** The approver lets a returned version through, with a reason. */
 export function Waiver({ take, cueId, projectId }: WaiverProps) {
-  const [reason, setReason, draft] = useDraft(`waiver:${take.id}`, '')
   const waive = useWaive(projectId, cueId)
-  const trimmed = reason.trim()
-  const submit = () => {
-    if (trimmed === '' || waive.isPending) return
-    waive.mutate(
-      { takeId: take.id, reason: trimmed },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast(`Version ${take.number} waived. Its game files are being rendered.`)
-        },
-      },
-    )
-  }
   return (
-    <form
+    <DraftForm
+      draftKey={`waiver:${take.id}`}
       className={`grid gap-2 ${classes.waiver}`}
-      onSubmit={(event) => {
-        event.preventDefault()
-        submit()
-      }}
+      initialValues={{ reason: '' }}
+      mutation={waive}
+      onSubmit={({ reason }, onSent) =>
+        waive.mutate(
+          { takeId: take.id, reason: reason.trim() },
+          {
+            onSuccess: () => {
+              onSent()
+              showToast(`Version ${take.number} waived. Its game files are being rendered.`)
+            },
+          },
+        )
+      }
     >
-      <TextInput
+      <Field
+        name="reason"
         label="Waive the findings: reason"
         description="It goes to review unchanged. The findings are kept, and the game’s CI accepts the file."
-        value={reason}
-        onChange={(event) => setReason(event.currentTarget.value)}
       />
-      <Button type="submit" disabled={trimmed === '' || waive.isPending}>
-        Waive version {take.number}
-      </Button>
-      <DraftNote draft={draft} />
-      <Refusal error={waive.error} />
-    </form>
+      <Submit variant="plain">Waive version {take.number}</Submit>
+    </DraftForm>
   )
 }

@@ -1,6 +1,7 @@
 import { TextInput } from '@mantine/core'
 import { keptCuesQuery } from '@/api/soundList'
 import { useQuery } from '@tanstack/react-query'
+import type { ReactNode } from 'react'
 
 import { plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
@@ -10,14 +11,14 @@ import classes from './Shares.module.css'
 
 interface CueChoiceProps {
   projectId: string
-  filter: CueFilter
-  onFilter: (filter: CueFilter) => void
-  /** What is said against it. */
-  problem?: string
+  value: CueFilter
+  onChange: (filter: CueFilter) => void
+  /** What does not fit. */
+  error?: ReactNode
 }
 
 /** A filter of the list: words of the name, a category, one cue. It says what it gives now. */
-export function CueChoice({ projectId, filter, onFilter, problem }: CueChoiceProps) {
+export function CueChoice({ projectId, value: filter, onChange, error }: CueChoiceProps) {
   const { data: cues } = useQuery(keptCuesQuery(projectId))
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].sort()
   const chosen = chosenCues(cues ?? [], filter)
@@ -28,7 +29,7 @@ export function CueChoice({ projectId, filter, onFilter, problem }: CueChoicePro
       {only ? (
         <p className="row wrap">
           <span className="strong">{only.name}</span> <span className="small dim mono">{only.label}</span>
-          <button type="button" className="link small" onClick={() => onFilter({ ...filter, cueId: '' })}>
+          <button type="button" className="link small" onClick={() => onChange({ ...filter, cueId: '' })}>
             Choose others
           </button>
         </p>
@@ -38,12 +39,12 @@ export function CueChoice({ projectId, filter, onFilter, problem }: CueChoicePro
             label="Name contains"
             value={filter.text}
             maxLength={200}
-            onChange={(event) => onFilter({ ...filter, text: event.currentTarget.value })}
+            onChange={(event) => onChange({ ...filter, text: event.currentTarget.value })}
           />
           <Select
             label="Category"
             value={filter.category}
-            onChange={(event) => onFilter({ ...filter, category: event.currentTarget.value })}
+            onChange={(event) => onChange({ ...filter, category: event.currentTarget.value })}
           >
             <option value="">All</option>
             {categories.map((category) => (
@@ -57,9 +58,9 @@ export function CueChoice({ projectId, filter, onFilter, problem }: CueChoicePro
           ? ''
           : `${plural(chosen.length, 'cue')}${chosen.length > 0 && chosen.length <= 6 && !only ? `: ${chosen.map(({ name }) => name).join(', ')}` : ''}. Of each variation the approved version is heard, else the newest that conforms. Cues and versions that come later are not added.`}
       </p>
-      {problem && (
+      {error && (
         <p className="small tone-bad toned" role="alert">
-          {problem}
+          {error}
         </p>
       )}
     </fieldset>

@@ -1,15 +1,15 @@
-import { TextInput } from '@mantine/core'
 import { useInfiniteQuery, useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams, useSearch } from '@tanstack/react-router'
-import { type FormEvent, type ReactNode, useState } from 'react'
+import { type ReactNode, useState } from 'react'
 
 import { useMyProject } from '@/api/me'
 import { playlistsQuery } from '@/api/project'
 import { keptCuesQuery } from '@/api/soundList'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { ago, plural } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
@@ -115,47 +115,42 @@ function Playlists({ projectId }: { projectId: string }) {
 }
 
 function NewPlaylist({ projectId }: { projectId: string }) {
-  const [typed, setTyped, draft] = useDraft(`playlist:${projectId}`, { name: '', filter: NO_FILTER })
   const { data: cues } = useQuery(keptCuesQuery(projectId))
   const add = useAddPlaylist(projectId)
   const navigate = useNavigate()
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (add.isPending) return
-    const chosen = chosenCues(cues ?? [], typed.filter)
-    add.mutate(
-      {
-        name: typed.name.trim() || typed.filter.category || 'Playlist',
-        cue_ids: chosen.map(({ id }) => id).slice(0, 500),
-      },
-      {
-        onSuccess: ({ id }) => {
-          draft.discard()
-          void navigate({ to: '/projects/$projectId/playlists/$playlistId', params: { projectId, playlistId: id } })
-        },
-      },
-    )
-  }
   return (
     <Card aria-labelledby="new-playlist">
       <CardHead id="new-playlist" title="New playlist" />
-      <form className={classes.form} onSubmit={send} noValidate>
-        <TextInput
-          label="Name"
-          maxLength={200}
-          value={typed.name}
-          placeholder={typed.filter.category || 'Playlist'}
-          onChange={(event) => setTyped({ ...typed, name: event.currentTarget.value })}
-        />
-        <CueChoice projectId={projectId} filter={typed.filter} onFilter={(filter) => setTyped({ ...typed, filter })} />
-        <DraftNote draft={draft} />
-        <Refusal error={add.error} />
-        <div className="row wrap">
-          <Button type="submit" aria-busy={add.isPending}>
-            Make playlist
-          </Button>
-        </div>
-      </form>
+      <DraftForm
+        draftKey={`playlist:${projectId}`}
+        className={classes.form}
+        initialValues={{ name: '', filter: NO_FILTER }}
+        mutation={add}
+        onSubmit={({ name, filter }, onSent) =>
+          add.mutate(
+            {
+              name: name.trim() || filter.category || 'Playlist',
+              cue_ids: chosenCues(cues ?? [], filter)
+                .map(({ id }) => id)
+                .slice(0, 500),
+            },
+            {
+              onSuccess: ({ id: playlistId }) => {
+                onSent()
+                void navigate({ to: '/projects/$projectId/playlists/$playlistId', params: { projectId, playlistId } })
+              },
+            },
+          )
+        }
+      >
+        {({ filter }) => (
+          <>
+            <Field optional name="name" label="Name" maxLength={200} placeholder={filter.category || 'Playlist'} />
+            <Field as={CueChoice} name="filter" projectId={projectId} />
+            <Submit variant="plain">Make playlist</Submit>
+          </>
+        )}
+      </DraftForm>
     </Card>
   )
 }

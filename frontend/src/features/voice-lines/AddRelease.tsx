@@ -1,10 +1,11 @@
-import { Autocomplete, TextInput } from '@mantine/core'
+import { Autocomplete, NativeSelect } from '@mantine/core'
 import { useRef, useState } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { Button } from '@/ui/Button'
+import { Field, Submit } from '@/ui/Form'
 import { Meter } from '@/ui/Meter'
-import { Select } from '@/ui/Select'
+
 import { filesOfField, useLeaveWarning, useUploads } from '@/uploads'
 
 import type { ReleaseAdd } from './api'
@@ -19,6 +20,12 @@ const EMPTY = {
   note: '',
 }
 
+const SYNTHETIC_USES = [
+  { value: 'not_asked', label: 'Not asked' },
+  { value: 'no', label: 'No' },
+  { value: 'yes', label: 'Yes' },
+]
+
 interface AddReleaseProps {
   projectId: string
   performers: readonly string[]
@@ -27,22 +34,11 @@ interface AddReleaseProps {
 
 /** A signed release: whose, from when to when, what it says of synthetic use, and the file. */
 export function AddRelease({ projectId, performers, uploads }: AddReleaseProps) {
-  const [typed, setTyped, draft] = useDraft(`release:${projectId}`, EMPTY)
-  const [wrong, setWrong] = useState<{ performer?: string; validFrom?: string; validUntil?: string }>({})
   const picker = useRef<HTMLInputElement>(null)
-  const choose = () => {
-    const parsed = {
-      performer: typed.performer.trim() === '' ? 'Enter the name of the performer.' : undefined,
-      validFrom: typed.validFrom === '' ? 'Enter the first day.' : undefined,
-      validUntil:
-        typed.validUntil !== '' && typed.validUntil < typed.validFrom ? 'The last day is before the first.' : undefined,
-    }
-    setWrong(parsed)
-    if (Object.values(parsed).every((value) => value === undefined)) picker.current?.click()
-  }
+  const [release, setRelease] = useState<{ typed: typeof EMPTY; onSent: () => void } | null>(null)
   const send = (files: FileList | null) => {
-    if (!files?.length) return
-    const { performer, validFrom, validUntil, syntheticUse, note } = typed
+    if (!files?.length || !release) return
+    const { performer, validFrom, validUntil, syntheticUse, note } = release.typed
     void uploads.add(filesOfField(files).slice(0, 1), {
       performer,
       valid_from: validFrom,
@@ -50,48 +46,31 @@ export function AddRelease({ projectId, performers, uploads }: AddReleaseProps) 
       synthetic_use: syntheticUse,
       note,
     })
-    draft.discard()
+    release.onSent()
   }
-  const text = (name: 'validFrom' | 'validUntil' | 'note') => ({
-    value: typed[name],
-    onChange: (event: { currentTarget: { value: string } }) =>
-      setTyped({ ...typed, [name]: event.currentTarget.value }),
-  })
   return (
-    <form
+    <DraftForm
+      draftKey={`release:${projectId}`}
       className={`grid items-end gap-2-3 ${classes.casting}`}
-      noValidate
       aria-label="Add a release"
-      onSubmit={(event) => {
-        event.preventDefault()
-        choose()
+      initialValues={EMPTY}
+      mutation={{ isPending: false, error: null }}
+      checks={({ validFrom, validUntil }) => ({
+        validUntil: validUntil !== '' && validUntil < validFrom && 'The last day is before the first.',
+      })}
+      onSubmit={(typed, onSent) => {
+        setRelease({ typed, onSent })
+        picker.current?.click()
       }}
     >
-      <Autocomplete
-        label="Performer"
-        maxLength={120}
-        data={[...performers]}
-        value={typed.performer}
-        error={wrong.performer}
-        onChange={(performer) => setTyped({ ...typed, performer })}
-      />
-      <TextInput label="Valid from" type="date" error={wrong.validFrom} {...text('validFrom')} />
-      <TextInput label="Expires (optional)" type="date" error={wrong.validUntil} {...text('validUntil')} />
-      <Select
-        label="Synthetic use"
-        value={typed.syntheticUse}
-        onChange={(event) =>
-          setTyped({ ...typed, syntheticUse: event.currentTarget.value as ReleaseAdd['synthetic_use'] })
-        }
-      >
-        <option value="not_asked">Not asked</option>
-        <option value="no">No</option>
-        <option value="yes">Yes</option>
-      </Select>
-      <TextInput label="Note" maxLength={2000} {...text('note')} />
-      <Button type="submit" icon="upload">
+      <Field as={Autocomplete} name="performer" label="Performer" maxLength={120} data={[...performers]} />
+      <Field name="validFrom" label="Valid from" type="date" />
+      <Field optional name="validUntil" label="Expires (optional)" type="date" />
+      <Field as={NativeSelect} name="syntheticUse" label="Synthetic use" data={SYNTHETIC_USES} />
+      <Field optional name="note" label="Note" maxLength={2000} />
+      <Submit variant="plain" icon="upload">
         Choose the signed file
-      </Button>
+      </Submit>
       <input
         ref={picker}
         type="file"
@@ -102,9 +81,8 @@ export function AddRelease({ projectId, performers, uploads }: AddReleaseProps) 
           event.currentTarget.value = ''
         }}
       />
-      <DraftNote draft={draft} />
       <Uploading uploads={uploads} />
-    </form>
+    </DraftForm>
   )
 }
 

@@ -1,15 +1,14 @@
-import { NumberInput, TextInput } from '@mantine/core'
+import { NativeSelect, NumberInput } from '@mantine/core'
 import { useQuery, useQueryClient } from '@tanstack/react-query'
-import { type FormEvent, useMemo } from 'react'
+import { useMemo } from 'react'
 
 import { meQuery } from '@/api/me'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { day, plural } from '@/ui/format'
-import { Select } from '@/ui/Select'
 import { languageName } from '@/voice-lines'
 
 import {
@@ -182,97 +181,74 @@ function EditCasting({ projectId, character, language, casting }: EditCastingPro
     directed_by: casting.directed_by,
     cast_by: casting.cast_by,
   }
-  const [typed, setTyped, draft] = useDraft(`casting:${character.id}:${language}`, begun)
-  const isChanged = Object.entries(begun).some(([name, value]) => typed[name as keyof typeof begun] !== value)
-  const field = (name: keyof typeof begun, label: string) => (
-    <TextInput
-      label={label}
-      maxLength={120}
-      value={typed[name]}
-      onChange={(event) => setTyped({ ...typed, [name]: event.currentTarget.value })}
-    />
-  )
-  const save = (event: FormEvent) => {
-    event.preventDefault()
-    if (cast.isPending) return
-    cast.mutate(typed, {
-      onSuccess: () => {
-        draft.discard()
-        showToast(`${character.name}, ${languageName(language)}: saved.`)
-      },
-    })
-  }
   return (
-    <form
+    <DraftForm
+      draftKey={`casting:${character.id}:${language}`}
       className={`grid items-end gap-2-3 ${classes.casting}`}
-      noValidate
       aria-label={`${character.name}, ${languageName(language)}`}
-      onSubmit={save}
+      initialValues={begun}
+      mutation={cast}
+      onSubmit={(typed, onSent) =>
+        cast.mutate(typed, {
+          onSuccess: () => {
+            onSent()
+            showToast(`${character.name}, ${languageName(language)}: saved.`)
+          },
+        })
+      }
     >
-      <span className={`small mid ${classes.language}`}>{languageName(language)}</span>
-      {field('performer', 'Performer')}
-      {field('directed_by', 'Directed by')}
-      {field('cast_by', 'Cast by')}
-      {isChanged && (
-        <Button type="submit" aria-busy={cast.isPending}>
-          Save
-        </Button>
+      {(typed) => (
+        <>
+          <span className={`small mid ${classes.language}`}>{languageName(language)}</span>
+          <Field optional name="performer" label="Performer" maxLength={120} />
+          <Field optional name="directed_by" label="Directed by" maxLength={120} />
+          <Field optional name="cast_by" label="Cast by" maxLength={120} />
+          {JSON.stringify(typed) !== JSON.stringify(begun) && <Submit variant="plain">Save</Submit>}
+        </>
       )}
-      <DraftNote draft={draft} />
-      <Refusal error={cast.error} />
-    </form>
+    </DraftForm>
   )
 }
 
 function Settings({ projectId, script }: { projectId: string; script: Script }) {
   const change = useChangeSettings(projectId)
   const { original_language: original, length_tolerance_percent: tolerance, languages } = script
-  const [typed, setTyped, draft] = useDraft(`voice-settings:${projectId}`, { original, tolerance })
   return (
     <Card aria-labelledby="voice-settings">
       <CardHead id="voice-settings" title="Settings" />
-      <form
+      <DraftForm
+        draftKey={`voice-settings:${projectId}`}
         className={`grid items-end gap-2-3 ${classes.casting}`}
-        noValidate
-        onSubmit={(event) => {
-          event.preventDefault()
-          if (change.isPending) return
+        initialValues={{ original, tolerance }}
+        mutation={change}
+        onSubmit={(typed, onSent) =>
           change.mutate(
             { original_language: typed.original, length_tolerance_percent: typed.tolerance },
             {
               onSuccess: () => {
-                draft.discard()
+                onSent()
                 showToast('Settings saved.')
               },
             },
           )
-        }}
+        }
       >
-        <Select
+        <Field
+          as={NativeSelect}
+          name="original"
           label="Original language"
-          value={typed.original}
-          onChange={(event) => setTyped({ ...typed, original: event.currentTarget.value })}
-        >
-          {[...new Set([...languages, original])].map((language) => (
-            <option key={language} value={language}>
-              {languageName(language)}
-            </option>
-          ))}
-        </Select>
-        <NumberInput
+          data={[...new Set([...languages, original])].map((value) => ({ value, label: languageName(value) }))}
+        />
+        <Field
+          as={NumberInput}
+          name="tolerance"
           label="Length tolerance, percent"
           min={1}
           max={100}
           allowDecimal={false}
-          value={typed.tolerance}
-          onChange={(value) => setTyped({ ...typed, tolerance: Number(value) || 0 })}
         />
-        <Button type="submit" aria-busy={change.isPending}>
-          Save
-        </Button>
-        <DraftNote draft={draft} />
-        <Refusal error={change.error} />
-      </form>
+        <Submit variant="plain">Save</Submit>
+      </DraftForm>
     </Card>
   )
 }

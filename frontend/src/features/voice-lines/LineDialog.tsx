@@ -1,12 +1,11 @@
-import { Checkbox, Textarea, TextInput } from '@mantine/core'
+import { Checkbox, Textarea } from '@mantine/core'
 import { Link } from '@tanstack/react-router'
 
 import { Dialog } from '@/app/Dialog'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { sentence } from '@/ui/sentence'
 import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Submit } from '@/ui/Form'
 import { length } from '@/ui/format'
 import { languageName, LineState, percentOf, type VoiceLine } from '@/voice-lines'
 
@@ -90,65 +89,41 @@ function Length({
 function EditLine({ projectId, line, onDone }: { projectId: string; line: VoiceLine; onDone: () => void }) {
   const changeText = useChangeText(projectId, line.id, line.language)
   const changeLine = useChangeLine(projectId, line.id)
-  const [typed, setTyped, draft] = useDraft(`voice-line:${line.id}:${line.language}:${line.text_version ?? 0}`, {
-    text: line.text ?? '',
-    scene: line.scene,
-    direction: line.direction,
-    takesFit: false,
-  })
-  const save = async () => {
-    if (changeText.isPending || changeLine.isPending) return
-    try {
-      if (typed.scene !== line.scene || typed.direction !== line.direction)
-        await changeLine.mutateAsync({ scene: typed.scene, direction: typed.direction })
-      if (line.text_version !== null && (typed.text !== line.text || typed.takesFit))
-        await changeText.mutateAsync({
-          text: typed.text,
-          text_version: line.text_version,
-          takes_fit: typed.takesFit,
-        })
-    } catch {
-      return // the refusal is shown
-    }
-    draft.discard()
-    showToast('Line saved.')
-    onDone()
+  const save = async (typed: { text: string; scene: string; direction: string; takesFit: boolean }) => {
+    if (typed.scene !== line.scene || typed.direction !== line.direction)
+      await changeLine.mutateAsync({ scene: typed.scene, direction: typed.direction })
+    if (line.text_version !== null && (typed.text !== line.text || typed.takesFit))
+      await changeText.mutateAsync({ text: typed.text, text_version: line.text_version, takes_fit: typed.takesFit })
   }
-  const field = (name: 'text' | 'scene' | 'direction') => ({
-    value: typed[name],
-    onChange: (event: { currentTarget: { value: string } }) =>
-      setTyped({ ...typed, [name]: event.currentTarget.value }),
-  })
   return (
-    <form
+    <DraftForm
+      draftKey={`voice-line:${line.id}:${line.language}:${line.text_version ?? 0}`}
       className={classes.form}
-      noValidate
-      onSubmit={(event) => {
-        event.preventDefault()
-        void save()
+      initialValues={{ text: line.text ?? '', scene: line.scene, direction: line.direction, takesFit: false }}
+      mutation={{
+        isPending: changeText.isPending || changeLine.isPending,
+        error: changeText.error ?? changeLine.error,
       }}
+      onSubmit={(typed, onSent) =>
+        void save(typed).then(
+          () => {
+            onSent()
+            showToast('Line saved.')
+            onDone()
+          },
+          () => undefined, // the refusal is shown
+        )
+      }
     >
       {line.text_version !== null && (
         <>
-          <Textarea label="Text" rows={3} maxLength={5000} data-autofocus {...field('text')} />
-          {line.take && (
-            <Checkbox
-              label="Takes that exist still fit this text"
-              checked={typed.takesFit}
-              onChange={(event) => setTyped({ ...typed, takesFit: event.currentTarget.checked })}
-            />
-          )}
+          <Field as={Textarea} optional name="text" label="Text" rows={3} maxLength={5000} data-autofocus />
+          {line.take && <Field as={Checkbox} name="takesFit" label="Takes that exist still fit this text" />}
         </>
       )}
-      <TextInput label="Direction" maxLength={2000} {...field('direction')} />
-      <TextInput label="Scene" maxLength={200} {...field('scene')} />
-      <DraftNote draft={draft} />
-      <Refusal error={changeText.error ?? changeLine.error} />
-      <div>
-        <Button type="submit" variant="primary" aria-busy={changeText.isPending || changeLine.isPending}>
-          Save
-        </Button>
-      </div>
-    </form>
+      <Field optional name="direction" label="Direction" maxLength={2000} />
+      <Field optional name="scene" label="Scene" maxLength={200} />
+      <Submit>Save</Submit>
+    </DraftForm>
   )
 }
