@@ -1,12 +1,10 @@
 import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { ApiProblem } from '@/api'
 import type { FindingMark, Player } from '@/audio'
-import { ended } from '@/judging/findings'
 import { Button } from '@/ui/Button'
 import { Icon } from '@/ui/Icon'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 
 import type { Fix } from './api'
 import classes from './Fix.module.css'
@@ -36,7 +34,6 @@ interface FixPanelProps {
 export function FixPanel(props: FixPanelProps) {
   const { take, durationS, peaksUrl, fixing, player, findings, limitDbfs, mayUse, children, actions, follows } = props
   const { fix, sound, error } = fixing
-  const refusal = error instanceof ApiProblem ? error : null
   const isMade = fix?.state === 'made'
   return (
     <>
@@ -55,12 +52,7 @@ export function FixPanel(props: FixPanelProps) {
       )}
       {fix && isMade && <Moved fix={fix} />}
       {fix && <CueProgress fix={fix} mayUse={mayUse} />}
-      {error !== null && error !== undefined && (
-        <ErrorBanner
-          detail={ended(refusal?.detail ?? 'Something went wrong in the page.')}
-          fix={refusal?.fix ? ended(refusal.fix) : undefined}
-        />
-      )}
+      <Refusal error={error} />
       {(mayUse || actions || isMade) && (
         <div className={`row wrap ${classes.actions}`}>
           {mayUse && <Consent fixing={fixing} />}

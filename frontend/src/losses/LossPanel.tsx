@@ -1,7 +1,7 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { ApiProblem } from '@/api'
 import { Table } from '@/ui/Table'
+import { Refusal } from '@/ui/Refusal'
 
 import { lossQuery } from './api'
 import { LossPlot } from './LossPlot'
@@ -10,13 +10,7 @@ import { type LossLine, linesOf, octavesOf } from './words'
 /** What one game file lost: both spectra over each other, and every figure in a table. */
 export function LossPanel({ renderId, target }: { renderId: string; target: string }) {
   const { data: loss, error } = useQuery(lossQuery(renderId))
-  if (error) {
-    return (
-      <p className="small mid">
-        {error instanceof ApiProblem ? `${capital(error.detail)}.` : 'The figures could not be loaded.'}
-      </p>
-    )
-  }
+  if (error) return <Refusal error={error} />
   if (loss === undefined) return null
   return (
     <div className="grid gap-2">
@@ -44,5 +38,3 @@ function LossTable({ label, head, lines }: { label: string; head: string; lines:
     />
   )
 }
-
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)

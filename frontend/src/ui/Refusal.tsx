@@ -11,20 +11,22 @@ interface RefusalProps {
   /** What was to be done, where the sentence alone would not say: a file's name. */
   about?: string
   action?: ReactNode
+  /** What to do, where the server does not say it. */
+  fix?: string
   /** Stands in a card by itself, away from its edges. */
   inset?: boolean
   className?: string
 }
 
 /** What the server refused and what to do about it, said where it was asked. */
-export function Refusal({ error, about, action, inset = false, className }: RefusalProps) {
+export function Refusal({ error, about, action, fix, inset = false, className }: RefusalProps) {
   if (error === null || error === undefined) return null
   const problem = error instanceof ApiProblem ? error : null
   const detail = problem ? sentence(problem.detail) : 'Something went wrong in the page. What you typed is kept.'
   return (
     <ErrorBanner
       detail={about ? `${about}: ${detail}` : detail}
-      fix={problem?.fix ? sentence(problem.fix) : undefined}
+      fix={problem?.fix ? sentence(problem.fix) : fix}
       action={action}
       className={[inset ? 'inset' : '', className].filter(Boolean).join(' ')}
     />

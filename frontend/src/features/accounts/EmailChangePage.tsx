@@ -1,12 +1,10 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
-import { sentence } from '@/ui/sentence'
 import { Sheet } from '@/ui/Sheet'
 import { useTitle } from '@/app/title'
 import { Button } from '@/ui/Button'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 
 import { sessionQuery } from './api'
 import { CardProblem } from './CardProblem'
@@ -41,14 +39,10 @@ export function EmailChangePage() {
     )
   }
   if (error !== null) {
-    const problem = error instanceof ApiProblem ? error : null
     return (
       <Sheet>
         <h1>Change of email</h1>
-        <ErrorBanner
-          detail={sentence(problem?.detail ?? 'The change could not be loaded.')}
-          fix={problem?.fix ? sentence(problem.fix) : undefined}
-        />
+        <Refusal error={error} />
       </Sheet>
     )
   }

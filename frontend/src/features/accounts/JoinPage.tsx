@@ -1,16 +1,14 @@
 import { useQuery } from '@tanstack/react-query'
 import { useParams, useRouter } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { day } from '@/ui/format'
-import { ErrorBanner } from '@/ui/ErrorBanner'
 
 import { sessionQuery, studioInvitationQuery, useJoinStudio } from './api'
 import { Field, Form, Submit } from '@/ui/Form'
-import { sentence } from '@/ui/sentence'
 import { Sheet } from '@/ui/Sheet'
+import { Refusal } from '@/ui/Refusal'
 import { ROLE_MEANINGS, ROLE_WORDS } from './parts'
 
 /** The page of a mailed link into a studio. */
@@ -24,14 +22,10 @@ export function JoinPage() {
   const joining = useJoinStudio(secret)
 
   if (error) {
-    const problem = error instanceof ApiProblem ? error : null
     return (
       <Sheet>
         <h1>Invitation</h1>
-        <ErrorBanner
-          detail={sentence(problem?.detail ?? 'The invitation could not be loaded.')}
-          fix={sentence(problem?.fix || 'Ask the person who invited you for a new link.')}
-        />
+        <Refusal error={error} fix="Ask the person who invited you for a new link." />
       </Sheet>
     )
   }

@@ -13,6 +13,7 @@ import { PageHead } from '@/ui/PageHead'
 import { PageWait } from '@/ui/PageWait'
 import { Row, Rows } from '@/ui/Rows'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
+import { sentence } from '@/ui/sentence'
 
 import { type ChangeOffer, type ChangeOrder, type ChangeOrders, changeOrdersQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
@@ -23,7 +24,6 @@ import { ProposeChange } from './ProposeChange'
 import { SignForm } from './SignForm'
 import { Text } from './Text'
 import { Warning } from './Warning'
-import { sentence } from './words'
 
 /** The change orders of a contract: what each changes, who has signed it, and a new one. */
 export function ChangeOrdersPage() {

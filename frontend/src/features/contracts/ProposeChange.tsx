@@ -7,12 +7,12 @@ import { minorOf } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
+import { sentence } from '@/ui/sentence'
 
 import { type Change, type ChangeOffer, type ChangeOrders, changePreviewQuery, useChangeOrder } from './api'
 import classes from './Contracts.module.css'
 import { DifferenceView } from './DifferenceView'
 import { Warning } from './Warning'
-import { sentence } from './words'
 
 type Kind = Change['kind']
 const KINDS: Record<Kind, string> = {

@@ -9,6 +9,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { useDebounced } from '@/ui/useDebounced'
+import { sentence } from '@/ui/sentence'
 
 import type { Contract } from './api'
 import classes from './Contracts.module.css'
@@ -28,7 +29,6 @@ import {
 import { type Marked, redlinePreviewQuery, useProposeRedlines } from './redlines'
 import styles from './Redlines.module.css'
 import { Warning } from './Warning'
-import { sentence } from './words'
 import { WordingFields } from './WordingFields'
 import { WordUpload } from './WordUpload'
 

@@ -13,6 +13,7 @@ import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 import { Refusal } from '@/ui/Refusal'
 import { Skeleton } from '@/ui/Skeleton'
+import { sentence } from '@/ui/sentence'
 
 import { useContractAction, versionQuery } from './api'
 import { TermField } from './ClauseFields'
@@ -32,7 +33,6 @@ import {
 } from './questions'
 import { SignerFields } from './Signers'
 import type { Drafting } from './useDrafting'
-import { sentence } from './words'
 
 interface QuestionsProps {
   drafting: Drafting

@@ -9,10 +9,11 @@ import { Refusal } from '@/ui/Refusal'
 import { clock, day } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { PageHead } from '@/ui/PageHead'
+import { sentence } from '@/ui/sentence'
 
 import { type Entry, recordQuery } from './api'
 import classes from './Contracts.module.css'
-import { authorOf, eventOf, factsOf, sentence } from './words'
+import { authorOf, eventOf, factsOf } from './words'
 
 /** The record of a contract: every entry, chained to the one before. */
 export function RecordPage() {

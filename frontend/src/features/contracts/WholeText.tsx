@@ -5,6 +5,7 @@ import { showToast } from '@/app/toast'
 import { Card, CardHead } from '@/ui/Card'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { Refusal } from '@/ui/Refusal'
+import { sentence } from '@/ui/sentence'
 
 import { AddClause } from './AddClause'
 import { AmountsAgain } from './AmountsAgain'
@@ -14,7 +15,6 @@ import { moveButtonId, movedClause, withClauseBack, withoutClause } from './clau
 import classes from './Contracts.module.css'
 import { Text } from './Text'
 import type { Drafting } from './useDrafting'
-import { sentence } from './words'
 
 const RELEASES = [
   { value: 'per_cue', label: 'When each cue is accepted' },

@@ -42,12 +42,6 @@ export function progress(contract: ContractBrief): { kind: StateKind; text: stri
   }
 }
 
-/** Sentences of the server begin small where they follow a name. */
-export const sentence = (text: string): string => {
-  const begun = text.charAt(0).toUpperCase() + text.slice(1)
-  return /[.?!]$/.test(begun) ? begun : `${begun}.`
-}
-
 /** A term's label where the library has none: its name in words. */
 export const inWords = (name: string): string => {
   const words = name.replace(/_(bp|minor)$/, '').replaceAll('_', ' ')

@@ -8,10 +8,11 @@ import { ago, day, figure } from '@/ui/format'
 import { Meter } from '@/ui/Meter'
 import { ShowMore } from '@/ui/ShowMore'
 import { Table } from '@/ui/Table'
+import { sentence } from '@/ui/sentence'
 
 import { type Batch, type BatchSizes, useBatch, useBatches, useBeginBatch, useCancelBatch } from './api'
 import classes from './Files.module.css'
-import { progressOf, sentence, signed, sizeOf, totalsOf } from './words'
+import { progressOf, signed, sizeOf, totalsOf } from './words'
 
 /** A re-render of all game files: its progress, its effect on the sizes, and a button to cancel it. */
 export function BatchesCard({ projectId, maySpeak }: { projectId: string; maySpeak: boolean }) {

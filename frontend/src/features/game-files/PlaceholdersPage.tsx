@@ -10,10 +10,10 @@ import { Meter } from '@/ui/Meter'
 import { PageHead } from '@/ui/PageHead'
 import { Segmented } from '@/ui/Segmented'
 import { StatusBadge } from '@/ui/StatusBadge'
+import { sentence } from '@/ui/sentence'
 
 import { type Placeholder, useMakePlaceholders, useRegister } from './api'
 import classes from './Files.module.css'
-import { sentence } from './words'
 
 const WORDS: Record<Placeholder['state'], string> = {
   missing: 'no placeholder file',

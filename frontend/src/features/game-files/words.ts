@@ -2,11 +2,6 @@ import { bytes, channels, figure, sampleFormat, plural, rate } from '@/ui/format
 
 import type { Batch, BatchSizes, Changes, Handoff, Memory, Target } from './api'
 
-export function sentence(text: string): string {
-  const begun = text.charAt(0).toUpperCase() + text.slice(1)
-  return /[.?!]$/.test(begun) ? begun : `${begun}.`
-}
-
 /** "48 kHz, 16 bit, mono". */
 export function formatOf({ sample_rate_hz, bit_depth, encoding, quality, channels: count }: Target): string {
   const depth = sampleFormat(bit_depth, encoding, quality)

@@ -2,7 +2,6 @@ import { useQuery } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 import { useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { visitorQuery } from '@/api/me'
 import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
@@ -11,9 +10,9 @@ import { Card, CardHead } from '@/ui/Card'
 import { type Column, ListTable } from '@/ui/Table'
 import { EmptyState } from '@/ui/EmptyState'
 import { day, lengthAsked, plural } from '@/ui/format'
-import { ErrorBanner } from '@/ui/ErrorBanner'
 import { StatusBadge } from '@/ui/StatusBadge'
 import { PageSkeleton } from '@/ui/Skeleton'
+import { Refusal } from '@/ui/Refusal'
 
 import { type Invitation, invitationQuery, type PreviewCue } from './api'
 import classes from './Invitation.module.css'
@@ -26,14 +25,10 @@ export function InvitationPage() {
   const { secret } = useParams({ from: '/guest/invitation/$secret' })
   const { data: invitation, error } = useQuery(invitationQuery(secret))
   if (error) {
-    const refusal = error instanceof ApiProblem ? error : null
     return (
       <div className="page page-narrow">
         <h1>Invitation</h1>
-        <ErrorBanner
-          detail={refusal?.detail ?? 'The invitation could not be loaded.'}
-          fix={refusal?.fix || 'Ask the person who invited you for a new link.'}
-        />
+        <Refusal error={error} fix="Ask the person who invited you for a new link." />
       </div>
     )
   }

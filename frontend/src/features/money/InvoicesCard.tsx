@@ -3,7 +3,6 @@ import { useDebouncedValue } from '@mantine/hooks'
 import { useQuery } from '@tanstack/react-query'
 import { type FormEvent, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import {
   type ContractMoney,
@@ -113,7 +112,6 @@ function LateInterest({ invoice, side }: { invoice: Invoice; side: 'team' | 'des
       <span className="grow small mid">
         late interest by today, {amount(bears, currency)}
         {charged > 0 && `; ${amount(charged, currency)} charged`}
-        {charge.error instanceof ApiProblem && <span role="alert">. {charge.error.detail}</span>}
       </span>
       {side === 'designer' && left > 0 && (
         <Button
@@ -125,6 +123,7 @@ function LateInterest({ invoice, side }: { invoice: Invoice; side: 'team' | 'des
           Charge {amount(left, currency)}
         </Button>
       )}
+      <Refusal error={charge.error} />
     </Row>
   )
 }

@@ -1,12 +1,11 @@
 import { useId } from 'react'
 
-import { ApiProblem } from '@/api'
 import { type ExtraRound, useSettleRound } from '@/money/api'
 import { money } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
-import { FieldError } from '@/ui/FieldError'
 import { Row, Rows } from '@/ui/Rows'
+import { Refusal } from '@/ui/Refusal'
 
 interface RoundsCardProps {
   rounds: readonly ExtraRound[]
@@ -43,7 +42,7 @@ function Round({ round, side, isProducer }: { round: ExtraRound; side: 'team' | 
           {' '}
           round {round.number} of {round.included}, {price}
         </span>
-        {settle.error instanceof ApiProblem && <FieldError>{settle.error.detail}</FieldError>}
+        <Refusal error={settle.error} />
       </span>
       {side === 'team' && isProducer && (
         <Button onClick={() => settle.mutate('agree')} aria-label={`Agree to ${price} for ${round.cue.name}`}>

@@ -12,10 +12,10 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
+import { sentence } from '@/ui/sentence'
 
 import { keyUrl, type Pack, packsQuery, packUrl } from './api'
 import classes from './Project.module.css'
-import { sentence } from './words'
 
 /** The accepted sounds as the game takes them, for each target. */
 export function PackCard({ projectId }: { projectId: string }) {

@@ -1,8 +1,8 @@
 import { figure, plural } from '@/ui/format'
 import type { StateKind } from '@/ui/StatusBadge'
+import { sentence } from '@/ui/sentence'
 
 import type { Build, BuildBrief, BuildReport, ReportFile } from './api'
-import { sentence } from './words'
 
 export type Outcome = 'passed' | 'warned' | 'refused'
 

@@ -1,18 +1,12 @@
 import { ApiProblem } from '@/api'
 import { plural } from '@/ui/format'
+import { sentence } from '@/ui/sentence'
 
 import type { Project } from './api'
 import type { EngagementKind } from './people/api'
 
 /** Figures with the minus that they are read with. */
 export const trueMinus = (text: string): string => text.replace(/(^|[\s(])-(?=\d|∞|inf)/g, '$1−')
-
-/** A sentence of the server as the screens write it: a capital first, a true minus before figures, an end. */
-export function sentence(text: string): string {
-  const written = trueMinus(text)
-  const begun = written.charAt(0).toUpperCase() + written.slice(1)
-  return /[.?!]$/.test(begun) ? begun : `${begun}.`
-}
 
 /** What was refused, and what to do about it, in sentences. */
 export function refusal(error: unknown): { detail: string; fix?: string } {

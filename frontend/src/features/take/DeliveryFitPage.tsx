@@ -1,16 +1,14 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { ApiProblem } from '@/api'
 import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
-import { ended } from '@/judging/findings'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
-import { ErrorBanner } from '@/ui/ErrorBanner'
 import { PageHead } from '@/ui/PageHead'
 import { Table } from '@/ui/Table'
+import { Refusal } from '@/ui/Refusal'
 
 import { deliveryFitQuery } from './api'
 import { type DeliveryFit, moved, WHAT } from './fit'
@@ -22,21 +20,17 @@ export function DeliveryFitPage() {
   const { data: fit, error } = useQuery(deliveryFitQuery(deliveryId))
   useTitle(fit ? `Delivery ${fit.number} compared with earlier work` : 'Delivery')
   if (fit === undefined) {
-    const problem = error instanceof ApiProblem ? error : null
     return (
       <div className="page stack">
-        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Delivery not found' : 'Delivery'}</h1>
-        {problem && (
-          <ErrorBanner
-            detail={ended(problem.detail)}
-            fix={ended(problem.fix)}
-            action={
-              <ShellLink path="/" className="link">
-                Go to the start page
-              </ShellLink>
-            }
-          />
-        )}
+        <h1 className={error ? undefined : 'visually-hidden'}>{error ? 'Delivery not found' : 'Delivery'}</h1>
+        <Refusal
+          error={error}
+          action={
+            <ShellLink path="/" className="link">
+              Go to the start page
+            </ShellLink>
+          }
+        />
       </div>
     )
   }

@@ -10,7 +10,7 @@ import { ShellLink } from '@/app/shell/ShellLink'
 import { useTitle } from '@/app/title'
 import { type FindingMark, spotOf as playFrom } from '@/audio'
 import { useTakePlayer } from '@/heard/useTakePlayer'
-import { ended, wordsOf, worstFirst } from '@/judging/findings'
+import { wordsOf, worstFirst } from '@/judging/findings'
 import { FixPanel, useFixing, useSounds } from '@/fixing'
 import { loadSplitPanel, type Split, useSplit } from '@/splitting'
 import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
@@ -18,7 +18,6 @@ import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day, figure, range } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ErrorBanner } from '@/ui/ErrorBanner'
 import { StatusBadge } from '@/ui/StatusBadge'
 import { useLazy } from '@/ui/useLazy'
 
@@ -43,22 +42,18 @@ export function TakePage() {
   const { data: take, error } = useQuery(takeQuery(takeId))
   useTitle(take ? nameOf(take) : 'Version')
   if (take === undefined) {
-    const problem = error instanceof ApiProblem ? error : null
-    if (problem?.code === 'nda-needed') return <Closed />
+    if (error instanceof ApiProblem && error.code === 'nda-needed') return <Closed />
     return (
       <div className="page stack">
-        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Version not found' : 'Version'}</h1>
-        {problem && (
-          <ErrorBanner
-            detail={ended(problem.detail)}
-            fix={ended(problem.fix)}
-            action={
-              <ShellLink path="/" className="link">
-                Go to the start page
-              </ShellLink>
-            }
-          />
-        )}
+        <h1 className={error ? undefined : 'visually-hidden'}>{error ? 'Version not found' : 'Version'}</h1>
+        <Refusal
+          error={error}
+          action={
+            <ShellLink path="/" className="link">
+              Go to the start page
+            </ShellLink>
+          }
+        />
       </div>
     )
   }
@@ -86,10 +81,9 @@ function WithSounds({ take }: { take: Take }) {
     // The check was asked later, and has seen it move on.
     if (isElsewhere) void client.invalidateQueries({ queryKey: takeQuery(take.id).queryKey, exact: true })
   }, [client, isElsewhere, take.id])
-  const problem = [noSounds, noCheck].find((error) => error instanceof ApiProblem)
   return (
     <TakeSheet take={take} sounds={sounds} check={check}>
-      <Refusal error={problem} />
+      <Refusal error={noSounds ?? noCheck} />
     </TakeSheet>
   )
 }

@@ -13,10 +13,10 @@ import { Field, Form, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { shortDay } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
+import { sentence } from '@/ui/sentence'
 
 import { type Project } from '../api'
 import { approverHistoryQuery, invitedApproversQuery, type Member, useInviteApprover, useNameApprover } from './api'
-import { sentence } from '../words'
 import { candidatesOf } from './candidates'
 import classes from './People.module.css'
 

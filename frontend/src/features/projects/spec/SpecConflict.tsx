@@ -1,8 +1,8 @@
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { sentence } from '@/ui/sentence'
 
 import type { Spec } from '../api'
-import { sentence } from '../words'
 import { LineDiff } from './LineDiff'
 import classes from './SpecEditor.module.css'
 

@@ -3,8 +3,8 @@ import { createContext, useContext, useId, useState } from 'react'
 
 import { FieldError } from '@/ui/FieldError'
 import { Segmented } from '@/ui/Segmented'
+import { sentence } from '@/ui/sentence'
 
-import { sentence } from '../words'
 import { type Severity, severityOf } from './checks'
 import classes from './SpecForm.module.css'
 import { at, type Tables, tableIn, typedNumber } from './tables'

@@ -264,6 +264,6 @@ test('a cue that is not there says so and leads back', async () => {
   server.answers['GET /v1/cues/nowhere'] = refusal(404, 'cue-not-found', 'no cue nowhere')
   openApp(`${server.path}/cues/nowhere`)
   expect(await screen.findByRole('heading', { level: 1, name: 'Cue not found' })).toBeInTheDocument()
-  expect(screen.getByRole('alert')).toHaveTextContent('no cue nowhere')
+  expect(screen.getByRole('alert')).toHaveTextContent('No cue nowhere.')
   expect(screen.getByRole('link', { name: 'Go to the sound list' })).toHaveAttribute('href', server.path)
 })

@@ -17,6 +17,7 @@ import { PHASE_WORDS } from '@/phases'
 import { StatusBadge } from '@/ui/StatusBadge'
 import { VisionLine } from '@/vision'
 import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
+import { Refusal } from '@/ui/Refusal'
 
 import {
   cueChangesQuery,
@@ -48,23 +49,19 @@ const NONE: string[] = []
 export function CuePage(): ReactNode {
   const { projectId = '', cueId = '' } = useParams({ strict: false })
   const { data: cue, error } = useQuery(cueQuery(cueId))
-  const problem = problemIn(error)
   useTitle(cue?.name ?? 'Cue')
   if (cue === undefined) {
     return (
       <div className="page stack">
-        <h1 className={problem ? undefined : 'visually-hidden'}>{problem ? 'Cue not found' : 'Cue'}</h1>
-        {problem && (
-          <ErrorBanner
-            detail={problem.detail}
-            fix={problem.fix}
-            action={
-              <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
-                Go to the sound list
-              </Link>
-            }
-          />
-        )}
+        <h1 className={error ? undefined : 'visually-hidden'}>{error ? 'Cue not found' : 'Cue'}</h1>
+        <Refusal
+          error={error}
+          action={
+            <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
+              Go to the sound list
+            </Link>
+          }
+        />
       </div>
     )
   }

@@ -6,7 +6,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 
-import { type Cue, problemIn } from '../api'
+import { type Cue } from '../api'
 import { type FactQuestion, useAnswerFact, useDismissFact } from '../clarity'
 import classes from '../cue/Panel.module.css'
 
@@ -53,7 +53,6 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
     })),
     { keys: 'd', label: 'Dismiss the question', group: GROUP, run: () => first && drop(first), disabled: !first },
   ])
-  const problem = problemIn(answer.error) ?? problemIn(dismiss.error)
   return (
     <section className={`grid gap-3 ${classes.panel}`} aria-label={`What is unclear about ${cue.name}`}>
       {first === undefined && <p>Every question is answered.</p>}
@@ -67,7 +66,7 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
           onDrop={drop}
         />
       ))}
-      <Refusal error={problem} />
+      <Refusal error={answer.error ?? dismiss.error} />
       <div className="row wrap">
         <span className="small dim">
           Each answer is added to the description, or becomes the category. Unclear cues can be delivered all the same.

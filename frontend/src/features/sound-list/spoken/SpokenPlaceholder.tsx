@@ -1,11 +1,11 @@
 import { useQuery } from '@tanstack/react-query'
 import { useRef, useState } from 'react'
 
-import { sentence } from '@/ui/sentence'
 import { useHotkeys } from '@/app/keys'
 import { Button } from '@/ui/Button'
 import { ago, length } from '@/ui/format'
 import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 
 import { problemIn } from '../api'
 import { saidQuery, useRemoveSaid, useSay } from './api'
@@ -42,7 +42,7 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
     },
   ])
   if (!placeholder && !mayEdit) return null
-  const problem = problemIn(say.error) ?? problemIn(remove.error)
+  const error = say.error ?? remove.error
   return (
     <section className="grid gap-2" aria-label={`Spoken placeholder of ${cueName}`}>
       <p className="small strong">Spoken placeholder</p>
@@ -88,15 +88,14 @@ export function SpokenPlaceholder({ cueId, cueName, projectId, mayEdit }: Spoken
         {recorder.isRecording ? 'Recording, 10 s at most.' : say.isPending ? 'Sending.' : ''}
       </p>
       {recorder.trouble && <ErrorBanner {...recorder.trouble} />}
-      {problem && (
-        <ErrorBanner
-          detail={sentence(problem.detail)}
-          fix={problem.fix && sentence(problem.fix)}
-          action={
-            unsent && problem.status !== 422 ? <Button onClick={() => send(unsent)}>Send it again</Button> : undefined
-          }
-        />
-      )}
+      <Refusal
+        error={error}
+        action={
+          unsent && problemIn(error)?.status !== 422 ? (
+            <Button onClick={() => send(unsent)}>Send it again</Button>
+          ) : undefined
+        }
+      />
     </section>
   )
 }
