@@ -14,7 +14,6 @@ NAMED: dict[str, dict[str, str]] = {
     },
     "click": {
         "glitch_bass_g.wav": "steps of one to three samples in a slow bass wave, some 25 dB over what is around them",
-        "vinyl_hiss.wav": "the crackle of a record, which is what the sound shows",
     },
     "cut-start": {
         "glitch_perc1.wav": "the first sample is at -7 dBFS, near the crest of a slow wave",
