@@ -10,9 +10,10 @@ from uuid import UUID
 import httpx
 import pytest
 
+from app.builds.same_sounds.models import MasterFingerprint
 from app.deliveries.models import Take
 from app.deliveries.rules import TakeState
-from tests.kill.effects import assert_done_once, is_idle, jobs_written, nothing_failed, verdicts
+from tests.kill.effects import assert_done_once, is_idle, jobs_written, nothing_failed, rows, verdicts
 from tests.kill.processes import ProcessServer, SomeOf, wait_until
 from tests.support.deliver import add_cues, deliver, open_delivery, upload
 from tests.support.server import World
@@ -48,6 +49,7 @@ def test_a_take_survives_a_kill_at_every_step(
     wait_until(lambda: is_idle(server))
     assert state_of(server, take_id) is TakeState.CONFORMING
     assert_done_once(server, take_id)
+    assert rows(server, MasterFingerprint, studio_id=world.studio_id) == 1, "compared with other projects"
 
 
 @pytest.mark.killed_on("postgres")
