@@ -19,7 +19,7 @@ from app.core import clock
 from app.core.db import new_id
 from app.deliveries.cue_counts.rules import TakeForSums
 from app.deliveries.cue_counts.service import views_of
-from app.deliveries.models import CueSums, Delivery, Take
+from app.deliveries.models import Delivery, Take, TakeCounts
 from app.deliveries.rules import TakeState
 from app.projects.models import ApproverChange, Engagement, Liaison, Project, Spec
 from app.projects.rules import EngagementKind
@@ -183,8 +183,8 @@ class ProjectMaker:
                 summed.append(self._make_take(cue_id, words, category, variation, place, state, loop=loop))
                 waits |= place == len(states) and state is TakeState.CONFORMING and not is_cut
         for viewer_id, sums in views_of(self._team.studio_id, summed):
-            add(CueSums, cue_id=cue_id, viewer_id=viewer_id, **self._tenant, variations=variations, placeholder=False,
-                state=CueState.CUT if is_cut else CueState.LOCKED, **asdict(sums))  # fmt: skip
+            add(TakeCounts, cue_id=cue_id, viewer_id=viewer_id, **self._tenant, variations=variations,
+                placeholder=False, state=CueState.CUT if is_cut else CueState.LOCKED, **asdict(sums))  # fmt: skip
         self._waiting_cues += waits
         if dice.random() < 0.3:
             add(Round, **self._tenant, cue_id=cue_id, feedback_id=dice.choice(self._sendings), number=1)

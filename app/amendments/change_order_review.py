@@ -8,7 +8,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.agreements.clauses.facts import format_long_date
-from app.agreements.clauses.figures import faults_of_prose, other_amounts
+from app.agreements.clauses.figures import other_amounts, prose_errors
 from app.agreements.clauses.terms import MoneyTerms
 from app.agreements.models import Contract, ContractCue, Milestone
 from app.agreements.plan import queries as plan_queries
@@ -123,7 +123,7 @@ class Reviewer:
         return []
 
     def _problems_of_work(self, change: schemas.AddWork) -> list[str]:
-        problems = list(faults_of_prose(change.text, agreed_terms(self.session, self.contract)))
+        problems = list(prose_errors(change.text, agreed_terms(self.session, self.contract)))
         if others := other_amounts(change.text, change.amount_minor, self.contract.currency):
             problems.append(
                 f"“{others[0]}” is typed, and the work costs {self.money(change.amount_minor)}; "

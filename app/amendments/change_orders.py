@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 from app.accounts.models import Person
 from app.accounts.rules import Actor
 from app.agreements.access import party_of, visible_contract
-from app.agreements.clauses.figures import faults_of_prose
+from app.agreements.clauses.figures import prose_errors
 from app.agreements.clauses.text import blocks_of
 from app.agreements.deemed_acceptance.clock_pauses import begin_pause, end_pause
 from app.agreements.drafts.documents import TextPdf, sha256_of
@@ -106,7 +106,7 @@ def propose(session: Session, actor: Actor, contract_id: UUID, order: schemas.Ch
     _ensure_in_force(contract, party)
     reviewer = Reviewer(session, contract)
     review = reviewer.review(order.changes)
-    of_reason = list(faults_of_prose(order.reason, plan_queries.agreed_terms(session, contract)))
+    of_reason = list(prose_errors(order.reason, plan_queries.agreed_terms(session, contract)))
     if review.problems or of_reason:
         raise BadChangeOrder(
             "; ".join([*review.problems, *of_reason][:5]),

@@ -154,7 +154,7 @@ def _slips(session: Session, project_id: UUID, milestones: list[MilestoneRead]) 
         if milestone.due_on is not None and (milestone.done_at or milestone.due_on < now.date())
     ]
     unsettled = [cue.cue.id for open_milestone in over for cue in open_milestone.cues if cue.cut_in is None]
-    turns = turns_of(session, project_id, unsettled) if unsettled else {}
+    turns = twiddle_factors(session, project_id, unsettled) if unsettled else {}
     slips: dict[UUID, schemas.MilestoneSlip] = {}
     for open_milestone in over:
         if open_milestone.due_on is None:
@@ -172,7 +172,7 @@ def _until(turns: list[Turn], accepted_at: datetime | None) -> list[Turn]:
     return [*turns, Turn(accepted_at, Holder.STUDIO)] if accepted_at else turns
 
 
-def turns_of(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, list[Turn]]:
+def twiddle_factors(session: Session, project_id: UUID, cue_ids: Collection[UUID]) -> dict[UUID, list[Turn]]:
     """Return the moments at which each cue passed to another person: sounds and questions pass it on, and answers."""
     turns: dict[UUID, list[Turn]] = defaultdict(list)
     for cue_id, at in queries.conforming_since(session, cue_ids):

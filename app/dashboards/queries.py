@@ -12,7 +12,7 @@ from app.accounts.rules import LEAD_ROLES, Actor
 from app.builds.models import Build
 from app.conformance.models import CheckRun
 from app.core.in_array import in_array
-from app.deliveries.models import CueSums, Delivery, Take
+from app.deliveries.models import Delivery, Take, TakeCounts
 from app.deliveries.queries import in_tray
 from app.deliveries.rules import TakeState
 from app.notifications.models import Mail
@@ -74,15 +74,15 @@ def takes_with_designers(session: Session, project: Project) -> Sequence[Row[Tak
         .correlate(Cue)
         .scalar_subquery()
     )
-    back = (CueSums.viewer_id == project.studio_id, CueSums.newest_back_since.is_not(None))
+    back = (TakeCounts.viewer_id == project.studio_id, TakeCounts.newest_back_since.is_not(None))
     return session.execute(
         select(Take, Cue, Person)
-        .select_from(CueSums)
-        .join(Take, Take.id == CueSums.newest_id)
-        .join(Cue, Cue.id == CueSums.cue_id)
+        .select_from(TakeCounts)
+        .join(Take, Take.id == TakeCounts.newest_id)
+        .join(Cue, Cue.id == TakeCounts.cue_id)
         .join(Person, Person.id == Take.designer_id)
-        .where(CueSums.project_id == project.id, *back, Cue.state != CueState.CUT, approved < Cue.variations)
-        .order_by(CueSums.newest_back_since, CueSums.newest_id)
+        .where(TakeCounts.project_id == project.id, *back, Cue.state != CueState.CUT, approved < Cue.variations)
+        .order_by(TakeCounts.newest_back_since, TakeCounts.newest_id)
         .limit(WITH_OTHERS)
     ).all()
 
@@ -242,8 +242,12 @@ def conforming_takes_since(session: Session, project_id: UUID, designer_id: UUID
 
 def back_since(session: Session, project_id: UUID, viewer_id: UUID) -> datetime | None:
     """Return the start of the longest wait of a take that went back to its designer, in a viewer's sight."""
-    of_viewer = (CueSums.project_id == project_id, CueSums.viewer_id == viewer_id, CueSums.state != CueState.CUT)
-    return session.scalar(select(func.min(CueSums.back_since)).where(*of_viewer, CueSums.back_since.is_not(None)))
+    of_viewer = (
+        TakeCounts.project_id == project_id,
+        TakeCounts.viewer_id == viewer_id,
+        TakeCounts.state != CueState.CUT,
+    )
+    return session.scalar(select(func.min(TakeCounts.back_since)).where(*of_viewer, TakeCounts.back_since.is_not(None)))
 
 
 def tray_since(session: Session, project_id: UUID, designer_id: UUID) -> tuple[int, datetime | None]:

@@ -132,34 +132,34 @@ class TrayAction(Base):
     takes: Mapped[list[dict[str, Any]]]  # id, edition after the action, and the place before it
 
 
-class CueSums(Base):
+class TakeCounts(Base):
     """Counts of a cue's takes: of all for the team, and of each designer's for that designer.
 
     The cue's facts are copied here, so that cues are counted by this table alone: when they change in the list,
     the database updates them here too (ON UPDATE CASCADE).
     """
 
-    __tablename__ = "deliveries_cue_sums"
+    __tablename__ = "deliveries_take_counts"
     __table_args__ = (
         ForeignKeyConstraint(
             ["cue_id", "state", "variations", "placeholder"],
             [f"sound_lists_cues.{name}" for name in ("id", "state", "variations", "placeholder")],
-            name="fk_deliveries_cue_sums_cue",
+            name="fk_deliveries_take_counts_cue",
             onupdate="CASCADE",
         ),
         Index(
-            "ix_deliveries_cue_sums_alike",
+            "ix_deliveries_take_counts_alike",
             *("project_id", "viewer_id", "state", "variations", "placeholder", "facts"),
             "studio_id",  # which the row policies of PostgreSQL ask for
         ),
         Index(
-            "ix_deliveries_cue_sums_newest_back",
+            "ix_deliveries_take_counts_newest_back",
             *("project_id", "viewer_id", "newest_back_since"),
             sqlite_where=text("newest_back_since is not null"),
             postgresql_where=text("newest_back_since is not null"),
         ),
         Index(
-            "ix_deliveries_cue_sums_back",
+            "ix_deliveries_take_counts_back",
             *("project_id", "viewer_id", "back_since", "cue_id"),
             sqlite_where=text("back_since is not null"),
             postgresql_where=text("back_since is not null"),

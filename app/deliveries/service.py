@@ -12,7 +12,7 @@ from app.core import clock
 from app.core.events import publish
 from app.core.uploads import FinishedUpload
 from app.deliveries import queries
-from app.deliveries.cue_counts.service import update_cue_sums
+from app.deliveries.cue_counts.service import update_take_counts
 from app.deliveries.errors import (
     DeliveryClosed,
     DeliveryNotFound,
@@ -221,7 +221,7 @@ def add_take(
     )
     session.add(take)
     session.flush()
-    update_cue_sums(session, take.cue_id)
+    update_take_counts(session, take.cue_id)
     note_delivered(session, take, by=sender_id or take.designer_id)
     publish(session, "take.received", studio_id=take.studio_id, take_id=take.id)
     return take, False

@@ -11,7 +11,7 @@ from app.core.events import publish, send
 from app.core.jobs.queue import NORMAL
 from app.core.recorded_rows import RowChanges
 from app.deliveries import queries
-from app.deliveries.cue_counts.service import update_cue_sums
+from app.deliveries.cue_counts.service import update_take_counts
 from app.deliveries.models import Take
 from app.deliveries.rules import ReviewClock, TakeState, ensure_may_become
 from app.deliveries.signals import WorkDone
@@ -24,7 +24,7 @@ def place_take(session: Session, take: Take, slot: Slot, *, by: UUID) -> None:
     number = queries.next_number(session, slot.cue.id, slot.variation)
     note_moved_away(session, take, by=by)
     take.conforming_since = take.returned_since = None
-    update_cue_sums(session, slot.cue.id)
+    update_take_counts(session, slot.cue.id)
     take.cue_id, take.variation, take.number = slot.cue.id, slot.variation, number
     take.alternate = slot.alternate
     session.flush()
@@ -37,7 +37,7 @@ def note_moved_away(session: Session, take: Take, *, by: UUID) -> None:
     """Record that a take leaves its cue, if it has one, and have the cue's sums worked out without it."""
     rows = RowChanges().remove(take)
     note_take(session, take, "moved_away", {"file": take.file_name}, by=by, on_behalf_of=take.designer_id, rows=rows)
-    update_cue_sums(session, take.cue_id)
+    update_take_counts(session, take.cue_id)
 
 
 def note_delivered(session: Session, take: Take, *, by: UUID) -> None:
@@ -100,4 +100,4 @@ def restore_state(
     """Restore a take to an earlier state, with the reasons that its verdict had then."""
     take.state, take.state_since, take.verdict_reasons = state, since, list(reasons)
     session.flush()
-    update_cue_sums(session, take.cue_id)
+    update_take_counts(session, take.cue_id)

@@ -50,7 +50,7 @@ class FingerprintedFile:
         Why it could not be read; empty where it could.
     cue, take : str or None
         Of an approved sound, where its manifest says so.
-    plays : tuple of ApprovedPlay or None
+    plays : tuple of ApprovedPlayback or None
         How the game played it when it was approved, where its manifest says so.
     """
 

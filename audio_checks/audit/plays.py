@@ -123,7 +123,7 @@ def held_to(sounds: Sequence[PlayedSound], approved: Sequence[ApprovedPlayback] 
     ----------
     sounds : sequence of PlayedSound
         Of one file.
-    approved : sequence of ApprovedPlay or None
+    approved : sequence of ApprovedPlayback or None
         None where no levels were kept: the sound was then approved as its file is, at 0 dB. A way that was not there is
         held to the nearest approved one.
     """

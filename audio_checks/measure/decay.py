@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.kernel import decay_rows
-from audio_checks.measure.window_powers import is_transformed, turns_of
+from audio_checks.measure.window_powers import is_transformed, twiddle_factors
 
 HOP_S = 0.005
 LONGEST_S = 8.0  # of the sound, from its first frame that is no silence
@@ -73,7 +73,7 @@ class Decay:
         size = 2 * self._hop
         self._window = np.hanning(size + 1)[:-1]
         self._window /= np.sqrt(float(np.square(self._window).sum()) * size / 2)
-        self._turns = turns_of(size)
+        self._turns = twiddle_factors(size)
         bins_hz = np.arange(size // 2 + 1) * sample_rate_hz / size
         lowest, highest = OCTAVES_HZ[0] / np.sqrt(2), OCTAVES_HZ[-1] * np.sqrt(2)
         octaves = np.searchsorted(bins_hz, [*(hz / np.sqrt(2) for hz in OCTAVES_HZ), highest])

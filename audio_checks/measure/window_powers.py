@@ -40,7 +40,7 @@ def is_transformed(length: int) -> bool:
     return length == 1
 
 
-def turns_of(length: int) -> NDArray[np.float64]:
+def twiddle_factors(length: int) -> NDArray[np.float64]:
     """Return the turns of a transform, shape (length, 2)."""
     turns: NDArray[np.float64] = np.exp(-2j * np.pi * np.arange(length) / length).view(np.float64)
     return turns.reshape(length, 2)
@@ -58,7 +58,7 @@ class WindowPowers:
     def __init__(self, window: NDArray[np.float64]) -> None:
         self.length = length = len(window)
         self._window = np.ascontiguousarray(window)
-        self._turns = turns_of(length) if is_transformed(length) else None
+        self._turns = twiddle_factors(length) if is_transformed(length) else None
 
     def of(
         self, signal: NDArray[np.float64], *, first: int, hop: int, count: int, bins: int | None = None

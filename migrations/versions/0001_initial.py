@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_6af0ed7f"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_8ae9b7aa"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -3051,29 +3051,6 @@ def upgrade() -> None:
     op.create_index(op.f("ix_contracts_worked_days_studio_id"), "contracts_worked_days", ["studio_id"])
     op.create_index("uq_contracts_worked_days_quarters", "contracts_worked_days", ["contract_id", "worked_on"], unique=True, sqlite_where=sa.text("quarters is not null"), postgresql_where=sa.text("quarters is not null"))
     op.create_table(
-        "deliveries_cue_sums",
-        sa.Column("cue_id", sa.Uuid(), nullable=False),
-        sa.Column("viewer_id", sa.Uuid(), nullable=False),
-        sa.Column("studio_id", sa.Uuid(), nullable=False),
-        sa.Column("project_id", sa.Uuid(), nullable=False),
-        sa.Column("state", sa.Enum("concept", "prototype", "locked", "cut", name="cuestate", native_enum=False, length=32), nullable=False),
-        sa.Column("variations", sa.Integer(), nullable=False),
-        sa.Column("placeholder", sa.Boolean(), nullable=False),
-        sa.Column("facts", sa.String(), nullable=False),
-        sa.Column("newest_id", sa.Uuid(), nullable=False),
-        sa.Column("newest_back_since", sa.DateTime(timezone=True)),
-        sa.Column("back_since", sa.DateTime(timezone=True)),
-        sa.ForeignKeyConstraint(["cue_id", "state", "variations", "placeholder"], ["sound_lists_cues.id", "sound_lists_cues.state", "sound_lists_cues.variations", "sound_lists_cues.placeholder"], name="fk_deliveries_cue_sums_cue", onupdate="CASCADE"),
-        sa.ForeignKeyConstraint(["newest_id"], ["deliveries_takes.id"], name=op.f("fk_deliveries_cue_sums_newest_id")),
-        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_cue_sums_project_id")),
-        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_cue_sums_studio_id")),
-        sa.PrimaryKeyConstraint("cue_id", "viewer_id", name=op.f("pk_deliveries_cue_sums")),
-        sqlite_with_rowid=False,
-    )
-    op.create_index("ix_deliveries_cue_sums_alike", "deliveries_cue_sums", ["project_id", "viewer_id", "state", "variations", "placeholder", "facts", "studio_id"])
-    op.create_index("ix_deliveries_cue_sums_back", "deliveries_cue_sums", ["project_id", "viewer_id", "back_since", "cue_id"], sqlite_where=sa.text("back_since is not null"), postgresql_where=sa.text("back_since is not null"))
-    op.create_index("ix_deliveries_cue_sums_newest_back", "deliveries_cue_sums", ["project_id", "viewer_id", "newest_back_since"], sqlite_where=sa.text("newest_back_since is not null"), postgresql_where=sa.text("newest_back_since is not null"))
-    op.create_table(
         "deliveries_source_banks",
         sa.Column("take_id", sa.Uuid(), nullable=False),
         sa.Column("plug_ins", JSON, nullable=False),
@@ -3134,6 +3111,29 @@ def upgrade() -> None:
     op.create_index(op.f("ix_deliveries_source_statements_project_id"), "deliveries_source_statements", ["project_id"])
     op.create_index("ix_deliveries_source_statements_remembered", "deliveries_source_statements", ["studio_id", "designer_id", "stated_at"])
     op.create_index("uq_deliveries_source_statements_delivery", "deliveries_source_statements", ["delivery_id"], unique=True, sqlite_where=sa.text("take_id is null"), postgresql_where=sa.text("take_id is null"))
+    op.create_table(
+        "deliveries_take_counts",
+        sa.Column("cue_id", sa.Uuid(), nullable=False),
+        sa.Column("viewer_id", sa.Uuid(), nullable=False),
+        sa.Column("studio_id", sa.Uuid(), nullable=False),
+        sa.Column("project_id", sa.Uuid(), nullable=False),
+        sa.Column("state", sa.Enum("concept", "prototype", "locked", "cut", name="cuestate", native_enum=False, length=32), nullable=False),
+        sa.Column("variations", sa.Integer(), nullable=False),
+        sa.Column("placeholder", sa.Boolean(), nullable=False),
+        sa.Column("facts", sa.String(), nullable=False),
+        sa.Column("newest_id", sa.Uuid(), nullable=False),
+        sa.Column("newest_back_since", sa.DateTime(timezone=True)),
+        sa.Column("back_since", sa.DateTime(timezone=True)),
+        sa.ForeignKeyConstraint(["cue_id", "state", "variations", "placeholder"], ["sound_lists_cues.id", "sound_lists_cues.state", "sound_lists_cues.variations", "sound_lists_cues.placeholder"], name="fk_deliveries_take_counts_cue", onupdate="CASCADE"),
+        sa.ForeignKeyConstraint(["newest_id"], ["deliveries_takes.id"], name=op.f("fk_deliveries_take_counts_newest_id")),
+        sa.ForeignKeyConstraint(["project_id"], ["projects_projects.id"], name=op.f("fk_deliveries_take_counts_project_id")),
+        sa.ForeignKeyConstraint(["studio_id"], ["accounts_studios.id"], name=op.f("fk_deliveries_take_counts_studio_id")),
+        sa.PrimaryKeyConstraint("cue_id", "viewer_id", name=op.f("pk_deliveries_take_counts")),
+        sqlite_with_rowid=False,
+    )
+    op.create_index("ix_deliveries_take_counts_alike", "deliveries_take_counts", ["project_id", "viewer_id", "state", "variations", "placeholder", "facts", "studio_id"])
+    op.create_index("ix_deliveries_take_counts_back", "deliveries_take_counts", ["project_id", "viewer_id", "back_since", "cue_id"], sqlite_where=sa.text("back_since is not null"), postgresql_where=sa.text("back_since is not null"))
+    op.create_index("ix_deliveries_take_counts_newest_back", "deliveries_take_counts", ["project_id", "viewer_id", "newest_back_since"], sqlite_where=sa.text("newest_back_since is not null"), postgresql_where=sa.text("newest_back_since is not null"))
     op.create_table(
         "references_openings",
         sa.Column("id", sa.Uuid(), nullable=False),

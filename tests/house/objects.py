@@ -28,7 +28,7 @@ from app.core import clock
 from app.core.db import new_id
 from app.core.jobs.queue import queue_of
 from app.core.uploads import Upload, Uploads
-from app.deliveries.cue_counts.service import update_cue_sums
+from app.deliveries.cue_counts.service import update_take_counts
 from app.deliveries.models import Adoption, Delivery, DryStem, Handoff, SourceFile, Take, TrayAction
 from app.deliveries.rules import SourceFileKind, TakeState, TrayActionKind
 from app.notifications.models import Mail
@@ -148,7 +148,7 @@ class House(World):
             written_by=self.designer_id,
         )
         session.add_all([source_file, handoff])
-        update_cue_sums(session, cue.id)
+        update_take_counts(session, cue.id)
         spec = current_spec(session, self.project_id)
         picture = Picture(
             studio_id=self.studio_id,

@@ -60,7 +60,7 @@ def normalised_account(text: str) -> str:
     return packed if IBAN.fullmatch(packed := normalised_code(text)) else text.strip()
 
 
-def faults_of_details(details: PartyDetails) -> Iterator[tuple[str, str]]:
+def detail_errors(details: PartyDetails) -> Iterator[tuple[str, str]]:
     """Yield the faults of details that were filled in: the field, and the fault in words."""
     if details.country_code and details.country_code not in COUNTRY_CODES:
         yield (

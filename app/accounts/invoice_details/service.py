@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 
 from app.accounts import queries
 from app.accounts.errors import BadInvoiceDetails
-from app.accounts.invoice_details.rules import PartyDetails, faults_of_details, normalised_account, normalised_code
+from app.accounts.invoice_details.rules import PartyDetails, detail_errors, normalised_account, normalised_code
 from app.accounts.models import InvoiceDetails
 from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
@@ -84,7 +84,7 @@ def _save(
         vat_id=normalised_code(details.vat_id),
         account_number=normalised_account(details.account_number),
     )
-    if faults := list(faults_of_details(new_details)):
+    if faults := list(detail_errors(new_details)):
         raise BadInvoiceDetails(
             faults[0][1], errors=[{"where": field, "message": message} for field, message in faults]
         )

@@ -9,8 +9,8 @@ from app.agreements.clauses.rules import (
     VARIABLE,
     Terms,
     TermValue,
-    faults_of_term,
     known_terms,
+    term_errors,
     variables_in,
     written_term,
 )
@@ -365,6 +365,6 @@ def _value_in(name: str, words: str, currency: str) -> TermValue | None:
         is_written = written_term(name, value, currency) == (
             words if not isinstance(value, str) or (term and term.choices) else _MARKUP.sub(r"\\\1", words)
         )
-        if is_written and not any(faults_of_term(name, value)):
+        if is_written and not any(term_errors(name, value)):
             return value
     return None

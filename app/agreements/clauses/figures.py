@@ -110,15 +110,15 @@ _FIELD_OR_WORD = re.compile(r"(?<!\\)\{[^{}\n]*\}|\w+|[^\w\s]")
 Fault = tuple[str, str]  # where, as `clauses.KEY` or `terms.NAME`, and what is wrong in words
 
 
-def faults_of_text(
+def text_errors(
     clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind, *, is_template: bool = False
 ) -> Iterator[Fault]:
     """Yield the faults of a text of a kind, its figures included; a template may lack parts that a contract needs."""
     yield from validation_errors(clauses, terms)
-    yield from faults_of_figures(clauses, terms, kind, is_template=is_template)
+    yield from figure_errors(clauses, terms, kind, is_template=is_template)
 
 
-def faults_of_figures(
+def figure_errors(
     clauses: Sequence[Clause], terms: Mapping[str, Any], kind: ContractKind, *, is_template: bool = False
 ) -> Iterator[Fault]:
     """Yield the figures that a text lacks, and the numbers that it types where a figure belongs."""
@@ -139,7 +139,7 @@ def faults_of_figures(
         yield from ((f"clauses.{clause.key}", words) for words in _other_choices(clause, terms))
 
 
-def faults_of_plan(
+def plan_errors(
     clauses: Sequence[Clause],
     kind: ContractKind,
     *,
@@ -197,7 +197,7 @@ def _telling_sentences(text: str) -> list[tuple[int, int]]:
     return [(begins, ends) for begins, ends in _sentences(text) if _TELLING.search(text, begins, ends)]
 
 
-def faults_of_prose(text: str, terms: Mapping[str, Any]) -> Iterator[str]:
+def prose_errors(text: str, terms: Mapping[str, Any]) -> Iterator[str]:
     """Yield the terms that the words of a change order type as numbers, which change nothing by themselves."""
     for name, words in typed_figures(text, terms):
         if name not in FACTS:

@@ -197,7 +197,7 @@ def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> It
         if clause.key in seen:
             yield where, f"the key {clause.key} stands twice"
         seen.add(clause.key)
-        yield from ((where, fault) for fault in faults_of_clause(clause, terms))
+        yield from ((where, fault) for fault in clause_errors(clause, terms))
     access = {clause.key for clause in clauses if clause.stands}
     for each in library():
         if each.instead_of and {each.clause.key, each.instead_of} <= access:
@@ -208,7 +208,7 @@ def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> It
     named, written = names_in(clauses), names_in([clause for clause in clauses if clause.stands])
     for name, value in terms.items():
         where = f"terms.{name}"
-        yield from ((where, fault) for fault in faults_of_term(name, value))
+        yield from ((where, fault) for fault in term_errors(name, value))
         term = known_terms().get(name)
         if value == "" and name in written:
             yield where, f"{{{name}}} is empty; fill it in, or remove its clause"
@@ -228,7 +228,7 @@ def validation_errors(clauses: Sequence[Clause], terms: Mapping[str, Any]) -> It
                 yield f"terms.{name}", "none; a price by the day wants a rate, and the most days that are paid"
 
 
-def faults_of_clause(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
+def clause_errors(clause: Clause, terms: Mapping[str, Any]) -> Iterator[str]:
     """Yield the faults of one clause, in words."""
     if not KEY.fullmatch(clause.key):
         yield f'"{clause.key}" is not a key; wanted a small letter, then small letters, digits and _'
@@ -250,7 +250,7 @@ def _nearest(name: str, known_names: Collection[str]) -> str:
     return f"; is it {{{near[0]}}}?" if near else "; write \\{ for a brace that is meant as one"
 
 
-def faults_of_term(name: str, value: Any) -> Iterator[str]:
+def term_errors(name: str, value: Any) -> Iterator[str]:
     """Yield the faults of a term's value, in words."""
     if not KEY.fullmatch(name) or name in FACTS:
         yield f'"{name}" is not a name for a term; wanted small letters, digits and _, and none of the server\'s own'

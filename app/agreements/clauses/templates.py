@@ -9,7 +9,7 @@ from app.accounts.rules import Actor
 from app.accounts.service import ensure_producer_of
 from app.agreements import queries
 from app.agreements.access import contract_to_change
-from app.agreements.clauses.figures import faults_of_text
+from app.agreements.clauses.figures import text_errors
 from app.agreements.clauses.rules import Clause, Terms, default_clauses
 from app.agreements.clauses.template_files import TemplateFields, write_toml
 from app.agreements.errors import BadTemplate, ContractVersionNotFound, TemplateNameTaken, TemplateNotFound
@@ -143,6 +143,5 @@ def library_toml(kind: ContractKind) -> str:
 
 def _problems(clauses: Sequence[Clause], terms: Terms, kind: ContractKind) -> list[FieldProblem]:
     return [
-        {"where": where, "message": message}
-        for where, message in faults_of_text(clauses, terms, kind, is_template=True)
+        {"where": where, "message": message} for where, message in text_errors(clauses, terms, kind, is_template=True)
     ]

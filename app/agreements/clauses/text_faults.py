@@ -5,7 +5,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from app.agreements.clauses.figures import faults_of_plan, faults_of_text
+from app.agreements.clauses.figures import plan_errors, text_errors
 from app.agreements.clauses.rules import Clause
 from app.agreements.errors import BadDraft
 from app.agreements.models import Contract, ContractVersion
@@ -19,8 +19,8 @@ def text_faults(
     """Return the faults of a text: of its clauses, of its figures, and its omissions on the plan."""
     milestones = milestones_of(session, contract.id)
     faults = [
-        *faults_of_text(clauses, terms, contract.kind),
-        *faults_of_plan(
+        *text_errors(clauses, terms, contract.kind),
+        *plan_errors(
             clauses,
             contract.kind,
             has_amounts=any(milestone.amount_minor for milestone in milestones),

@@ -7,8 +7,8 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
-from app.agreements.clauses.figures import faults_of_figures, with_fields
-from app.agreements.clauses.rules import MAX_CLAUSES, Clause, Terms, faults_of_clause, faults_of_term, names_in
+from app.agreements.clauses.figures import figure_errors, with_fields
+from app.agreements.clauses.rules import MAX_CLAUSES, Clause, Terms, clause_errors, names_in, term_errors
 from app.agreements.rules import ContractKind
 from app.core.plural import counted
 
@@ -191,7 +191,7 @@ def _key_of(title: str, number: int) -> str:
     return "_".join(part for part in ("own", stem, str(number)) if part)
 
 
-def faults_of_changes(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms) -> Iterator[tuple[str, str]]:
+def change_errors(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms) -> Iterator[tuple[str, str]]:
     """Yield the faults of proposed changes of a text: the place, as `changes.INDEX`, and the fault in words."""
     standing = {clause.key: clause for clause in clauses if clause.stands}
     seen: set[str] = set()
@@ -211,7 +211,7 @@ def faults_of_changes(changes: Sequence[Change], clauses: Sequence[Clause], term
             seen.add(named)
         if change.kind is RedlineKind.STRIKE:
             continue
-        yield from ((where, fault) for fault in faults_of_wording(change.wording, terms))
+        yield from ((where, fault) for fault in wording_errors(change.wording, terms))
         if change.kind is RedlineKind.REPLACE and named and _is_as_before(change.wording, standing[named], terms):
             yield where, f"nothing of {standing[named].title} is changed"
     inserted = [change for change in changes if change.kind is RedlineKind.INSERT]
@@ -222,16 +222,16 @@ def faults_of_changes(changes: Sequence[Change], clauses: Sequence[Clause], term
         yield "changes", f"{len(clauses) + len(inserted)} clauses; at most {MAX_CLAUSES} are kept"
 
 
-def faults_of_wording(wording: Wording, terms: Terms) -> Iterator[str]:
+def wording_errors(wording: Wording, terms: Terms) -> Iterator[str]:
     """Yield the faults of a clause's wording, by the rules of a draft."""
     clause = Clause("key", wording.title, wording.text)
-    yield from faults_of_clause(clause, terms)
+    yield from clause_errors(clause, terms)
     named = names_in([clause])
     for name, value in wording.terms.items():
         if name not in terms or name not in named:
             yield f"the clause does not name {{{name}}}, so it cannot change it"
         else:
-            yield from faults_of_term(name, value)
+            yield from term_errors(name, value)
 
 
 def proposed_text(changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms) -> tuple[list[Clause], Terms]:
@@ -253,19 +253,19 @@ def proposed_text(changes: Sequence[Change], clauses: Sequence[Clause], terms: T
     return after, dict(terms) | {name: value for change in changes for name, value in change.wording.terms.items()}
 
 
-def faults_of_proposed_figures(
+def proposed_figure_errors(
     changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms, kind: ContractKind
 ) -> Iterator[tuple[str, str]]:
     """Yield the figures that proposed changes take out of a text, or type as a number: `changes.INDEX`, and the fault.
 
     What was wrong before is not the changes' fault.
     """
-    before = set(faults_of_figures(clauses, terms, kind))
+    before = set(figure_errors(clauses, terms, kind))
     index_of = {change.clause_key: index for index, change in enumerate(changes) if change.clause_key}
     by_struck = {
         name: index_of[clause.key] for clause in clauses if clause.key in index_of for name in names_in([clause])
     }
-    for where, message in faults_of_figures(*proposed_text(changes, clauses, terms), kind):
+    for where, message in figure_errors(*proposed_text(changes, clauses, terms), kind):
         if (where, message) in before:
             continue
         part, _, name = where.partition(".")

@@ -41,14 +41,14 @@ from app.agreements.redlines.rules import (
     Text,
     Wording,
     answered_draft,
-    faults_of_changes,
-    faults_of_proposed_figures,
-    faults_of_wording,
+    change_errors,
     is_in,
     named_in_words,
     numbered,
+    proposed_figure_errors,
     rounds_of,
     with_fields_put_back,
+    wording_errors,
     wording_with_fields,
 )
 from app.agreements.rules import ContractKind, ContractState, Party, ensure_state, next_action_hint
@@ -222,7 +222,7 @@ def _fault_of_answer(
         return None
     if wording == redline.wording:
         return "this is what was proposed; accept it"
-    return next(faults_of_wording(wording, base[1]), None)
+    return next(wording_errors(wording, base[1]), None)
 
 
 def ensure_answered(session: Session, contract: Contract, text: Text) -> None:
@@ -274,9 +274,7 @@ def _sent_version(session: Session, contract: Contract) -> ContractVersion:
 def _problems(
     changes: Sequence[Change], clauses: Sequence[Clause], terms: Terms, kind: ContractKind
 ) -> list[FieldProblem]:
-    faults = list(faults_of_changes(changes, clauses, terms)) or faults_of_proposed_figures(
-        changes, clauses, terms, kind
-    )
+    faults = list(change_errors(changes, clauses, terms)) or proposed_figure_errors(changes, clauses, terms, kind)
     return [FieldProblem(where=where, message=message) for where, message in faults]
 
 

@@ -18,7 +18,7 @@ from app.briefs.questions import QUESTIONS
 from app.briefs.rules import in_words
 from app.briefs.service import open_answers
 from app.builds import queries
-from app.builds.contract_archive.text import HandedCue, HandedFile, HandedRemark, Handover, cue_table, read_me
+from app.builds.contract_archive.text import ArchivedCue, ArchivedFile, ArchivedRemark, Handover, cue_table, read_me
 from app.builds.engine_export.cues import file_safe
 from app.builds.errors import ContractNotEnded
 from app.builds.packs.service import SUMS, ensure_stored, memory_entry, stored_entry
@@ -125,13 +125,13 @@ def _palette(session: Session, project: Project, own_take_ids: set[UUID]) -> lis
     return [take for cue, _, take in accepted_takes(session, project.id) if cue.palette and take.id not in own_take_ids]
 
 
-def _files(session: Session, project: Project, folder: str, takes: Sequence[Take]) -> dict[UUID, HandedFile]:
+def _files(session: Session, project: Project, folder: str, takes: Sequence[Take]) -> dict[UUID, ArchivedFile]:
     stems = queries.stems_of_project(session, project.id)
     stated = sources_of(session, takes)
     # No actor: the pack goes to another designer, who reads no invoice.
     closed = closed_downloads(session, None, {(take.cue_id, take.designer_id) for take in takes if take.cue_id})
     return {
-        take.id: HandedFile(
+        take.id: ArchivedFile(
             path=f"{folder}/{_stem(stems, take)}{PurePosixPath(take.file_name).suffix.lower()}",
             sha256=take.master_sha256,
             version=take.number,
@@ -148,8 +148,8 @@ def _files(session: Session, project: Project, folder: str, takes: Sequence[Take
 
 
 def _with_banks(
-    session: Session, takes: Sequence[Take], files: dict[UUID, HandedFile]
-) -> tuple[dict[UUID, HandedFile], dict[str, SourceFile]]:
+    session: Session, takes: Sequence[Take], files: dict[UUID, ArchivedFile]
+) -> tuple[dict[UUID, ArchivedFile], dict[str, SourceFile]]:
     """Return files with the source banks that the contract hands over, and the source files by their paths."""
     open_takes = [take for take in handed_over(session, takes) if not files[take.id].left_out]
     take_ids = [take.id for take in open_takes]
@@ -184,8 +184,8 @@ def _cues(
     contract: Contract,
     covered: Sequence[ContractCue],
     approved: Sequence[Take],
-    files: dict[UUID, HandedFile],
-) -> list[HandedCue]:
+    files: dict[UUID, ArchivedFile],
+) -> list[ArchivedCue]:
     stems = queries.stems_of_project(session, project.id)
     unfinished = [unaccepted.cue_id for unaccepted in covered if unaccepted.accepted_at is None]
     remarks = queries.open_remarks(session, unfinished, contract.designer_id)
@@ -195,7 +195,7 @@ def _cues(
         cue, takes = contract_cue.cue, [take for take in approved if take.cue_id == contract_cue.cue_id]
         done = {take.variation for take in takes}
         cues.append(
-            HandedCue(
+            ArchivedCue(
                 label=label(project.cue_prefix, cue.number),
                 name=cue.name,
                 category=cue.category,
@@ -222,9 +222,9 @@ def _state(covered: ContractCue) -> str:
     return covered.cut_in.value.replace("_", " ") if covered.cut_in is not None else NO_STATE
 
 
-def _remark(row: queries.RemarkRow) -> HandedRemark:
+def _remark(row: queries.RemarkRow) -> ArchivedRemark:
     day = row.created_at.date().isoformat()
-    return HandedRemark(row.file_name, row.start_s, row.author, day, row.text, is_request=row.is_request)
+    return ArchivedRemark(row.file_name, row.start_s, row.author, day, row.text, is_request=row.is_request)
 
 
 def _brief(session: Session, project_id: UUID) -> list[tuple[str, str]]:

@@ -9,7 +9,7 @@ from app.sound_lists.rules import spreadsheet_safe
 
 
 @dataclass(frozen=True)
-class HandedFile:
+class ArchivedFile:
     """One approved master in the pack, or the reason why it is not in it."""
 
     path: str
@@ -23,7 +23,7 @@ class HandedFile:
 
 
 @dataclass(frozen=True)
-class HandedRemark:
+class ArchivedRemark:
     """A request of a cue in review, or a remark on it."""
 
     file_name: str
@@ -35,7 +35,7 @@ class HandedRemark:
 
 
 @dataclass(frozen=True)
-class HandedCue:
+class ArchivedCue:
     """One cue of the contract, and how far the work on it was."""
 
     label: str
@@ -45,9 +45,9 @@ class HandedCue:
     variations: int
     is_palette: bool
     state: str
-    files: Sequence[HandedFile] = ()
+    files: Sequence[ArchivedFile] = ()
     owed: Sequence[str] = ()  # names of files that have no approved version
-    remarks: Sequence[HandedRemark] = ()
+    remarks: Sequence[ArchivedRemark] = ()
     questions: Sequence[str] = ()
 
 
@@ -57,8 +57,8 @@ class Handover:
 
     project: str
     contract: str
-    cues: Sequence[HandedCue]
-    palette: Sequence[HandedFile] = ()  # of other contracts
+    cues: Sequence[ArchivedCue]
+    palette: Sequence[ArchivedFile] = ()  # of other contracts
     brief: Sequence[tuple[str, str]] = ()  # question and answer
     open_brief: Sequence[str] = ()  # questions of the brief without an answer
 
@@ -95,7 +95,7 @@ def cue_table(handover: Handover) -> bytes:
     return ("\ufeff" + out.getvalue()).encode()
 
 
-def _rows(cue: HandedCue) -> list[CueRow]:
+def _rows(cue: ArchivedCue) -> list[CueRow]:
     facts = (cue.label, cue.name, cue.category, cue.description, cue.state, "yes" if cue.is_palette else "no")
     rows = [CueRow(*facts, file.path, file.version, file.sha256, file.sources, file.left_out) for file in cue.files]
     return rows + [CueRow(*facts, name, note="no approved version yet") for name in cue.owed]
@@ -134,24 +134,24 @@ def read_me(handover: Handover) -> bytes:
     return "\n".join(page.lines).encode()
 
 
-def _cue_line(cue: HandedCue) -> str:
+def _cue_line(cue: ArchivedCue) -> str:
     palette = ", palette" if cue.is_palette else ""
     return f"- {cue.label} {cue.name}: {cue.state}{palette}"
 
 
-def _file_line(file: HandedFile) -> str:
+def _file_line(file: ArchivedFile) -> str:
     left_out = f", not in this pack: {file.left_out}" if file.left_out else ""
     return f"- {file.path}, SHA-256 {file.sha256}; {file.sources or 'sources not stated'}{left_out}"
 
 
-def _bank_lines(file: HandedFile) -> list[str]:
+def _bank_lines(file: ArchivedFile) -> list[str]:
     if not (file.plug_ins or file.recipe or file.source_files):
         return []
     plug_ins = [f"- Plug-ins: {', '.join(file.plug_ins)}"] if file.plug_ins else []
     return [f"### {file.path}", "", *(f"- {path}" for path in file.source_files), *plug_ins, "", file.recipe, ""]
 
 
-def _remark_lines(cue: HandedCue) -> list[str]:
+def _remark_lines(cue: ArchivedCue) -> list[str]:
     lines = [f"### {cue.label} {cue.name}", ""]
     for remark in cue.remarks:
         at = "" if remark.at_s is None else f" at {remark.at_s:.2f} s"

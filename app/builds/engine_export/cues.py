@@ -38,7 +38,7 @@ else:
 
 
 @dataclass(frozen=True)
-class HandedFile:
+class ArchivedFile:
     """One game file of a pack, or a placeholder file, of which only the wanted length is known."""
 
     path: str
@@ -68,7 +68,7 @@ class ExportedCue:
     category: str
     loop: bool
     notes: str
-    files: tuple[HandedFile, ...]
+    files: tuple[ArchivedFile, ...]
     event: str = ""  # as the list has it; empty where it states none
     language: str = ""
     target_streamed: bool = False

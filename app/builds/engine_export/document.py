@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from importlib import resources
 from typing import Any
 
-from app.builds.engine_export.cues import ExportedCue, HandedFile, distinct, file_safe, identifier
+from app.builds.engine_export.cues import ArchivedFile, ExportedCue, distinct, file_safe, identifier
 
 DOCUMENT = "soundlist-handoff.json"
 FORMAT = 1
@@ -63,7 +63,7 @@ def _event(cue: ExportedCue) -> list[str]:
     return [file_safe(part) for part in (*folders, *stated)]
 
 
-def _file(cue: ExportedCue, file: HandedFile, asset: str) -> dict[str, Any]:
+def _file(cue: ExportedCue, file: ArchivedFile, asset: str) -> dict[str, Any]:
     """Return one file; its loop in seconds, of length 0 where it does not loop."""
     start_s, end_s = 0.0, 0.0
     if cue.loop:

@@ -5,7 +5,7 @@ from uuid import UUID
 from sqlalchemy.orm import Session
 
 from app.builds.engine_export import queries as handoff_queries
-from app.builds.engine_export.cues import ExportedCue, HandedFile, Handoff, distinct, one_line, set_name, stated
+from app.builds.engine_export.cues import ArchivedFile, ExportedCue, Handoff, distinct, one_line, set_name, stated
 from app.builds.engine_export.engines import handoff_files
 from app.builds.packs.service import Pack, memory_entry
 from app.builds.packs.zip_stream import Entry
@@ -67,14 +67,14 @@ def _notes(number: str, cue: Cue, *, has_placeholder: bool) -> str:
     return one_line(" ".join(lines))
 
 
-def _content(pack: Pack) -> dict[str, tuple[Cue, list[HandedFile]]]:
+def _content(pack: Pack) -> dict[str, tuple[Cue, list[ArchivedFile]]]:
     """Return each cue by its label, with its files in the order of its variations."""
-    by_cue: dict[UUID, tuple[Cue, dict[int, HandedFile]]] = {}
+    by_cue: dict[UUID, tuple[Cue, dict[int, ArchivedFile]]] = {}
     for sound in pack.sounds:
         if render := sound.packed:
             by_cue.setdefault(sound.cue.id, (sound.cue, {}))[1][sound.variation] = _game_file(sound.path, render)
     for placeholder_file in pack.placeholder_files:
-        made = HandedFile(
+        made = ArchivedFile(
             path=placeholder_file.path,
             sha256=placeholder_file.sha256,
             duration_s=placeholder_file.cue.duration_s or 0.0,
@@ -84,9 +84,9 @@ def _content(pack: Pack) -> dict[str, tuple[Cue, list[HandedFile]]]:
     return {label(prefix, cue.number): (cue, [files[at] for at in sorted(files)]) for cue, files in by_cue.values()}
 
 
-def _game_file(path: str, render: Render) -> HandedFile:
+def _game_file(path: str, render: Render) -> ArchivedFile:
     facts = render.facts
-    return HandedFile(
+    return ArchivedFile(
         path=path,
         sha256=render.sha256 or "",
         duration_s=facts["duration_s"],

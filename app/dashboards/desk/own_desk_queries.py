@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session, joinedload
 from app.accounts.models import Person
 from app.conformance.models import CheckRun
 from app.core.in_array import in_array
-from app.deliveries.models import CueSums, Take
+from app.deliveries.models import Take, TakeCounts
 from app.deliveries.rules import TakeState
 from app.projects.models import Engagement, Project
 from app.projects.visibility import engaged_with_nda_accepted
@@ -34,8 +34,8 @@ def engaged_projects(session: Session, designer_id: UUID) -> Sequence[Project]:
 
 def kept_facts(session: Session, project_ids: Collection[UUID], designer_id: UUID) -> Sequence[Row[str, int]]:
     """Return each pair of facts and number of variations that a designer's takes add up to."""
-    of_designer = (in_array(CueSums.project_id, project_ids), CueSums.viewer_id == designer_id)
-    return session.execute(select(CueSums.facts, CueSums.variations).where(*of_designer).distinct()).all()
+    of_designer = (in_array(TakeCounts.project_id, project_ids), TakeCounts.viewer_id == designer_id)
+    return session.execute(select(TakeCounts.facts, TakeCounts.variations).where(*of_designer).distinct()).all()
 
 
 class OwedRow(NamedTuple):
@@ -63,17 +63,17 @@ def owed_cues(
     limit: int,
 ) -> list[OwedRow]:
     """Return the cues of projects without a take of a designer, or whose takes add up to what is owed, by day."""
-    of_designer = and_(CueSums.cue_id == Cue.id, CueSums.viewer_id == designer_id)
-    facts = CueSums.facts.concat(literal("/")).concat(cast(CueSums.variations, String))
+    of_designer = and_(TakeCounts.cue_id == Cue.id, TakeCounts.viewer_id == designer_id)
+    facts = TakeCounts.facts.concat(literal("/")).concat(cast(TakeCounts.variations, String))
     is_owed = in_array(facts, [f"{each}/{variations}" for each, variations in owed])
     asked = (Question.project_id == Cue.project_id, Question.cue_id == Cue.id, Question.answered_at.is_(None))
     due_on: ColumnElement[date] = func.coalesce(Cue.due_on, NO_DAY, type_=Cue.due_on.type)
     columns = (Cue.id, Cue.project_id, Cue.number, Cue.name, Cue.state, Cue.variations, Cue.placeholder, Cue.due_on)
     query = (
-        select(*columns, exists().where(*asked), CueSums.facts)
-        .join(CueSums, of_designer, isouter=True)
+        select(*columns, exists().where(*asked), TakeCounts.facts)
+        .join(TakeCounts, of_designer, isouter=True)
         .where(in_array(Cue.project_id, project_ids), Cue.state != CueState.CUT)
-        .where(or_(CueSums.cue_id.is_(None), is_owed))
+        .where(or_(TakeCounts.cue_id.is_(None), is_owed))
     )
     if after is not None:
         query = query.where(tuple_(due_on, Cue.id) > tuple_(*after))

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session, aliased
 
 from app.core.in_array import in_array
 from app.deliveries.cue_counts.rules import WITH_DESIGNER
-from app.deliveries.models import CueSums, Take
+from app.deliveries.models import Take, TakeCounts
 from app.deliveries.rules import TakeState
 from app.sound_lists.models import Cue
 from app.sound_lists.rules import CueState
@@ -40,12 +40,12 @@ def back_cues(
     session: Session, project_id: UUID, designer_id: UUID, *, after: tuple[datetime, UUID] | None, limit: int
 ) -> list[BackCue]:
     """Return the cues of which takes came back to a designer, those that wait longest first."""
-    query = select(CueSums.cue_id, CueSums.back_since, CueSums.variations, CueSums.facts)
-    of_designer = (CueSums.project_id == project_id, CueSums.viewer_id == designer_id)
-    query = query.where(*of_designer, CueSums.back_since.is_not(None), CueSums.state != CueState.CUT)
+    query = select(TakeCounts.cue_id, TakeCounts.back_since, TakeCounts.variations, TakeCounts.facts)
+    of_designer = (TakeCounts.project_id == project_id, TakeCounts.viewer_id == designer_id)
+    query = query.where(*of_designer, TakeCounts.back_since.is_not(None), TakeCounts.state != CueState.CUT)
     if after is not None:
-        query = query.where(tuple_(CueSums.back_since, CueSums.cue_id) > tuple_(*after))
-    rows = session.execute(query.order_by(CueSums.back_since, CueSums.cue_id).limit(limit))
+        query = query.where(tuple_(TakeCounts.back_since, TakeCounts.cue_id) > tuple_(*after))
+    rows = session.execute(query.order_by(TakeCounts.back_since, TakeCounts.cue_id).limit(limit))
     return [BackCue._make(row) for row in rows]
 
 
@@ -69,8 +69,8 @@ def takes_back(session: Session, cue_ids: Collection[UUID], designer_id: UUID) -
 
 def has_facts(project_id: UUID, designer_id: UUID, facts: Collection[str]) -> ColumnElement[bool]:
     """Say of a cue that a designer's takes add up to one of these facts."""
-    of_designer = (CueSums.project_id == project_id, CueSums.viewer_id == designer_id)
-    return Cue.id.in_(select(CueSums.cue_id).where(*of_designer, in_array(CueSums.facts, facts)))
+    of_designer = (TakeCounts.project_id == project_id, TakeCounts.viewer_id == designer_id)
+    return Cue.id.in_(select(TakeCounts.cue_id).where(*of_designer, in_array(TakeCounts.facts, facts)))
 
 
 def cues_by_id(session: Session, cue_ids: Collection[UUID]) -> dict[UUID, Cue]:

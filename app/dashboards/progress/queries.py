@@ -15,7 +15,7 @@ from app.conformance.models import CheckRun, Waiver
 from app.core.exists import row_exists
 from app.core.in_array import in_array
 from app.deliveries.cue_counts.rules import CODE_BASE, STATE_CODES
-from app.deliveries.models import CueSums, Take
+from app.deliveries.models import Take, TakeCounts
 from app.deliveries.rules import TakeState
 from app.renders.models import Picture
 from app.reviews.models import HeardTake, Round
@@ -56,10 +56,10 @@ def cue_groups(session: Session, project_id: UUID, viewer_id: UUID) -> list[CueG
     Cues with takes are counted by their stored sums, all others by the list; those on which a
     question is open are few, and looked up.
     """
-    kept = (CueSums.state, CueSums.variations, CueSums.placeholder, CueSums.facts)
+    kept = (TakeCounts.state, TakeCounts.variations, TakeCounts.placeholder, TakeCounts.facts)
     listed = (Cue.state, Cue.variations, Cue.placeholder)
     counts: Counter[tuple[CueState, int, bool, bool, str | None]] = Counter()
-    of_view = (CueSums.project_id == project_id, CueSums.viewer_id == viewer_id)
+    of_view = (TakeCounts.project_id == project_id, TakeCounts.viewer_id == viewer_id)
     for state, variations, placeholder, facts, cues in session.execute(
         select(*kept, func.count()).where(*of_view).group_by(*kept)
     ):
@@ -72,7 +72,7 @@ def cue_groups(session: Session, project_id: UUID, viewer_id: UUID) -> list[CueG
         counts[state, variations, placeholder, False, None] += cues
     asked = select(Question.cue_id).where(Question.project_id == project_id, Question.answered_at.is_(None))
     for state, variations, placeholder, facts in session.execute(
-        select(*listed, CueSums.facts).join(CueSums, _of_view(viewer_id), isouter=True).where(Cue.id.in_(asked))
+        select(*listed, TakeCounts.facts).join(TakeCounts, _of_view(viewer_id), isouter=True).where(Cue.id.in_(asked))
     ):
         counts[state, variations, placeholder, False, facts] -= 1
         counts[state, variations, placeholder, True, facts] += 1
@@ -92,8 +92,8 @@ class NeedGroup(NamedTuple):
 
 def need_groups(session: Session, project_id: UUID, viewer_id: UUID) -> list[NeedGroup]:
     """Return the numbers of cues that are not cut by need and status in a view."""
-    alike = (Cue.need, Cue.state, Cue.variations, Cue.placeholder, CueSums.facts)
-    query = select(*alike, func.count()).join(CueSums, _of_view(viewer_id), isouter=True).select_from(Cue)
+    alike = (Cue.need, Cue.state, Cue.variations, Cue.placeholder, TakeCounts.facts)
+    query = select(*alike, func.count()).join(TakeCounts, _of_view(viewer_id), isouter=True).select_from(Cue)
     query = query.where(Cue.project_id == project_id, Cue.state != CueState.CUT).group_by(*alike)
     return [NeedGroup._make(row) for row in session.execute(query)]
 
@@ -104,7 +104,7 @@ def _is_asked() -> ColumnElement[bool]:
 
 
 def _of_view(viewer_id: UUID) -> ColumnElement[bool]:
-    return and_(CueSums.cue_id == Cue.id, CueSums.viewer_id == viewer_id)
+    return and_(TakeCounts.cue_id == Cue.id, TakeCounts.viewer_id == viewer_id)
 
 
 class ListRow(NamedTuple):
@@ -135,8 +135,8 @@ def list_rows(
 ) -> list[ListRow]:
     """Return the cues that follow a position and number in list order, with what their takes add up to in a view."""
     columns = (Cue.id, Cue.number, Cue.position, Cue.name, Cue.state, Cue.variations, Cue.placeholder, Cue.palette)
-    query = select(*columns, Cue.phase, Cue.category, _is_asked(), CueSums.facts).join(
-        CueSums, _of_view(viewer_id), isouter=True
+    query = select(*columns, Cue.phase, Cue.category, _is_asked(), TakeCounts.facts).join(
+        TakeCounts, _of_view(viewer_id), isouter=True
     )
     query = query.select_from(Cue).where(Cue.project_id == project_id)
     if after is not None:
@@ -212,8 +212,8 @@ def shown_takes(
 
 @cache
 def _shown_takes(is_own: bool) -> Select[*tuple[Any, ...]]:
-    newest = select(CueSums.newest_id).where(
-        in_array(CueSums.cue_id, "cue_ids"), CueSums.viewer_id == bindparam("viewer_id")
+    newest = select(TakeCounts.newest_id).where(
+        in_array(TakeCounts.cue_id, "cue_ids"), TakeCounts.viewer_id == bindparam("viewer_id")
     )
     approved = (in_array(Take.cue_id, "accepted"), Take.state == TakeState.APPROVED, Take.variation == 1)
     shown = union_all(newest, _owned(select(Take.id), is_own).where(*approved))

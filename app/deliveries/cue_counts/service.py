@@ -16,17 +16,17 @@ from sqlalchemy.orm import Session
 from app.core.db import Base
 from app.core.in_array import in_array
 from app.deliveries.cue_counts.rules import Sums, TakeForSums, sums_of
-from app.deliveries.models import CueSums, Take
+from app.deliveries.models import Take, TakeCounts
 from app.sound_lists.models import Cue
 
-SUMS: Table = Base.metadata.tables[CueSums.__tablename__]
+SUMS: Table = Base.metadata.tables[TakeCounts.__tablename__]
 _ONE = (SUMS.c.cue_id == bindparam("of_cue"), SUMS.c.viewer_id == bindparam("viewer"))
 _NEW, _GONE = insert(SUMS), delete(SUMS).where(*_ONE)
 _CHANGED = update(SUMS).where(*_ONE).values({field.name: bindparam(field.name) for field in fields(Sums)})
 TOUCHED = "cues whose takes changed"  # key in a session's info
 
 
-def update_cue_sums(session: Session, *cue_ids: UUID | None) -> None:
+def update_take_counts(session: Session, *cue_ids: UUID | None) -> None:
     """Have the sums of cues recomputed when the transaction ends; every change of a take calls this."""
     if TOUCHED not in session.info:
         session.info[TOUCHED] = set()
@@ -87,5 +87,5 @@ def _summed() -> Select[*tuple[Any, ...]]:
 
 @cache
 def _kept() -> Select[*tuple[Any, ...]]:
-    columns = (getattr(CueSums, field.name) for field in fields(Sums))
-    return select(CueSums.cue_id, CueSums.viewer_id, *columns).where(in_array(CueSums.cue_id, "cue_ids"))
+    columns = (getattr(TakeCounts, field.name) for field in fields(Sums))
+    return select(TakeCounts.cue_id, TakeCounts.viewer_id, *columns).where(in_array(TakeCounts.cue_id, "cue_ids"))

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 from app.accounts.rules import Actor
 from app.core import clock
 from app.deliveries import queries, take_states
-from app.deliveries.cue_counts.service import update_cue_sums
+from app.deliveries.cue_counts.service import update_take_counts
 from app.deliveries.errors import AlreadyUndone, TakeNotFound, TrayActionNotFound
 from app.deliveries.models import Take, TrayAction
 from app.deliveries.rules import (
@@ -105,7 +105,7 @@ def move_takes(session: Session, actor: Actor, project_id: UUID, moves: Sequence
         if is_there:
             take.alternate = slot.alternate
             take.edition += 1
-            update_cue_sums(session, take.cue_id)
+            update_take_counts(session, take.cue_id)
             session.flush()
         else:
             take_states.place_take(session, take, slot, by=actor.person)

@@ -27,9 +27,9 @@ from app.deliveries.adoptions.service import (
     plan_for,
     scope_of,
 )
-from app.deliveries.cue_counts.service import update_cue_sums
+from app.deliveries.cue_counts.service import update_take_counts
 from app.deliveries.errors import AdoptionClosed, AlreadyUndone
-from app.deliveries.models import Adoption, CueSums, Delivery, Take
+from app.deliveries.models import Adoption, Delivery, Take, TakeCounts
 from app.deliveries.queries import next_delivery_number
 from app.deliveries.rules import TakeState, stored_name
 from app.projects.service import ProjectAccess
@@ -83,7 +83,7 @@ def adopt(session: Session, actor: Actor, adoption_id: UUID) -> Adopted:
     adoption.adopted_by, adoption.adopted_at = actor.person, clock.now()
     session.flush()
     session.refresh(adoption, ["adopter"])
-    update_cue_sums(session, *(cue.id for cue in cues))
+    update_take_counts(session, *(cue.id for cue in cues))
     publish(session, "folder.adopted", studio_id=adoption.studio_id, adoption_id=adoption.id)
     kill_points.point("reviews.before_adopted")
     return Adopted(
@@ -192,7 +192,7 @@ def undo(session: Session, actor: Actor, adoption_id: UUID) -> Adoption:
     take_ids, now = [take.id for take in takes], clock.now()
     _withdraw(session, actor, adoption)
     session.execute(delete(GameLevel).where(in_array(GameLevel.cue_id, cue_ids)))
-    session.execute(delete(CueSums).where(in_array(CueSums.cue_id, cue_ids)))
+    session.execute(delete(TakeCounts).where(in_array(TakeCounts.cue_id, cue_ids)))
     session.execute(
         update(Take)
         .where(in_array(Take.id, take_ids))

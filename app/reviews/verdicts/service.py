@@ -137,7 +137,7 @@ def _given_before(session: Session, take: Take, cue: Cue, standing: Verdict) -> 
     return VerdictGiven(
         take_id=take.id,
         state=take.state,
-        set_aside=_gave_way(session, standing),
+        set_aside=_superseded_take_ids(session, standing),
         draft=None,
         cue_id=cue.id,
         cue_accepted=not missing_variations(cue.variations, approved),
@@ -145,7 +145,7 @@ def _given_before(session: Session, take: Take, cue: Cue, standing: Verdict) -> 
     )
 
 
-def _gave_way(session: Session, approval: Verdict) -> list[UUID]:
+def _superseded_take_ids(session: Session, approval: Verdict) -> list[UUID]:
     decided = queries.action_verdicts(session, approval.action_id)
     return [
         verdict.take_id
@@ -355,7 +355,7 @@ def accept_set(
             cue_id=cue.id,
             cue_accepted=True,
             approved=[_standing_of(take) for take in picks],
-            set_aside=_gave_way(session, last[0]),
+            set_aside=_superseded_take_ids(session, last[0]),
             undo_until=last[0].created_at + UNDO_WITHIN,
         )
     ensure_nothing_open(session, cue, new)

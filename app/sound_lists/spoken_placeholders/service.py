@@ -44,7 +44,7 @@ def save_spoken_placeholder(
 
 
 def get_spoken_placeholder(session: Session, actor: Actor, cue_id: UUID) -> SpokenPlaceholder:
-    """Return a cue's spoken placeholder within the caller's sight; raise NothingSaid where there is none."""
+    """Return a cue's spoken placeholder in the caller's sight; raise SpokenPlaceholderMissing without one."""
     visible_cue(session, actor, cue_id)
     recording = queries.spoken_placeholder(session, cue_id)
     if recording is None:

@@ -4,7 +4,7 @@ import pytest
 
 from app.accounts.invoice_details.rules import (
     PartyDetails,
-    faults_of_details,
+    detail_errors,
     missing_of_buyer,
     missing_of_seller,
     normalised_account,
@@ -59,16 +59,16 @@ def test_an_account_without_an_iban_stays_as_it_was_typed() -> None:
     details = PartyDetails(account_number=normalised_account(" 021000021 / 12-345 "))
     assert details.account_number == "021000021 / 12-345"
     assert not details.has_iban
-    assert list(faults_of_details(details)) == []
+    assert list(detail_errors(details)) == []
 
 
 @pytest.mark.parametrize("iban", ["GB82WEST12345698765432", "DE89370400440532013000", "NO9386011117947"])
 def test_the_examples_of_the_iban_registry_are_right(iban: str) -> None:
-    assert list(faults_of_details(PartyDetails(account_number=iban))) == []
+    assert list(detail_errors(PartyDetails(account_number=iban))) == []
 
 
 def test_greece_has_another_prefix_for_vat() -> None:
-    assert list(faults_of_details(PartyDetails(country_code="GR", vat_id="EL123456789"))) == []
+    assert list(detail_errors(PartyDetails(country_code="GR", vat_id="EL123456789"))) == []
 
 
 def test_missing_fields_follow_what_the_invoice_is() -> None:

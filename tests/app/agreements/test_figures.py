@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.agreements.clauses.figures import (
-    faults_of_figures,
-    faults_of_plan,
-    faults_of_text,
+    figure_errors,
     number_in,
+    plan_errors,
+    text_errors,
     typed_figures,
     with_fields,
 )
@@ -75,21 +75,21 @@ def test_the_library_has_its_figures_and_types_none(kind: ContractKind):
     standing = [dataclasses.replace(each, stands=True) for each in clauses if each.key != "ownership_on_creation"]
     for changed in ({}, {"price_mode": "day_rate"}, {"reverse_charge": 1, "bonus_when": "shipped"}):
         now = terms | {name: value for name, value in changed.items() if name in terms}
-        assert list(faults_of_figures(clauses, now, kind)) == []
-        assert list(faults_of_figures(standing, now, kind)) == []
+        assert list(figure_errors(clauses, now, kind)) == []
+        assert list(figure_errors(standing, now, kind)) == []
 
 
 @pytest.mark.parametrize(("key", "name"), NUMBERS)
 def test_a_number_typed_over_a_field_is_named(key: str, name: str):
     typed = written_term(name, another(name), "USD")
-    faults = list(faults_of_figures(edited(key, text_of(key).replace(f"{{{name}}}", typed)), TERMS, SINGLE))
+    faults = list(figure_errors(edited(key, text_of(key).replace(f"{{{name}}}", typed)), TERMS, SINGLE))
     assert any(where == f"clauses.{key}" and f"{{{name}}}" in message for where, message in faults)
 
 
 @pytest.mark.parametrize(("key", "name"), COUNTED_NUMBERS)
 def test_a_copy_of_a_clause_with_another_number_is_named(key: str, name: str):
     copy = Clause("own_copy", "Copy", text_of(key).replace(f"{{{name}}}", written_term(name, another(name), "USD")))
-    faults = list(faults_of_figures([*ALL, copy], TERMS, SINGLE))
+    faults = list(figure_errors([*ALL, copy], TERMS, SINGLE))
     assert any(where == "clauses.own_copy" and f"{{{name}}}" in message for where, message in faults)
 
 
@@ -107,7 +107,7 @@ WORDS = "three", "3", "**3**", "three (3)", "３"
 def test_rounds_are_read_in_digits_and_words(word: str):
     text = text_of("rounds")
     typed = text.replace("{rounds_included}", word)
-    assert dict(faults_of_figures(edited("rounds", typed), TERMS, SINGLE)).keys() == {"clauses.rounds"}
+    assert dict(figure_errors(edited("rounds", typed), TERMS, SINGLE)).keys() == {"clauses.rounds"}
     back, changed = with_fields(typed, text, TERMS, "USD")
     assert changed == {"rounds_included": 3}
     assert back.replace("**", "") == text
@@ -144,7 +144,7 @@ def test_rounds_are_read_in_digits_and_words(word: str):
 def test_other_ways_to_type_a_figure_are_found(sentence: str, figure: str):
     found = dict(typed_figures(sentence, TERMS))
     assert figure in found, found
-    faults = list(faults_of_figures([*ALL, Clause("own_1", "Own", sentence)], TERMS, SINGLE))
+    faults = list(figure_errors([*ALL, Clause("own_1", "Own", sentence)], TERMS, SINGLE))
     assert any(where == "clauses.own_1" and f"{{{figure}}}" in message for where, message in faults)
 
 
@@ -168,22 +168,22 @@ def test_other_numbers_are_the_parties_own(sentence: str):
 @pytest.mark.parametrize("key", ["rounds", "payment"])
 def test_a_needed_figure_cannot_be_struck(key: str):
     struck = [dataclasses.replace(each, stands=each.stands and each.key != key) for each in CLAUSES]
-    (where, message), *_ = faults_of_figures(struck, TERMS, SINGLE)
+    (where, message), *_ = figure_errors(struck, TERMS, SINGLE)
     assert where in ("terms.rounds_included", "terms.payment_days")
     assert "no clause in force says so" in message
     without = {name: value for name, value in TERMS.items() if name not in ("rounds_included", "payment_days")}
-    found = dict(faults_of_figures(struck, without, SINGLE))
+    found = dict(figure_errors(struck, without, SINGLE))
     assert "the software counts by it" in found[where]
 
 
 def test_an_order_says_price_deposit_and_what_is_held_back():
     struck = [dataclasses.replace(each, stands=each.stands and each.key != "payment_plan") for each in CLAUSES]
     everything = {"has_amounts": True, "has_deposit": True, "has_holdback": True}
-    said = "".join(message for _, message in faults_of_plan(struck, SINGLE, **everything))
+    said = "".join(message for _, message in plan_errors(struck, SINGLE, **everything))
     for name in ("total", "milestones", "release_sentence", "deposit_sentence", "holdback_sentence"):
         assert f"{{{name}}}" in said
-    assert list(faults_of_plan(CLAUSES, SINGLE, **everything)) == []
-    assert list(faults_of_plan(struck, SINGLE, **dict.fromkeys(everything, False))) == []
+    assert list(plan_errors(CLAUSES, SINGLE, **everything)) == []
+    assert list(plan_errors(struck, SINGLE, **dict.fromkeys(everything, False))) == []
 
 
 @pytest.mark.parametrize("number", range(60))
@@ -230,7 +230,7 @@ def test_a_text_without_faults_says_what_is_counted(data: st.DataObject):
                 clauses.append(Clause(f"own_{len(clauses)}", "Copy", copied))
             case "strike":
                 clauses[place] = dataclasses.replace(clause, stands=False)
-    if list(faults_of_text(clauses, TERMS | {"po_number": "1", "option_until_on": "2027-12-31"}, SINGLE)):
+    if list(text_errors(clauses, TERMS | {"po_number": "1", "option_until_on": "2027-12-31"}, SINGLE)):
         return
     text = render("T", clauses, TERMS, dict.fromkeys(FACTS, "-"), "USD")
     standing = {each.key for each in clauses if each.stands}

@@ -8,7 +8,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from app.agreements.clauses.named_days import named_days, statement_days
-from app.agreements.clauses.rules import default_clauses, faults_of_term, validation_errors
+from app.agreements.clauses.rules import default_clauses, term_errors, validation_errors
 from app.agreements.models import ContractVersion
 from app.agreements.rules import ContractKind
 from app.core.jobs.queue import Payload
@@ -103,8 +103,8 @@ def test_statements_are_due_each_half_year_up_to_the_one_of_the_last_day() -> No
 
 @pytest.mark.parametrize("value", ["next spring", "2027-13-01", "31.12.2027"])
 def test_a_day_is_written_as_one(value: str) -> None:
-    assert "wanted it as in 2027-12-31" in next(iter(faults_of_term("option_until_on", value)))
-    assert list(faults_of_term("option_until_on", "2027-12-31")) == []
+    assert "wanted it as in 2027-12-31" in next(iter(term_errors("option_until_on", value)))
+    assert list(term_errors("option_until_on", "2027-12-31")) == []
 
 
 def test_the_library_leaves_the_clauses_out_until_a_day_is_named() -> None:

@@ -20,7 +20,7 @@ from app.agreements.redlines.rules import (
     Round,
     Wording,
     answered_draft,
-    faults_of_changes,
+    change_errors,
     faults_of_sent,
     is_in,
     keys_in_order,
@@ -131,7 +131,7 @@ def test_what_is_proposed_is_numbered_on_and_keyed_apart():
 
 def test_two_values_for_one_term_are_named():
     changes = [CHANGES[0], Change(RedlineKind.REPLACE, "c", None, Wording("C", "{rounds}", {"rounds": 4}))]
-    assert list(faults_of_changes(changes, BASE, TERMS)) == [
+    assert list(change_errors(changes, BASE, TERMS)) == [
         ("changes.1", "{rounds} has another value in an earlier change")
     ]
 

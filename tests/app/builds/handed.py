@@ -4,7 +4,7 @@ import hashlib
 
 from hypothesis import strategies
 
-from app.builds.engine_export.cues import ExportedCue, HandedFile
+from app.builds.engine_export.cues import ArchivedFile, ExportedCue
 
 HOSTILE = [
     '"); studio.project.close(); ("',
@@ -30,10 +30,10 @@ names = strategies.sampled_from(HOSTILE) | strategies.text(
 )
 
 
-def file(path: str, *, seconds: float = 0.5, loop: tuple[int, int] | None = None) -> HandedFile:
+def file(path: str, *, seconds: float = 0.5, loop: tuple[int, int] | None = None) -> ArchivedFile:
     sha256 = hashlib.sha256(path.encode()).hexdigest()
     points = (loop,) if loop else ()
-    return HandedFile(path, sha256, seconds, sample_rate_hz=48_000, loop_points=points)
+    return ArchivedFile(path, sha256, seconds, sample_rate_hz=48_000, loop_points=points)
 
 
 def cue(number: int, *paths: str, **facts) -> ExportedCue:

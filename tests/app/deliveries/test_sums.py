@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.deliveries.cue_counts.rules import STATE_CODES, Sums, TakeForSums, VariationFact
 from app.deliveries.cue_counts.service import views_of
-from app.deliveries.models import CueSums, Take
+from app.deliveries.models import Take, TakeCounts
 from app.deliveries.rules import CHECKABLE, TakeState
 from app.sound_lists.models import Cue
 from tests.support.deliver import add_cues, deliver
@@ -40,7 +40,7 @@ def kept(session: Session, project_id: UUID) -> dict[tuple[UUID, UUID], tuple[Su
             Sums(row.facts, row.newest_id, row.newest_back_since, row.back_since),
             (row.studio_id, row.project_id, row.state, row.variations, row.placeholder),
         )
-        for row in session.scalars(select(CueSums).where(CueSums.project_id == project_id))
+        for row in session.scalars(select(TakeCounts).where(TakeCounts.project_id == project_id))
     }
 
 

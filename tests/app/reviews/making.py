@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 from app.conformance.models import CheckRun
 from app.core.db import new_id
-from app.deliveries.cue_counts.service import update_cue_sums
+from app.deliveries.cue_counts.service import update_take_counts
 from app.deliveries.models import Delivery, Take
 from app.deliveries.rules import TakeState
 from app.projects.queries import current_spec
@@ -158,7 +158,7 @@ def add_take(
     )
     session.add(take)
     session.flush()
-    update_cue_sums(session, cue_id)
+    update_take_counts(session, cue_id)
     spec = current_spec(session, world.project_id)
     if is_drawn:
         session.add(Picture(studio_id=world.studio_id, sound_sha256=sha256, duration_s=0.84))

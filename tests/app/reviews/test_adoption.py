@@ -10,7 +10,7 @@ import pytest
 import sqlalchemy as sa
 
 from app.conformance.models import CheckRun
-from app.deliveries.models import Adoption, CueSums, Take
+from app.deliveries.models import Adoption, Take, TakeCounts
 from app.notifications.models import Mail
 from app.reviews.models import Verdict
 from tests.support.adoptions import adopt, adopted, folder, opened, plan, send, sent, undo
@@ -174,7 +174,7 @@ def test_undo_takes_away_what_was_made_and_keeps_the_masters(world: World) -> No
     assert undone.status_code == 200, undone.text
     assert undone.json()["undone_at"] is not None
     assert [cue["name"] for cue in cues_of(world)] == ["Laser"]
-    assert rows(world, CueSums) == []
+    assert rows(world, TakeCounts) == []
     takes = rows(world, Take)
     assert len(takes) == 5
     assert all(take.discarded_at is not None and take.cue_id is None for take in takes)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from audio_checks import kernel
-from audio_checks.measure.window_powers import turns_of
+from audio_checks.measure.window_powers import twiddle_factors
 
 
 @pytest.mark.parametrize("length", [1, 2, 14, 45, 242, 400, 2_000])
@@ -15,16 +15,16 @@ def test_powers_of_windows(length: int, channels: int):
     signal = rng.standard_normal((channels, first + (count - 1) * hop + length + 1))
     window = np.hanning(length + 1)[:-1] + 0.1
     powers = np.empty((count * channels, bins))
-    kernel.powers(signal, window, first, hop, turns_of(length), powers, False)
+    kernel.powers(signal, window, first, hop, twiddle_factors(length), powers, False)
     for number in range(count):
         start = first + number * hop
         wanted = np.abs(np.fft.rfft(signal[:, start : start + length] * window, axis=1)) ** 2
         np.testing.assert_allclose(powers[number * channels :][:channels], wanted, rtol=1e-9, atol=1e-9 * length)
     by_bin = np.empty((channels * bins, count + 2))[:, :count]  # rows that lie apart
-    kernel.powers(signal, window, first, hop, turns_of(length), by_bin, True)
+    kernel.powers(signal, window, first, hop, twiddle_factors(length), by_bin, True)
     np.testing.assert_array_equal(by_bin, powers.reshape(count, -1).T)
     sums = np.ones(bins)
-    kernel.power_sums(signal, window, first, hop, count, turns_of(length), sums)
+    kernel.power_sums(signal, window, first, hop, count, twiddle_factors(length), sums)
     np.testing.assert_allclose(sums, 1 + powers.sum(axis=0), rtol=1e-12)
 
 
@@ -35,8 +35,8 @@ def test_powers_of_windows(length: int, channels: int):
 def test_what_would_reach_beyond_is_refused(frames: int, length: int, first: int, rows: int, bins: int):
     signal = np.zeros((1, frames))
     with pytest.raises(ValueError, match="wanted"):
-        kernel.powers(signal, np.ones(length), first, 30, turns_of(length), np.empty((rows, bins)), False)
+        kernel.powers(signal, np.ones(length), first, 30, twiddle_factors(length), np.empty((rows, bins)), False)
     with pytest.raises(ValueError, match="wanted"):
-        kernel.powers(signal, np.ones(length), first, 30, turns_of(length), np.empty((bins, rows)), True)
+        kernel.powers(signal, np.ones(length), first, 30, twiddle_factors(length), np.empty((bins, rows)), True)
     with pytest.raises(ValueError, match="wanted"):
-        kernel.power_sums(signal, np.ones(length), first, 30, rows, turns_of(length), np.empty(bins))
+        kernel.power_sums(signal, np.ones(length), first, 30, rows, twiddle_factors(length), np.empty(bins))

@@ -14,7 +14,7 @@ import pytest
 import audio_checks.kernel
 from audio_checks.measure import codec_frames
 from audio_checks.measure.loudness import _recursion
-from audio_checks.measure.window_powers import turns_of
+from audio_checks.measure.window_powers import twiddle_factors
 from audio_checks.render import resample, resample_plan
 
 pytestmark = pytest.mark.slow
@@ -107,10 +107,10 @@ def figures_of(kernel: ModuleType, samples: np.ndarray, rate: int) -> list[np.nd
     kernel.silent_lines(spectrum, *lines, codec_frames._turns(), 499, 1_000, 15, 0.03, 1e-6, 5.0, silent)
     octaves, fine = np.array([[1, 2, 1], [2, 6, 4], [6, 90, 84]]), np.array([1, 9, 80])
     decay, levels = np.zeros(((frames - 1) // 240 - 1, 7 * 3 + 2 + 2)), np.empty((channels, 90, 2))
-    kernel.decay_rows(samples, np.hanning(480), 240, turns_of(480), octaves, fine, levels, True, decay)
+    kernel.decay_rows(samples, np.hanning(480), 240, twiddle_factors(480), octaves, fine, levels, True, decay)
     pitch, spans = np.empty((99, 2)), np.array([[0, 0], [20, 99]])
     of_rows = np.array([7, 50]), np.array([0.3, 0.0]), spans
-    kernel.pitch_rows(samples, np.hanning(440), 3, 480, turns_of(440), *of_rows, pitch)
+    kernel.pitch_rows(samples, np.hanning(440), 3, 480, twiddle_factors(440), *of_rows, pitch)
     points = np.zeros((3, 300))
     kernel.shape_points(samples, np.arange(300) * frames // 300, *points)
     by_spectra = [decay, pitch, points]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from audio_checks import kernel
-from audio_checks.measure.window_powers import turns_of
+from audio_checks.measure.window_powers import twiddle_factors
 
 HOP, FIRST = 60, 1
 WINDOW = np.hanning(2 * HOP + 1)[:-1]
@@ -52,7 +52,7 @@ def found_rows(signal: np.ndarray, cuts: list[int]) -> np.ndarray:
     held, rows = np.empty((len(signal), BINS, 2)), np.zeros((cuts[-1], COLUMNS))
     for start, end in zip([0, *cuts], cuts, strict=False):
         part = np.ascontiguousarray(signal[:, start * HOP : FIRST + (end + 1) * HOP])
-        kernel.decay_rows(part, WINDOW, HOP, turns_of(2 * HOP), OCTAVES, FINE, held, start == 0, rows[start:end])
+        kernel.decay_rows(part, WINDOW, HOP, twiddle_factors(2 * HOP), OCTAVES, FINE, held, start == 0, rows[start:end])
     return rows
 
 
@@ -89,7 +89,7 @@ def test_rows_that_would_reach_beyond_are_refused(rows: int, octave: int, edge: 
     signal, octaves, fine = signal_of(2, 20), np.array([[1, octave, 1], *OCTAVES[1:]]), np.array([*FINE[:-1], edge])
     held, out = np.empty((2, BINS, 2)), np.empty((rows, columns))
     with pytest.raises(ValueError, match="wanted"):
-        kernel.decay_rows(signal, WINDOW, HOP, turns_of(2 * HOP), octaves, fine, held, True, out)
+        kernel.decay_rows(signal, WINDOW, HOP, twiddle_factors(2 * HOP), octaves, fine, held, True, out)
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3])
@@ -101,7 +101,7 @@ def test_rows_of_pitch(channels: int, count: int):
     below, shares = np.array([0, 5, -1, 31, 7]), np.array([0.0, 0.3, 0.5, 1.0, 0.2])
     spans = np.array([[0, 0], [0, 0], [0, 0], [20, 33], [4, 6]])
     found = np.empty((count, 5))
-    kernel.pitch_rows(signal, window, first, hop, turns_of(length), below, shares, spans, found)
+    kernel.pitch_rows(signal, window, first, hop, twiddle_factors(length), below, shares, spans, found)
     windows = np.lib.stride_tricks.sliding_window_view(signal, length, axis=1)[:, first::hop]
     powers = (np.abs(np.fft.rfft(windows * window, axis=2)) ** 2).mean(axis=0)
     between = 0.7 * powers[:, 5] + 0.3 * powers[:, 6]
@@ -115,4 +115,4 @@ def test_rows_of_pitch(channels: int, count: int):
 def test_rows_of_pitch_beyond_their_bins_are_refused(count: int, below: int, span: tuple[int, int]):
     rows = np.array([below]), np.array([0.5]), np.array([span])
     with pytest.raises(ValueError, match="wanted"):
-        kernel.pitch_rows(np.zeros((1, 80)), np.ones(64), 0, 16, turns_of(64), *rows, np.empty((count, 1)))
+        kernel.pitch_rows(np.zeros((1, 80)), np.ones(64), 0, 16, twiddle_factors(64), *rows, np.empty((count, 1)))

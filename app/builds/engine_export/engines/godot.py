@@ -11,7 +11,7 @@ import hashlib
 from collections.abc import Collection, Sequence
 from pathlib import PurePosixPath
 
-from app.builds.engine_export.cues import ExportedCue, HandedFile, distinct, file_safe
+from app.builds.engine_export.cues import ArchivedFile, ExportedCue, distinct, file_safe
 
 UID_DIGITS = "abcdefghijklmnopqrstuvwxy012345678"  # those of ResourceUID
 DISABLED, FORWARD = 1, 2  # of edit/loop_mode
@@ -38,11 +38,11 @@ def import_files(cues: Sequence[ExportedCue], _known_paths: Collection[str] = ()
     return made
 
 
-def _ending(file: HandedFile) -> str:
+def _ending(file: ArchivedFile) -> str:
     return PurePosixPath(file.path).suffix.lower()
 
 
-def _import_file(cue: ExportedCue, file: HandedFile) -> bytes:
+def _import_file(cue: ExportedCue, file: ArchivedFile) -> bytes:
     importer, kind, cached_as = IMPORTERS[_ending(file)]
     source = f"res://{file.path}"
     mark = hashlib.md5(source.encode(), usedforsecurity=False).hexdigest()
@@ -67,7 +67,7 @@ def _import_file(cue: ExportedCue, file: HandedFile) -> bytes:
     return ("\n".join(lines) + "\n").encode()
 
 
-def _wav_settings(cue: ExportedCue, file: HandedFile) -> list[str]:
+def _wav_settings(cue: ExportedCue, file: ArchivedFile) -> list[str]:
     begin, end = 0, TO_THE_END
     if cue.loop and file.loop_points:
         begin, last = file.loop_points[0]

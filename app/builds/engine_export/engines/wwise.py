@@ -11,7 +11,7 @@ does to an event that exists is not documented, so the second table has only eve
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from app.builds.engine_export.cues import ExportedCue, HandedFile, distinct, identifier, one_line
+from app.builds.engine_export.cues import ArchivedFile, ExportedCue, distinct, identifier, one_line
 
 FOLDER = "wwise"
 EVENTS = r"\Events\Default Work Unit"
@@ -80,7 +80,7 @@ def _rows(cue: ExportedCue, path: str) -> Iterator[Sequence[str]]:
         yield _sound_row(cue, file, rf"{path}\<{_sound_type(cue)}>{name}", "")
 
 
-def _sound_row(cue: ExportedCue, file: HandedFile, path: str, notes: str) -> Sequence[str]:
+def _sound_row(cue: ExportedCue, file: ArchivedFile, path: str, notes: str) -> Sequence[str]:
     audio_file = "..\\" + file.path.replace("/", "\\")
     loop = "true" if cue.loop else "false"
     return audio_file, path, _sound_type(cue), notes, loop, "true" if cue.streamed else ""

@@ -21,7 +21,7 @@ export function AdoptPage(): ReactNode {
   const { adoption } = useSearch({ from: '/shell/projects/$projectId/sound-list/adopt' })
   const project = useMyProject(projectId)
   const mayAdopt = (project?.is_producer || project?.is_approver) ?? false
-  useTitle('Adopt a folder')
+  useTitle('Import existing game audio')
   const former = useQuery({ ...adoptionsQuery(projectId), enabled: project?.part === 'team' })
   return (
     <div className="page stack content-start">

@@ -252,7 +252,7 @@ function Foot({ listening, projectId }: { listening: ListeningPass; projectId: s
       </Link>
       {!listening.is_newest && <p className="small mid">A newer build was audited. The next pass begins with it.</p>}
       {listening.may_close && (
-        <ConfirmInline action="Close it: notes and tasks stay" onConfirm={() => close.mutate(listening.id)}>
+        <ConfirmInline action="Close pass (notes and tasks are kept)" onConfirm={() => close.mutate(listening.id)}>
           Close the pass
         </ConfirmInline>
       )}

@@ -378,7 +378,7 @@ function PeopleCard({ posting }: { posting: Posting }) {
             )}
             {!isOver && (
               <Button variant="quiet" aria-label={`Take ${address} off`} onClick={() => withdraw.mutate(id)}>
-                Take off
+                Remove
               </Button>
             )}
           </Row>

@@ -65,7 +65,7 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
     <Card aria-labelledby="on-file">
       <CardHead
         id="on-file"
-        title="On file"
+        title="Roster"
         count={page?.total}
         note={hasDays && people.length > 0 ? `${free} of ${people.length} shown could make these dates` : undefined}
         end={

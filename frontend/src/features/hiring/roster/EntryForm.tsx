@@ -86,10 +86,10 @@ export function EntryForm({ entry }: { entry: Entry }) {
   )
   return (
     <Card aria-labelledby="facts">
-      <CardHead id="facts" title="On file" note="seen by the studio’s producers and audio leads" />
+      <CardHead id="facts" title="Profile" note="seen by the studio’s producers and audio leads" />
       <DraftForm
         className={`grid gap-4 ${forms.form} items-end`}
-        aria-label="On file"
+        aria-label="Profile"
         draftKey={`roster:${entry.id}`}
         initialValues={typedEntry(entry)}
         mutation={save}

@@ -85,7 +85,7 @@ export function ReelCard({ entry }: { entry: Entry }) {
           <Button icon="upload" onClick={() => picker.current?.click()}>
             Add sounds
           </Button>
-          <span className="small dim">WAV, FLAC, MP3, Ogg or M4A, up to 50 MB. Links are added under On file.</span>
+          <span className="small dim">WAV, FLAC, MP3, Ogg or M4A, up to 50 MB. Links are added under Profile.</span>
         </div>
       </div>
       <input
