@@ -22,7 +22,7 @@ from tests.support.server import RunningServer
 # Few rows however much is delivered: one or some for each studio, person or project.
 SMALL = {
     "accounts_studios", "accounts_people", "accounts_memberships", "accounts_sign_ins", "accounts_tokens",
-    "core_heartbeats", "projects_projects", "projects_specs", "projects_engagements",
+    "accounts_passkeys", "core_heartbeats", "projects_projects", "projects_specs", "projects_engagements",
     "projects_liaisons", "projects_members", "projects_approver_changes",
 }  # fmt: skip
 LARGE = set(Base.metadata.tables) - SMALL
