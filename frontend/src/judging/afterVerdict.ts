@@ -104,9 +104,18 @@ export const isNoted = (item: QueueItem): boolean => item.takes.every(({ draft_c
 /** A version of it waits that the current person has not heard. */
 export const isUnheard = (item: QueueItem): boolean => item.takes.some(({ is_heard }) => !is_heard)
 
-/** What is judged after this one: the next in the order of the queue, from its start again after its end. */
-export function nextAfter(items: readonly QueueItem[], cueId: string): QueueItem | undefined {
-  const open = items.filter((item) => !isNoted(item) && item.cue.id !== cueId)
+/**
+ * What is judged after this one: the next in the order of the queue, from its start again after its end. A page may be
+ * drawn a key late: of its `items` only those that are `queued` by now come next.
+ */
+export function nextAfter(
+  items: readonly QueueItem[],
+  cueId: string,
+  queued: readonly QueueItem[] = items,
+): QueueItem | undefined {
+  const left = queued.filter((item) => !isNoted(item) && item.cue.id !== cueId)
+  const waits = new Set(left.map(({ cue }) => cue.id))
+  const drawn = items.filter(({ cue }) => waits.has(cue.id))
   const at = items.findIndex(({ cue }) => cue.id === cueId)
-  return open.find((item) => items.indexOf(item) > at) ?? open[0]
+  return drawn.find((item) => items.indexOf(item) > at) ?? drawn[0] ?? left[0]
 }

@@ -32,6 +32,12 @@ describe('the queue after a verdict', () => {
     expect(nextAfter([one, two], 'one')).toBeUndefined()
     expect(isNoted(two)).toBe(true)
   })
+
+  test('what was judged since the page was drawn does not come again', () => {
+    expect(nextAfter([one, three], 'three', [])).toBeUndefined()
+    const four = anItem({ id: 'four', name: 'four' }, [aTake('4')])
+    expect(nextAfter([one, three, four], 'four', [three])).toBe(three)
+  })
 })
 
 describe('a set', () => {

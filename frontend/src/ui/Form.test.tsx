@@ -56,6 +56,19 @@ test('what was refused of no field in sight is said by the form', () => {
   expect(screen.getByRole('alert')).toHaveTextContent('A field does not match. Look at each field.')
 })
 
+test('what was refused of a value without a field of its own is said by the form too', () => {
+  draw(
+    <Form
+      initialValues={{ name: '', kind: 'cues' }}
+      mutation={{ isPending: false, error: refused({ field: 'kind', message: 'is unknown' }) }}
+      onSubmit={() => undefined}
+    >
+      <Field name="name" label="Your name" />
+    </Form>,
+  )
+  expect(screen.getByRole('alert')).toHaveTextContent('A field does not match. Look at each field.')
+})
+
 test('while it is sent the button says so and nothing is sent again', async () => {
   const send = vi.fn()
   const page = draw(<Example send={send} />)

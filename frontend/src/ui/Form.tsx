@@ -9,7 +9,9 @@ import {
   useContext,
   useEffect,
   useEffectEvent,
+  useLayoutEffect,
   useRef,
+  useState,
 } from 'react'
 
 import { ApiProblem } from '@/api/problem'
@@ -77,19 +79,18 @@ export function Form<V extends object>({
     onValuesChange: (values) => onValuesChange?.(values as V),
   })
   const values = form.values as V
-  const refused = errorsOf(error)
-  const isSaidBelowFields = refused.length > 0 && refused.every(({ field }) => field in initialValues)
+  const [isSaidBelowFields, setSaidBelowFields] = useState(false)
 
-  const focus = (errors: object) =>
-    element.current?.querySelector<HTMLElement>(`[data-path="${Object.keys(errors)[0]}"]`)?.focus()
+  const field = (name: string) => element.current?.querySelector<HTMLElement>(`[data-path="${CSS.escape(name)}"]`)
+  const focus = (errors: object) => field(Object.keys(errors)[0] ?? '')?.focus()
   const showRefusal = useEffectEvent(() => {
-    const errors = Object.fromEntries(refused.map(({ field, message }) => [field, sentence(message)]))
-    form.setErrors(errors)
+    const refused = errorsOf(error)
+    const errors = Object.fromEntries(refused.map(({ field: name, message }) => [name, sentence(message)]))
+    setSaidBelowFields(refused.length > 0 && refused.every(({ field: name }) => field(name)))
+    if (error instanceof ApiProblem) form.setErrors(errors)
     focus(errors)
   })
-  useEffect(() => {
-    if (error instanceof ApiProblem) showRefusal()
-  }, [error])
+  useLayoutEffect(() => showRefusal(), [error])
   const follow = useEffectEvent(() => {
     if (kept && !same(kept, form.getValues())) form.setValues(kept)
   })

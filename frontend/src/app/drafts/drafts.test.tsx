@@ -125,3 +125,23 @@ test('a draft that is discarded leaves the form that showed it', () => {
   expect(field().value).toBe('as saved')
   expect(keptDraft('form:c1')).toBeNull()
 })
+
+test('after saving a form shows what was saved, and what is being typed stays', () => {
+  function Settings({ saved }: { saved: string }) {
+    const [text, setText, draft] = useDraft('settings:p1', saved)
+    return (
+      <>
+        <input aria-label="Note" value={text} onChange={(event) => setText(event.currentTarget.value)} />
+        <button onClick={draft.discard}>Sent</button>
+      </>
+    )
+  }
+  const page = render(<Settings saved="Ada" />)
+  type('Grace')
+  fireEvent.click(screen.getByText('Sent'))
+  page.rerender(<Settings saved="Grace" />)
+  expect(field().value).toBe('Grace')
+  type('Grace H')
+  page.rerender(<Settings saved="Somebody else" />)
+  expect(field().value).toBe('Grace H')
+})

@@ -26,6 +26,11 @@ function opened<T>(key: string, initial: T | (() => T)): Held<T> {
   return { key, begun, value: kept ?? begun, isRestored: kept !== null }
 }
 
+/** What a form begins with was read anew, by its own saving for one, and nothing is typed: the form follows. */
+function follows<T>({ begun, value }: Held<T>, initial: T | (() => T)): boolean {
+  return typeof initial !== 'function' && same(value, begun) && !same(initial, begun)
+}
+
 /**
  * State of a form that outlives reload, Escape, Back, a lost session and a lost server. `discard` also ends a form that
  * was sent. The key names what the form is about; what is kept must be plain data, and never a password or a token.
@@ -36,7 +41,7 @@ export function useDraft<T>(
 ): [value: T, set: Dispatch<SetStateAction<T>>, draft: Draft] {
   const [held, setHeld] = useState(() => opened(key, initial))
   let now = held
-  if (held.key !== key) {
+  if (held.key !== key || follows(held, initial)) {
     now = opened(key, initial)
     setHeld(now)
   }

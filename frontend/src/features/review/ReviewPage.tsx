@@ -9,7 +9,7 @@ import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { useTakePlayer } from '@/heard/useTakePlayer'
 import { isUnheard, nextAfter } from '@/judging/afterVerdict'
-import { firstUnheard, reviewQuery } from '@/judging/api'
+import { firstUnheard, queueQuery, reviewQuery } from '@/judging/api'
 import { inOrder, MASTER } from '@/judging/hearing'
 import { usePeaksAhead } from '@/judging/peaks'
 import { filterOf } from '@/judging/queueFilter'
@@ -87,7 +87,12 @@ export function ReviewPage(): ReactNode {
     else showToast('You have heard every other version that waits.')
   }
   const toNext = () => {
-    const next = nextAfter(items, cueId)
+    const queued = client.getQueryData(queueQuery(projectId, filter).queryKey)?.pages
+    const next = nextAfter(
+      items,
+      cueId,
+      queued?.flatMap((page) => page.items),
+    )
     setFollows(next?.cue.id)
     if (next) open(next.cue.id)
     else void navigate({ to: '/projects/$projectId/review', params: { projectId }, search: filter })
