@@ -1,6 +1,6 @@
 """Voice lines as they are shown: each with its text, its take, what is said before and after, and its state."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
@@ -61,14 +61,13 @@ class TakeReasons(NamedTuple):
     errors: Mapping[UUID, str]
 
     def of_line(self, line: VoiceLine, statuses: Sequence[LineStatus]) -> str:
-        """Return why files of a line must be recorded, each by its name where the line has several."""
-        reasons = {
-            stem: self._of_file(status)
-            for stem, status in zip(stems_of("", line.file_name, len(statuses)), statuses, strict=True)
-        }
+        """Return why files of a line must be recorded, with their names where the line has several."""
+        stems: dict[str, list[str]] = defaultdict(list)
+        for stem, status in zip(stems_of("", line.file_name, len(statuses)), statuses, strict=True):
+            stems[self._of_file(status)].append(stem)
         if len(statuses) == 1:
-            return "".join(reasons.values())
-        return "; ".join(f"{stem}: {reason}" for stem, reason in reasons.items() if reason)
+            return next(iter(stems))
+        return "; ".join(f"{reason} ({', '.join(files)})" for reason, files in stems.items() if reason)
 
     def _of_file(self, status: LineStatus) -> str:
         take_id = status.take.id if status.take else None

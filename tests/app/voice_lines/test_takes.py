@@ -200,11 +200,11 @@ def test_a_cue_without_a_line(world: World) -> None:
 
 def test_each_file_of_a_line_is_recorded_and_approved_by_itself(world: World) -> None:
     imported(world, "Line ID,Character,Variations,Text\ngrunt,Guard,2,Hngh!\n")
-    assert pick_ups(world) == {("en", "grunt"): "grunt_01: no take yet; grunt_02: no take yet"}
+    assert pick_ups(world) == {("en", "grunt"): "no take yet (grunt_01, grunt_02)"}
     recorded(world, "en/grunt_01.wav", approve=True)
     line = lines(world)["grunt"]
     assert (line["state"], [file["state"] for file in line["files"]]) == ("no_take", ["approved", "no_take"])
-    assert pick_ups(world) == {("en", "grunt"): "grunt_02: no take yet"}
+    assert pick_ups(world) == {("en", "grunt"): "no take yet (grunt_02)"}
     sheet = world.producer.get(f"/v1/projects/{world.project_id}/pick-ups.csv").text
     assert next(csv.DictReader(io.StringIO(sheet.removeprefix("\ufeff"))))["file"] == "en/grunt_02"
     recorded(world, "en/grunt_02.wav", 1.1, approve=True)
