@@ -35,7 +35,7 @@ export function ReversedCard({ check }: { check: Check | null | undefined }) {
             { head: 'Rises', numeric: true, cell: ({ rise_db_s: rise }) => `${figure(Number(rise))} dB/s` },
             { head: 'Falls', numeric: true, cell: ({ fall_db_s: fall }) => `${figure(Number(fall))} dB/s` },
             {
-              head: '',
+              head: <span className="visually-hidden">Rise beside fall</span>,
               className: classes.lean,
               cell: ({ rise_db_s: rise, fall_db_s: fall }) => (
                 <span aria-hidden="true">

@@ -1,4 +1,5 @@
 import { screen, within } from '@testing-library/react'
+import axe from 'axe-core'
 import { beforeAll, describe, expect, test } from 'vitest'
 
 import { aCheck } from '@/test/take'
@@ -96,10 +97,11 @@ test('the judgement of direction shows how each octave rises and falls', async (
   expect(shown).toHaveTextContent('forwards, score 0.03')
   const rows = within(within(shown).getByRole('table')).getAllByRole('row')
   expect(rows.map((row) => row.textContent)).toEqual([
-    'OctaveRisesFalls',
+    'OctaveRisesFallsRise beside fall',
     '500 Hz1,200 dB/s80 dB/s',
     '4 kHz900 dB/s240 dB/s',
   ])
+  expect((await axe.run(shown)).violations.map(({ id }) => id)).toEqual([])
 })
 
 test('the judgement of a lower rate shows the spectrum, and asks', async () => {
