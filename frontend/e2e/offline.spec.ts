@@ -29,11 +29,11 @@ test('verdicts and comments given without a line are sent later, in order, once 
     return [`${stems[0] ?? ''}.wav`, sound] as const
   })
   await deliver(designer, producer, url, project, Object.fromEntries(files))
+  const queue = () =>
+    ask<{ items: { cue: { id: string; name: string } }[] }>(asProducer, `${url}/v1/review-queue?project_id=${project}`)
+  await expect.poll(async () => (await queue()).items.length).toBe(NAMES.length)
   await heardAll(asProducer, url, project)
-  const { items } = await ask<{ items: { cue: { id: string; name: string } }[] }>(
-    asProducer,
-    `${url}/v1/review-queue?project_id=${project}`,
-  )
+  const { items } = await queue()
   const order = items.map(({ cue }) => cue) // checks end in any order
   const review = (at: number) => ask<Review>(asProducer, `${url}/v1/cues/${order[at]?.id ?? ''}/review`)
   const heading = (at: number) => producer.getByRole('heading', { level: 1, name: order[at]?.name })
