@@ -7,6 +7,7 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'
+import { Skeleton } from '@/ui/Skeleton'
 import { plural } from '@/ui/format'
 import { useDebounced } from '@/ui/useDebounced'
 import { sentence } from '@/ui/sentence'
@@ -100,9 +101,18 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
           </section>
         )
       })
+  const head = <CardHead id="propose" title="Propose changes" note={`to version ${version}`} />
+  // The text comes with the first preview: what is pressed below it must not move away.
+  if (shown.isPending)
+    return (
+      <Card aria-labelledby="propose">
+        {head}
+        <Skeleton rows={24} />
+      </Card>
+    )
   return (
     <Card aria-labelledby="propose">
-      <CardHead id="propose" title="Propose changes" note={`to version ${version}`} />
+      {head}
       <div className={classes.form}>
         <p className="mid">Edit or strike clauses and add your own. The studio answers each change.</p>
         <DraftNote draft={kept} />

@@ -75,6 +75,17 @@ describe('the designer of a contract that was sent', () => {
     expect(screen.queryByRole('button', { name: /Accept change/ })).not.toBeInTheDocument()
   })
 
+  test('waits for the text before anything below it can be pressed', async () => {
+    let arrive: (preview: unknown) => void = () => undefined
+    const preview = new Promise((resolve) => (arrive = resolve))
+    serve({ ...redlineAnswers(), 'POST /v1/contracts/c1/redline-preview': () => preview })
+    openApp(PAGE)
+    expect(await screen.findByRole('heading', { name: 'Propose changes' })).toBeVisible()
+    expect(screen.queryByRole('button', { name: 'Send changes' })).toBeNull()
+    arrive({ clauses: UNMARKED, problems: [] })
+    expect(await screen.findByRole('button', { name: 'Send changes' })).toBeVisible()
+  })
+
   test('finds what was typed after a reload, and says which change has a fault', { tags: ['slow'] }, async () => {
     const { answers } = serve(redlineAnswers())
     openApp(PAGE)
