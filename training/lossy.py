@@ -239,17 +239,19 @@ def by_look_alike(some: list[Known]) -> str:
     return "\n".join(lines)
 
 
-def by_recording(some: list[Known]) -> str:
-    """Return how recordings are judged as they came: by whose they are, or by bit rate."""
+def by_recording(sounds: list[Known]) -> str:
+    """Return the verdicts on recordings as they came, by source or bit rate, as a table."""
     groups = {
-        "uncoded: instruments, by their makers": [one for one in some if one.way == "instrument"],
-        "uncoded: sounds of games": [one for one in some if one.way == "game"],
-        f"Ogg Vorbis, up to {FULL_KBIT_S} kbit/s": [one for one in some if one.kbit_s and one.kbit_s <= FULL_KBIT_S],
-        "Ogg Vorbis, more than that": [one for one in some if one.kbit_s and one.kbit_s > FULL_KBIT_S],
+        "uncoded: instruments, by their makers": [sound for sound in sounds if sound.way == "instrument"],
+        "uncoded: sounds of games": [sound for sound in sounds if sound.way == "game"],
+        f"Ogg Vorbis, up to {FULL_KBIT_S} kbit/s": [
+            sound for sound in sounds if sound.kbit_s and sound.kbit_s <= FULL_KBIT_S
+        ],
+        "Ogg Vorbis, more than that": [sound for sound in sounds if sound.kbit_s and sound.kbit_s > FULL_KBIT_S],
     }
     lines = ["| came as | recordings | called lossy | called clean | cannot tell |", "|---|---|---|---|---|"]
     for name, group in groups.items():
-        verdicts = [one.verdict for one in group]
+        verdicts = [sound.verdict for sound in group]
         shares = " | ".join(_share(verdicts, verdict, 3) for verdict in ("lossy", "clean", CANNOT_TELL))
         lines.append(f"| {name} | {len(group)} | {shares} |")
     return "\n".join(lines)

@@ -139,16 +139,16 @@ def _plan(
 def _faults_of_variations(plans: Sequence[LinePlan], texts: Mapping[tuple[UUID, str], VoiceText]) -> Iterator[RowFault]:
     """Yield the rows that name another number of files than the cue of their line has variations."""
     for plan in plans:
-        wanted = plan.spoken.variations
-        known = [texts.get((plan.line.id, language)) for language in plan.spoken.texts] if plan.line and wanted else []
-        for cue in (text.cue for text in known if text and text.cue.variations != wanted):
-            yield RowFault(plan.spoken.row, "variations", _unlike(wanted or 1, cue.name, cue.variations))
+        files = plan.spoken.variations
+        known = [texts.get((plan.line.id, language)) for language in plan.spoken.texts] if plan.line and files else []
+        for cue in (text.cue for text in known if text and text.cue.variations != files):
+            yield RowFault(plan.spoken.row, "variations", _unlike(files or 1, cue.name, cue.variations))
             break
 
 
-def _unlike(wanted: int, cue_name: str, variations: int) -> str:
+def _unlike(files: int, cue_name: str, variations: int) -> str:
     return (
-        f"{counted(wanted, 'file')} in the script, and {cue_name} has {counted(variations, 'variation')}; "
+        f"{counted(files, 'file')} in the script, and {cue_name} has {counted(variations, 'variation')}; "
         "change Variations on the sound list first"
     )
 
@@ -166,12 +166,12 @@ def _add_cues_to(session: Session, project: Project, plans: Sequence[LinePlan]) 
         row = new_text.plan.spoken.row
         owner_sets = [[owners.get(folded(stem)) for stem in stems] for stems in new_text.stem_sets]
         owner = next((owning[0] for owning in owner_sets if owning[0] and len(set(owning)) == 1), None)
-        wanted = new_text.plan.spoken.variations
+        files = new_text.plan.spoken.variations
         if owner is not None and owner in pinned:
             message = f'the file name "{new_text.stem}" belongs to another voice line already'
             faults.append(RowFault(row, "file_name", message))
-        elif owner is not None and wanted and wanted != variations[owner]:
-            faults.append(RowFault(row, "variations", _unlike(wanted, new_text.stem, variations[owner])))
+        elif owner is not None and files and files != variations[owner]:
+            faults.append(RowFault(row, "variations", _unlike(files, new_text.stem, variations[owner])))
         elif owner is not None:
             new_text.cue_id = owner
             pinned.add(owner)

@@ -212,7 +212,7 @@ def _faults_of(row: int, given: Mapping[str, str]) -> Iterator[RowFault]:
 
 
 def _faults_of_files(row: int, given: dict[str, str]) -> Iterator[RowFault]:
-    """Yield what is wrong with the files of a row; several files that are one numbered set become name and number."""
+    """Yield the errors in the files of a row, and put the name and number of a numbered set in their place."""
     count = given.get(ScriptField.VARIATIONS, "")
     if count and not (count.isdecimal() and 1 <= int(count) <= MAX_VARIATIONS):
         message = f'{MAX_VARIATIONS} files are the most of a line, in whole numbers from 1; found "{count[:40]}"'
@@ -225,6 +225,9 @@ def _faults_of_files(row: int, given: dict[str, str]) -> Iterator[RowFault]:
         yield RowFault(row, ScriptField.FILE_NAME, str(error))
         return
     given[ScriptField.FILE_NAME] = next(iter(stems_of("", named.file_name if named.variations else files)), "")
+    if len(given[ScriptField.FILE_NAME]) > MAX_KEY_CHARS:
+        message = f"{len(given[ScriptField.FILE_NAME]):,} characters; at most {MAX_KEY_CHARS} are kept"
+        yield RowFault(row, ScriptField.FILE_NAME, message)
     if named.variations is not None:
         if count and int(count) != named.variations:
             message = f"{named.variations} files are named, and {count} are wanted beside; make them one number"

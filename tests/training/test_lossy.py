@@ -30,7 +30,11 @@ def folder(tmp_path, monkeypatch):
 @pytest.mark.usefixtures("folder")
 def test_recordings_by_how_they_came():
     recordings = list(recordings_as_they_came())
-    assert [(one.way, one.kbit_s) for one in recordings] == [("game", None), ("Vorbis", 500), ("Vorbis", 192)]
+    assert [(recording.way, recording.kbit_s) for recording in recordings] == [
+        ("game", None),
+        ("Vorbis", 500),
+        ("Vorbis", 192),
+    ]
     counts = [line.split(" | ")[1] for line in by_recording(recordings).splitlines()[2:]]
     assert counts == ["0", "1", "1", "1"]
 

@@ -316,6 +316,7 @@ def test_a_column_counts_the_files_of_a_line(world: World) -> None:
     [
         ('"grunt_01.wav, roar.wav",', "Audio file", "give each a row of its own"),
         ('"grunt_01.wav, grunt_02.wav",5', "Audio file", "2 files are named"),
+        (f"{'x' * 101}.wav,", "Audio file", "at most 100 are kept"),
         ("grunt.wav,100", "Variations", "found \"100\""),
         ("grunt.wav,many", "Variations", "found \"many\""),
     ],
