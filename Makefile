@@ -224,7 +224,7 @@ clean:  ## Remove what set-up made; data stays
 	@touch $@
 
 .make/page: .make/node frontend/index.html frontend/vite.config.ts $(shell find frontend/src frontend/public -type f -not -name '*.gen.ts' 2>/dev/null)
-	@echo "Building the frontend" && cd frontend && npm run --silent build
+	@echo "Building the frontend" && cd frontend && npm run --silent build -- --logLevel error
 	@touch $@
 
 .make/help: .make/python .make/page zensical.toml .ci/docs_site.py $(shell find docs -type f)
