@@ -1,13 +1,24 @@
-import { mkdir } from 'node:fs/promises'
-import { join } from 'node:path'
+import { mkdir, writeFile } from 'node:fs/promises'
+import { dirname, join } from 'node:path'
 
 import { expect, type Page } from '@playwright/test'
 
 import { test } from './fixtures'
 import { ROOT } from './server'
+import { wav } from './sounds'
 
 /** The pictures of the guides: with PICTURES=1 (`make pictures`) they are written among the guides, else only taken. */
 const FOLDER = process.env.PICTURES ? join(ROOT, 'docs/pictures') : undefined
+
+/** The sounds of a game, by their paths and pitches in Hz. */
+const GAME_SOUNDS = {
+  'steps/grass_01.wav': 180,
+  'steps/grass_02.wav': 190,
+  'steps/grass_03.wav': 200,
+  'ui/back.wav': 520,
+  'ui/click.wav': 880,
+  'weapon/laser.wav': 1_400,
+}
 
 interface Shown {
   name: string
@@ -59,6 +70,10 @@ const SHOWN: Shown[] = [
     spec: ['spec', 'Delivery spec'],
     money: ['money', 'Money'],
     builds: ['builds', 'Builds'],
+    game_files: ['game-files', 'Game files'],
+    voice_lines: ['voice-lines', 'Voice lines'],
+    studio: ['/studio', 'Shield Wing studio'],
+    notices: ['/notices', 'Notices'],
   }),
   {
     name: 'contract',
@@ -70,16 +85,45 @@ const SHOWN: Shown[] = [
       await expect(page.getByRole('heading', { level: 1, name: /Effects/ })).toBeVisible()
     },
   },
+  {
+    name: 'bids',
+    part: 'Producer',
+    person: 'Producer',
+    open: async (page, project) => {
+      await page.goto(`${project}/postings`)
+      await page.getByRole('link', { name: 'Effects' }).click()
+      await page.getByRole('link', { name: /^Compare \d+ bids/ }).click()
+      await expect(page.getByRole('heading', { level: 1, name: /bids on Effects/ })).toBeVisible()
+      await page.waitForLoadState('networkidle')
+    },
+  },
+  {
+    name: 'adoption',
+    part: 'Producer',
+    person: 'Producer',
+    open: async (page, project) => {
+      const folder = test.info().outputPath('sounds')
+      for (const [path, pitchHz] of Object.entries(GAME_SOUNDS)) {
+        await mkdir(dirname(join(folder, path)), { recursive: true })
+        await writeFile(join(folder, path), wav({ pitchHz }))
+      }
+      await page.goto(`${project}/sound-list/adopt`)
+      await page.getByLabel('Folder', { exact: true }).setInputFiles(folder)
+      await expect(page.getByRole('button', { name: /^Adopt \d+ files/ })).toBeVisible()
+      await page.getByText(/^Cues/).click()
+      await page.waitForLoadState('networkidle')
+    },
+  },
 ]
 
-/** Pages of the producer by the name of their picture: path below the project, and heading. */
+/** Pages of the producer by the name of their picture: path, below the project unless it begins with a slash, and heading. */
 function producerPages(pages: Record<string, [string, string]>): Shown[] {
   return Object.entries(pages).map(([name, [path, heading]]) => ({
     name,
     part: 'Producer',
     person: 'Producer',
     open: async (page, project) => {
-      await page.goto(`${project}/${path}`)
+      await page.goto(path.startsWith('/') ? path : `${project}/${path}`)
       await expect(page.getByRole('heading', { level: 1, name: heading })).toBeVisible()
       await page.waitForLoadState('networkidle')
     },
