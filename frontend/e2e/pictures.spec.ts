@@ -94,7 +94,6 @@ const SHOWN: Shown[] = [
       await page.getByRole('link', { name: 'Effects' }).click()
       await page.getByRole('link', { name: /^Compare \d+ bids/ }).click()
       await expect(page.getByRole('heading', { level: 1, name: /bids on Effects/ })).toBeVisible()
-      await page.waitForLoadState('networkidle')
     },
   },
   {
@@ -111,7 +110,6 @@ const SHOWN: Shown[] = [
       await page.getByLabel('Folder', { exact: true }).setInputFiles(folder)
       await expect(page.getByRole('button', { name: /^Adopt \d+ files/ })).toBeVisible()
       await page.getByText(/^Cues/).click()
-      await page.waitForLoadState('networkidle')
     },
   },
 ]
@@ -143,6 +141,7 @@ test('the pictures of the guides, in light and in dark @slow', async ({ demo, br
     for (const colorScheme of ['light', 'dark'] as const) {
       await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' })
       await open(page, `/projects/${demo.projectId}`)
+      await expect(page.getByText('Loading…')).toHaveCount(0)
       await page.evaluate(() => document.fonts.ready)
       await page.screenshot({ path: join(folder, `${name}_${colorScheme}.png`) })
     }
