@@ -31,6 +31,7 @@ from audio_checks import (
     preview,
     rehearse_check,
     render_master,
+    sound_signature,
     spectrogram,
     wave_shapes,
     write_rehearsal_sound,
@@ -228,7 +229,7 @@ def _rendered(path: str, folder: Path, recipe: dict[str, Any], decoded: _Known) 
 
 
 def preload() -> None:
-    """Check, draw and render a sound of our own once, for all the children to come."""
+    """Check, draw, render and fingerprint a sound of our own once, for all the children to come."""
     recipe = {
         "target": Target(name="rehearsal", sample_rate_hz=44_100, bit_depth=16),
         "loop": False,
@@ -240,4 +241,5 @@ def preload() -> None:
         sound = str(Path(folder, "sound.wav"))
         write_rehearsal_sound(sound)
         prepare(sound, folder, {"rehearsal": recipe}, loop=False, draws_master=True)
+        sound_signature(sound)
     rehearse_check()

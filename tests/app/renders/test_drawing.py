@@ -10,10 +10,11 @@ from tests.support.waves import sine, write_wav
 
 
 @pytest.mark.slow
-def test_a_child_of_a_rehearsed_server_loads_nothing_to_draw(tmp_path: Path) -> None:
+def test_a_child_of_a_rehearsed_server_loads_nothing_to_draw_and_compare(tmp_path: Path) -> None:
     path = str(write_wav(tmp_path / "a.wav", sine(hz=440, dbfs=-6, rate=96_000, channels=2), rate=96_000, bits=24))
     sandbox = Sandbox(rehearsal=drawing.preload)
     assert modules_loaded(sandbox, drawing.__name__, "draw", path, str(tmp_path), loop=False) == []
+    assert modules_loaded(sandbox, "audio_checks", "sound_signature", path) == []
     sandbox.close()
 
 
