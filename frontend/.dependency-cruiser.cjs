@@ -1,12 +1,12 @@
 /** The arrows of the frontend: features stand on app, uploads, audio, ui and api, and never on one another. */
 const lower = {
-  api: 'app|audio|judging|losses|mending|ui|uploads|parts',
-  ui: 'app|api|audio|judging|losses|mending|uploads|parts',
-  audio: 'app|api|judging|losses|mending|uploads|parts',
-  uploads: 'app|audio|judging|losses|mending|ui|parts',
-  judging: 'losses|mending|uploads|parts',
-  losses: 'app|judging|mending|money|uploads|parts',
-  money: 'app|audio|judging|losses|mending|uploads|parts',
+  api: 'app|audio|verdicts|losses|mending|ui|uploads|parts',
+  ui: 'app|api|audio|verdicts|losses|mending|uploads|parts',
+  audio: 'app|api|verdicts|losses|mending|uploads|parts',
+  uploads: 'app|audio|verdicts|losses|mending|ui|parts',
+  verdicts: 'losses|mending|uploads|parts',
+  losses: 'app|verdicts|mending|money|uploads|parts',
+  money: 'app|audio|verdicts|losses|mending|uploads|parts',
   mending: 'losses|uploads|parts',
   precheck: 'app|audio|losses|mending|money|ui|uploads|parts',
 }

@@ -93,7 +93,7 @@ describe('answers', () => {
     vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')))
     await expect(unwrap(anyApi.POST('/v1/sign-out'))).rejects.toMatchObject({ status: 0, code: 'line-lost' })
     vi.stubGlobal('fetch', () => Promise.resolve(new Response('{}')))
-    await waitFor(() => expect(connection.isAway()).toBe(false))
+    await waitFor(() => expect(connection.isUnreachable()).toBe(false))
   })
 
   test('reads wait for the server to come back, and the page says so meanwhile', async () => {
@@ -104,17 +104,17 @@ describe('answers', () => {
         : Promise.resolve(new Response('Bad Gateway', { status: 502 })),
     )
     const read = unwrap(anyApi.GET('/v1/me'))
-    await waitFor(() => expect(connection.isAway()).toBe(true))
+    await waitFor(() => expect(connection.isUnreachable()).toBe(true))
     isThere = true
     expect(await read).toEqual({ name: 'Ada' })
-    expect(connection.isAway()).toBe(false)
+    expect(connection.isUnreachable()).toBe(false)
   })
 
   test('a server that is too busy is there', async () => {
     const { body } = refusal(503, 'overloaded', 'busy')
     vi.stubGlobal('fetch', () => Promise.resolve(Response.json(body, { status: 503 })))
     await expect(unwrap(anyApi.GET('/v1/me'))).rejects.toMatchObject({ code: 'overloaded' })
-    expect(connection.isAway()).toBe(false)
+    expect(connection.isUnreachable()).toBe(false)
   })
 
   test('where the session has ended, one sign-in serves all, and each request is sent again', async () => {

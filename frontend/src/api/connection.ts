@@ -6,7 +6,7 @@ let returning: Promise<void> | null = null
 const listeners = new Set<() => void>()
 
 export const connection = {
-  isAway: (): boolean => returning !== null,
+  isUnreachable: (): boolean => returning !== null,
   subscribe: (listener: () => void): (() => void) => {
     listeners.add(listener)
     return () => listeners.delete(listener)

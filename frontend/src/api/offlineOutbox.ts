@@ -44,7 +44,7 @@ export class OfflineOutbox {
   #person = ''
   #writes: KeptWrite[] = []
   #count = 0
-  #isAway = false
+  #isUnreachable = false
   #isSending = false
   readonly #onTheirWay = new Map<KeptWrite, Promise<Response | null>>()
   /** Sent at least once: the server may have them, also where its answer was lost. */
@@ -88,8 +88,8 @@ export class OfflineOutbox {
       const answer = new Promise<Response>((resolve, reject) =>
         this.#asked.set(write.place, { answer: resolve, drop: () => reject(dropped()), onKept, isKept: false }),
       )
-      if (this.#isAway || this.#isSending) {
-        if (this.#isAway) this.#sayKept()
+      if (this.#isUnreachable || this.#isSending) {
+        if (this.#isUnreachable) this.#sayKept()
         void this.#send()
       } else void this.#sendAtOnce(write) // lists that are read meanwhile see it sooner
       return answer
@@ -134,10 +134,10 @@ export class OfflineOutbox {
         const response = await this.#answerTo(next, isThere)
         isThere = false
         if (response === null) {
-          this.#isAway = true
+          this.#isUnreachable = true
           this.#sayKept()
           await serverReturns()
-          this.#isAway = false
+          this.#isUnreachable = false
           isThere = true
         } else if (response.status === 429) await new Promise((resolve) => setTimeout(resolve, BUSY_MS))
         else if (response.status === 401 && this.#isLate(next))

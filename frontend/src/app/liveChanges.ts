@@ -144,7 +144,7 @@ export function followChanges(client: QueryClient, personId: string, projectIds:
     refresher.add('all')
   }, LOOK_MS)
   const unsubscribe = connection.subscribe(() => {
-    if (!connection.isAway()) refresher.add('all')
+    if (!connection.isUnreachable()) refresher.add('all')
   })
 
   // One tab listens for all: a browser keeps six connections to a server, and each tab would take one.

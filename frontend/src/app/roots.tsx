@@ -35,7 +35,7 @@ function BrokenFrame(props: ErrorComponentProps) {
 export const shellRoute = createRoute({
   getParentRoute: () => rootRoute,
   id: 'shell',
-  staticData: { prefetch: (_client, _params, session) => session.startEarly?.() },
+  staticData: { prefetch: (_client, _params, session) => session.prefetchPerson?.() },
   beforeLoad: ({ context, location }) => context.session.ensureSignedIn(location.href),
   component: SignedInShell,
   errorComponent: BrokenFrame,

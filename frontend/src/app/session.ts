@@ -42,7 +42,7 @@ export interface ShellData {
 export interface Session {
   useShell: () => ShellData
   /** Asks who is signed in, before anything needs the answer. */
-  startEarly?: () => void
+  prefetchPerson?: () => void
   /** Called before every page of the shell; throws a redirect to sign-in if not signed in. */
   ensureSignedIn: (href: string) => Promise<void>
 }

@@ -1,7 +1,7 @@
 import { useState } from 'react'
 
 import { type Clock, type FindingMark, finePeaks, type Player, Waveform } from '@/audio'
-import { usePeaks } from '@/judging/peaks'
+import { usePeaks } from '@/verdicts/peaks'
 import { length } from '@/ui/format'
 import { Segmented } from '@/ui/Segmented'
 

@@ -4,7 +4,7 @@ import { ApiProblem, post } from '@/api'
 import { serverReturns } from '@/api/connection'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
-import type { CueReview, QueuePage, ReviewTake } from '@/judging/api'
+import type { CueReview, QueuePage, ReviewTake } from '@/verdicts/api'
 
 type Playlist = components['schemas']['PlaylistRead']
 type CueProgress = components['schemas']['CueProgress']

@@ -1,4 +1,4 @@
-import { wordsOf } from '@/judging/findings'
+import { wordsOf } from '@/verdicts/findings'
 
 import type { Finding } from './findings'
 

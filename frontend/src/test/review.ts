@@ -7,9 +7,9 @@ import type {
   ReviewCue,
   ReviewFinding,
   ReviewTake,
-} from '@/judging/api'
+} from '@/verdicts/api'
 
-import type { ReviewReasons } from '@/judging/reasons'
+import type { ReviewReasons } from '@/verdicts/reasons'
 
 import { type Asked, serve } from './server'
 

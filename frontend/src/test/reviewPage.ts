@@ -2,7 +2,7 @@ import { screen } from '@testing-library/react'
 import { beforeEach, vi } from 'vitest'
 
 import { dismissToast } from '@/app/toast'
-import type { CueReview, QueueItem } from '@/judging/api'
+import type { CueReview, QueueItem } from '@/verdicts/api'
 
 import { HandContext } from './audioContext'
 import { aFinding, aMe, anItem, aPreview, aReview, aServer, aTake, PROJECT, somePeaks } from './review'

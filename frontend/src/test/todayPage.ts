@@ -3,7 +3,7 @@ import { beforeEach, vi } from 'vitest'
 
 import type { components } from '@/api/schema.gen'
 import { dismissToast } from '@/app/toast'
-import type { QueueItem } from '@/judging/api'
+import type { QueueItem } from '@/verdicts/api'
 
 import { HandContext } from './audioContext'
 import { aMe, anItem, aPreview, aServer, aTake, PROJECT, somePeaks } from './review'

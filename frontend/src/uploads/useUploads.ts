@@ -11,7 +11,7 @@ export function useUploads(queue: UploadQueue): { uploads: readonly Upload[]; fi
   useEffect(() => {
     window.addEventListener('online', queue.lineIsBack)
     const unsubscribe = connection.subscribe(() => {
-      if (!connection.isAway()) queue.lineIsBack()
+      if (!connection.isUnreachable()) queue.lineIsBack()
     })
     return () => {
       window.removeEventListener('online', queue.lineIsBack)

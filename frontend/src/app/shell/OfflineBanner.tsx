@@ -9,14 +9,14 @@ const RefusedWrites = lazy(async () => ({ default: (await import('./RefusedWrite
 
 /** Says quietly that the server does not answer, and what waits to be sent; then what of that was refused. */
 export function OfflineBanner() {
-  const isAway = useSyncExternalStore(connection.subscribe, connection.isAway)
+  const isUnreachable = useSyncExternalStore(connection.subscribe, connection.isUnreachable)
   const { waiting, refused } = useSyncExternalStore(outbox.subscribe, outbox.getState)
   const kept = keptWords(waiting)
   return (
     <>
-      <div aria-live="polite" className={classes.away} data-away={isAway || waiting.length > 0 || undefined}>
-        {isAway && <span>Can’t reach Soundlist. Retrying…</span>}
-        {waiting.length > 0 && (isAway ? ` ${kept} kept in this browser until it is back.` : `Sending ${kept}…`)}
+      <div aria-live="polite" className={classes.away} data-away={isUnreachable || waiting.length > 0 || undefined}>
+        {isUnreachable && <span>Can’t reach Soundlist. Retrying…</span>}
+        {waiting.length > 0 && (isUnreachable ? ` ${kept} kept in this browser until it is back.` : `Sending ${kept}…`)}
       </div>
       {refused.length > 0 && (
         <Suspense fallback={null}>

@@ -2,10 +2,10 @@ import type { ReactNode } from 'react'
 
 import { unwrap, api } from '@/api'
 import type { components } from '@/api/schema.gen'
-import { comparedBlind } from '@/judging/comparedBlind'
-import { variationName } from '@/judging/hearing'
-import { STATE_OF_TAKE } from '@/judging/stateOfTake'
-import { byWhom } from '@/judging/words'
+import { comparedBlind } from '@/verdicts/comparedBlind'
+import { variationName } from '@/verdicts/hearing'
+import { STATE_OF_TAKE } from '@/verdicts/stateOfTake'
+import { byWhom } from '@/verdicts/words'
 import { StatusBadge } from '@/ui/StatusBadge'
 
 import type { Found } from '../palette'
@@ -78,7 +78,7 @@ function around(text: string, typed: string): string {
 }
 
 /** Of which version something was said, and by whom: "shield_hit version 2, approved by Ada". */
-function saidOf(hit: Hit | HitElsewhere): string {
+function describeFeedback(hit: Hit | HitElsewhere): string {
   const { kind, title, said } = hit
   if (!said) return title
   const project = 'project_name' in hit ? `${hit.project_name}: ` : ''
@@ -101,7 +101,7 @@ function shown(hit: Hit, typed: string): Pick<Found, 'title' | 'number' | 'detai
     case 'change_reason':
     case 'pick_reason':
     case 'label':
-      return { title: hit.text, number: hit.cue?.label, detail: quiet(saidOf(hit)) }
+      return { title: hit.text, number: hit.cue?.label, detail: quiet(describeFeedback(hit)) }
     default:
       return { title: hit.title, number: hit.cue?.label, detail: quiet(around(hit.text, typed)) }
   }

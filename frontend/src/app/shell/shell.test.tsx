@@ -4,7 +4,7 @@ import { screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { afterEach, expect, test, vi } from 'vitest'
 
-import { useComparedBlind } from '@/judging/comparedBlind'
+import { useComparedBlind } from '@/verdicts/comparedBlind'
 import { draw } from '@/test/draw'
 import { serve } from '@/test/server'
 

@@ -13,8 +13,8 @@ import { badgesOf, nextStepsQuery } from '@/app/nextSteps'
 import { unreadQuery, unreadWords } from '@/app/notices'
 import { showToast } from '@/app/toast'
 import { NOBODY, type Session, type ShellData } from '@/app/session'
-import { countQuery } from '@/judging/api'
-import { counted } from '@/judging/words'
+import { countQuery } from '@/verdicts/api'
+import { counted } from '@/verdicts/words'
 
 import { sessionQuery } from './api'
 import { partWord } from './parts'
@@ -122,7 +122,7 @@ function useShell(): ShellData {
 export function createSession(client: QueryClient): Session {
   return {
     useShell,
-    startEarly: () => {
+    prefetchPerson: () => {
       void client.prefetchQuery(sessionQuery)
       void client.prefetchQuery(meQuery) // nearly always someone is
     },

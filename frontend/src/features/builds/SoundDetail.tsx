@@ -6,7 +6,7 @@ import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { showToast } from '@/app/toast'
 import { type Peaks, Waveform } from '@/audio'
 import { useTakePlayer } from '@/heard/useTakePlayer'
-import { usePeaks } from '@/judging/peaks'
+import { usePeaks } from '@/verdicts/peaks'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural, shortDay } from '@/ui/format'
@@ -17,7 +17,7 @@ import { type AuditedSound, type AuditSummary, useAcceptDrift, useSendBack, useS
 import classes from './Drift.module.css'
 import type { DriftGroup } from './groups'
 import { louder } from './louder'
-import { faceOf, isAudibleHere, signed, unheardOf, whatOf } from './words'
+import { faceOf, isAudibleHere, signed, unheardOf, describeChange } from './words'
 
 interface SoundDetailProps {
   group: DriftGroup
@@ -292,7 +292,7 @@ function History({ projectId, path }: { projectId: string; path: string }) {
         {data.map((build) => (
           <li key={build.audit_id}>
             <span className="strong">{build.label}</span>
-            <StatusBadge kind={faceOf(build)}>{whatOf(build)}</StatusBadge>
+            <StatusBadge kind={faceOf(build)}>{describeChange(build)}</StatusBadge>
             <span className="num">{build.gain_db === null ? '' : signed(build.gain_db)}</span>
             <span className="dim">{shortDay(build.created_at)}</span>
           </li>

@@ -5,7 +5,7 @@ import type { AuditSummary } from './api'
 import classes from './Drift.module.css'
 import type { DriftGroup } from './groups'
 import { SoundDetail } from './SoundDetail'
-import { faceOf, signed, whatOf } from './words'
+import { faceOf, signed, describeChange } from './words'
 
 interface SoundRowProps {
   group: DriftGroup
@@ -28,7 +28,7 @@ export function SoundRow({ group, audit, projectId, isOpen, onOpen }: SoundRowPr
           <span className="small dim">{plural(sounds.length, 'file')}</span>
           {first.is_new && <span className={`small ${classes.new}`}> new</span>}
         </span>
-        <StatusBadge kind={faceOf(first)}>{whatOf(first)}</StatusBadge>
+        <StatusBadge kind={faceOf(first)}>{describeChange(first)}</StatusBadge>
         <span className="mono small cut-text">{move ? `${endOf(move.object)}, ${move.property}` : first.path}</span>
         <span className="small mid cut-text">{list ? [list.id, list.on].filter(Boolean).join(', ') : ''}</span>
         <span className={`num ${first.has_drifted ? 'strong' : ''}`}>

@@ -12,7 +12,7 @@ import type { AuditedSound } from './api'
 import { groupsOf } from './groups'
 import { louder } from './louder'
 import { proposedDb } from './SoundToJudge'
-import { whatOf } from './words'
+import { describeChange } from './words'
 
 const AT = '2026-11-20T10:00:00Z'
 const WHO = { id: 'x1', name: 'Producer' }
@@ -237,12 +237,12 @@ test('a sound that is skipped or not reached is not heard', async () => {
 })
 
 test('notes are kept while the line is lost, and sent in order, once each', async () => {
-  let isAway = true
+  let isUnreachable = true
   const away = { status: 503, body: 'no server' }
   const { asked } = serve(
     listening({
-      [NOTES]: () => (isAway ? away : answer({}, 201)),
-      'GET /readyz': () => (isAway ? away : answer({})),
+      [NOTES]: () => (isUnreachable ? away : answer({}, 201)),
+      'GET /readyz': () => (isUnreachable ? away : answer({})),
     }),
   )
   const press = userEvent.setup()
@@ -253,7 +253,7 @@ test('notes are kept while the line is lost, and sent in order, once each', asyn
   expect(await screen.findByText(/2 notes kept in this browser/)).toBeVisible()
   const kept = Object.keys(localStorage).find((key) => key.startsWith('soundlist-listening'))
   expect(JSON.parse(localStorage.getItem(kept ?? '') ?? '{}')).toMatchObject({ pending: [{}, {}] })
-  isAway = false
+  isUnreachable = false
   await waitFor(() => expect(screen.queryByText(/kept in this browser/)).toBeNull())
   const sent = bodies(asked, NOTES) as { note_id: string; said: string }[]
   const ids = [...new Set(sent.map(({ note_id }) => note_id))]
@@ -320,7 +320,7 @@ test('a pass begins with the newest build, and says so where there is none', asy
 
 test('what happened to a sound is never called the same where the game changes its level', () => {
   const of = (status: AuditedSound['status'], more: Partial<AuditedSound> = {}) =>
-    whatOf({ status, played_status: 'same', gain_db: null, ...more })
+    describeChange({ status, played_status: 'same', gain_db: null, ...more })
   expect(of('depends', { depends: ['Menu open'] })).toBe('Depends on Menu open')
   expect(of('gain', { gain_db: -3 })).toBe('Quieter')
   expect(of('trimmed', { gain_db: -1.5, played_status: 'gain' })).toBe('Cut or padded, quieter')

@@ -25,7 +25,7 @@ const STATUS_WORDS: Record<AuditedSound['status'], string> = {
 }
 
 /** What happened to a sound, in words: "Louder", "Quieter", "Missing in the build"; "as approved" only where it is sure. */
-export function whatOf({
+export function describeChange({
   status,
   played_status,
   gain_db,

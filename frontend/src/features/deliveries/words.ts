@@ -1,6 +1,6 @@
 import { plural, shortDay } from '@/ui/format'
 import type { StateKind } from '@/ui/StatusBadge'
-import { STATE_OF_TAKE } from '@/judging/stateOfTake'
+import { STATE_OF_TAKE } from '@/verdicts/stateOfTake'
 
 import type { Delivery, DeliveryDetail, Take } from './api'
 

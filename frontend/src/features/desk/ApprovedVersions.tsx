@@ -3,8 +3,8 @@ import { Link } from '@tanstack/react-router'
 
 import { get } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
-import { variationName } from '@/judging/hearing'
-import { reasonsText } from '@/judging/words'
+import { variationName } from '@/verdicts/hearing'
+import { reasonsText } from '@/verdicts/words'
 import { Refusal } from '@/ui/Refusal'
 
 const PAGE = 10

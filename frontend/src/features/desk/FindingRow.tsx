@@ -1,4 +1,4 @@
-import { wordsOf } from '@/judging/findings'
+import { wordsOf } from '@/verdicts/findings'
 import { Icon } from '@/ui/Icon'
 import { SEVERITY_LOOK } from '@/ui/severity'
 

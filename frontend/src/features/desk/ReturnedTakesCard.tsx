@@ -12,9 +12,9 @@ import {
   Waveform,
   WaveThumb,
 } from '@/audio'
-import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
-import { MentionedText } from '@/judging/MentionedText'
-import { usePeaks } from '@/judging/peaks'
+import { spotOf, wordsOf, worstFirst } from '@/verdicts/findings'
+import { MentionedText } from '@/verdicts/MentionedText'
+import { usePeaks } from '@/verdicts/peaks'
 import { FixPanel, type Fixing, useFixing } from '@/fixing'
 import { ReferencesWhereAny } from '@/references/ReferencesWhereAny'
 import { Button } from '@/ui/Button'

@@ -4,7 +4,7 @@ import { type DragEvent, useState } from 'react'
 
 import { HotkeyButton } from '@/app/keys'
 import { ShellLink } from '@/app/shell/ShellLink'
-import { deemedAcceptanceNotice } from '@/judging/words'
+import { deemedAcceptanceNotice } from '@/verdicts/words'
 import { fixesQuery } from '@/fixing'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'

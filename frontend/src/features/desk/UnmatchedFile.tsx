@@ -2,7 +2,7 @@ import { useState } from 'react'
 
 import { useHotkeys } from '@/app/keys'
 import { type Player, type PlayerState, WaveThumb } from '@/audio'
-import { capital } from '@/judging/words'
+import { capital } from '@/verdicts/words'
 import { Button } from '@/ui/Button'
 import { channels, length, rate } from '@/ui/format'
 import { Key } from '@/ui/Key'

@@ -5,7 +5,7 @@ import { invalidate, queryKeys } from '@/api/queryKeys'
 import { keptCuesQuery } from '@/api/soundList'
 import type { components } from '@/api/schema.gen'
 import { deskQuery } from '@/app/desk'
-import { mentionsOf } from '@/judging/mentionNames'
+import { mentionsOf } from '@/verdicts/mentionNames'
 import type { Accepts } from '@/uploads'
 
 import { acceptedFiles } from './accepted'

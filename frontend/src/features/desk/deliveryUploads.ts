@@ -1,6 +1,6 @@
 import type { QueryClient } from '@tanstack/react-query'
 
-import { ended } from '@/judging/findings'
+import { ended } from '@/verdicts/findings'
 import {
   type Accepts,
   partsTransport,

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 
-import { spotOf, wordsOf, worstFirst } from '@/judging/findings'
+import { spotOf, wordsOf, worstFirst } from '@/verdicts/findings'
 import type { Upload } from '@/uploads'
 
 import { acceptedFiles } from './accepted'

@@ -1,4 +1,4 @@
-import { reasonsText } from '@/judging/words'
+import { reasonsText } from '@/verdicts/words'
 import { bytes, bytesOf, figure, plural } from '@/ui/format'
 import type { StateKind } from '@/ui/StatusBadge'
 import type { Upload } from '@/uploads'

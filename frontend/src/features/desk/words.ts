@@ -1,6 +1,6 @@
 import { cameBack } from '@/app/desk'
-import { ended } from '@/judging/findings'
-import { spelled } from '@/judging/words'
+import { ended } from '@/verdicts/findings'
+import { spelled } from '@/verdicts/words'
 import { figure, plural } from '@/ui/format'
 
 import type { Desk } from './api'

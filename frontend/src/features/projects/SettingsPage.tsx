@@ -42,7 +42,7 @@ function ProjectForm({ project }: { project: Project }) {
         },
       },
     )
-  const isAway = project.archived_at !== null
+  const isArchived = project.archived_at !== null
   return (
     <Card className={classes.change}>
       <Form
@@ -71,8 +71,8 @@ function ProjectForm({ project }: { project: Project }) {
           className={`row wrap ${classes.whole}`}
           beside={
             <>
-              <Button variant="quiet" className="end" onClick={() => setArchived(!isAway)}>
-                {isAway ? 'Restore' : 'Archive'}
+              <Button variant="quiet" className="end" onClick={() => setArchived(!isArchived)}>
+                {isArchived ? 'Restore' : 'Archive'}
               </Button>
               <Link className="link small" to={`/erase/projects/${project.id}` as LinkProps['to']}>
                 Erase…

@@ -1,5 +1,5 @@
-import type { ChangeRequest } from '@/judging/api'
-import { spot } from '@/judging/words'
+import type { ChangeRequest } from '@/verdicts/api'
+import { spot } from '@/verdicts/words'
 import { WordText } from '@/references'
 import { Button } from '@/ui/Button'
 import { Key } from '@/ui/Key'

@@ -1,6 +1,6 @@
 import { useHotkeys } from '@/app/keys'
-import type { ReviewTake } from '@/judging/api'
-import { spot } from '@/judging/words'
+import type { ReviewTake } from '@/verdicts/api'
+import { spot } from '@/verdicts/words'
 import { Button } from '@/ui/Button'
 import { Avatar } from '@/ui/Avatar'
 import { Refusal } from '@/ui/Refusal'

@@ -1,5 +1,5 @@
 import { useHotkeys } from '@/app/keys'
-import type { CueReview, ReviewTake } from '@/judging/api'
+import type { CueReview, ReviewTake } from '@/verdicts/api'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { age } from '@/ui/format'

@@ -4,20 +4,20 @@ import { flushSync } from 'react-dom'
 
 import { showToast } from '@/app/toast'
 import { CONDITIONS, type Player, type PlayerState, spotOf } from '@/audio'
-import type { CueReview, ReviewTake } from '@/judging/api'
-import { blockedWords, whyBlocked } from '@/judging/blocked'
-import { isWholeSet, pickedOfSet } from '@/judging/choice'
-import { FirstListen } from '@/judging/FirstListen'
-import { AS_DELIVERED, inOrder, MASTER, soundOf, sourceOf, targetsOf, variationName } from '@/judging/hearing'
-import { useLabelling } from '@/judging/labels'
-import { matchedWords } from '@/judging/levels'
-import { useReasons } from '@/judging/reasons'
-import { playWhole, useFirstListen, withHeard } from '@/judging/useFirstListen'
-import { type Placing, useHearing } from '@/judging/useHearing'
-import type { Judge } from '@/judging/useJudge'
-import { STATE_OF_TAKE } from '@/judging/stateOfTake'
-import { usePreference } from '@/judging/usePreference'
-import { capital, takeName } from '@/judging/words'
+import type { CueReview, ReviewTake } from '@/verdicts/api'
+import { blockedWords, whyBlocked } from '@/verdicts/blocked'
+import { isWholeSet, pickedOfSet } from '@/verdicts/choice'
+import { FirstListen } from '@/verdicts/FirstListen'
+import { AS_DELIVERED, inOrder, MASTER, soundOf, sourceOf, targetsOf, variationName } from '@/verdicts/hearing'
+import { useLabelling } from '@/verdicts/labels'
+import { matchedWords } from '@/verdicts/levels'
+import { useReasons } from '@/verdicts/reasons'
+import { playWhole, useFirstListen, withHeard } from '@/verdicts/useFirstListen'
+import { type Placing, useHearing } from '@/verdicts/useHearing'
+import type { Verdicts } from '@/verdicts/useVerdicts'
+import { STATE_OF_TAKE } from '@/verdicts/stateOfTake'
+import { usePreference } from '@/verdicts/usePreference'
+import { capital, takeName } from '@/verdicts/words'
 import type { CueMoney } from '@/money/api'
 import { copyText } from '@/ui/copyText'
 import { figure, shortDay } from '@/ui/format'
@@ -31,7 +31,7 @@ import { type MoreGroup, present } from './more'
 import classes from './Review.module.css'
 import { marksOf, type FeedbackItem, toFeedback } from './feedback'
 import { SetRows } from './SetRows'
-import { SetPlaybackPanel } from './SetWay'
+import { SetPlaybackPanel } from './LazySetPlaybackPanel'
 import { SidePanel } from './SidePanel'
 import { TakeCards } from './TakeCards'
 import { Transport } from './Transport'
@@ -65,7 +65,7 @@ interface CueRoomProps {
   conditions: Conditions
   target: string
   onTarget: (target: string) => void
-  judge: Judge
+  verdicts: Verdicts
   /** How many wait in the queue. */
   waiting: number | string
   onQueue: () => void
@@ -80,7 +80,7 @@ interface CueRoomProps {
 
 /** One cue on the stage, and at its side what was said and found. */
 export function CueRoom(props: CueRoomProps) {
-  const { heardHere, projectId, player, playing, target, onTarget, judge, onJudged } = props
+  const { heardHere, projectId, player, playing, target, onTarget, verdicts, onJudged } = props
   const review = useMemo(
     () => ({ ...props.review, takes: withHeard(props.review.takes, heardHere) }),
     [props.review, heardHere],
@@ -163,7 +163,7 @@ export function CueRoom(props: CueRoomProps) {
     player.pause()
     setAsking(null)
     const last = leaves(free)
-    void judge.approve(cue, free, meantName, because)
+    void verdicts.approve(cue, free, meantName, because)
     takes.showNames()
     takes.unpick()
     if (last) onJudged()
@@ -175,7 +175,7 @@ export function CueRoom(props: CueRoomProps) {
   const acceptSet = (because: readonly string[] = []) => {
     player.pause()
     setAsking(null)
-    void judge.acceptSet(cue, waiting, toPick, because)
+    void verdicts.acceptSet(cue, waiting, toPick, because)
     onJudged()
   }
   const isCut = cue.state === 'cut'
@@ -195,13 +195,13 @@ export function CueRoom(props: CueRoomProps) {
   }
   const openChange = () => {
     player.pause()
-    judge.change.reset()
+    verdicts.change.reset()
     setAsking(null)
     flushSync(() => setChanging({ positionS: inside(player.positionS() - firstS, hand, target) }))
   }
   const ask = (next: Asking) => {
     player.pause()
-    judge.change.reset()
+    verdicts.change.reset()
     flushSync(() => setAsking(next))
   }
   const changed = (takesChanged: readonly ReviewTake[]) => {
@@ -212,11 +212,11 @@ export function CueRoom(props: CueRoomProps) {
     if (!isSet || !takes.moveOn(({ id }) => noted.has(id))) onJudged()
   }
   const changeBecause = (reason: string) => {
-    if (judge.change.isPending) return
+    if (verdicts.change.isPending) return
     const range = placing ? null : playing.range
     const atS = inside(player.positionS() - firstS, hand, target)
     const where = range ?? { startS: atS > 0 ? atS : undefined }
-    judge.change.mutate(
+    verdicts.change.mutate(
       { cue, takes: meant, name: meantName, said: { note: `${reason}.`, reasons: [reason], ...where } },
       { onSuccess: () => changed(meant) },
     )
@@ -580,7 +580,7 @@ export function CueRoom(props: CueRoomProps) {
             }
             whole={whole}
             waiting={waiting}
-            judge={judge}
+            verdicts={verdicts}
             range={placing ? null : playing.range}
             changing={changing}
             reasons={reasons}

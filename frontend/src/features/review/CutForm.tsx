@@ -1,6 +1,6 @@
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
-import { SendField } from '@/judging/SendField'
+import { SendField } from '@/verdicts/SendField'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { useFocusOnMount } from '@/ui/useFocusOnMount'

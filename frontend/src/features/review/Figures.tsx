@@ -1,6 +1,6 @@
 import type { ReactNode } from 'react'
 
-import type { ReviewTake } from '@/judging/api'
+import type { ReviewTake } from '@/verdicts/api'
 import { channels, figure, level, milliseconds, rate } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 

@@ -1,7 +1,7 @@
 import { useState } from 'react'
 
-import type { ReviewTake } from '@/judging/api'
-import { sentence } from '@/judging/words'
+import type { ReviewTake } from '@/verdicts/api'
+import { sentence } from '@/verdicts/words'
 import { LossPanel } from '@/losses'
 import { Segmented } from '@/ui/Segmented'
 

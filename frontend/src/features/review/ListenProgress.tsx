@@ -2,7 +2,7 @@ import { useEffect, useRef } from 'react'
 
 import type { Player } from '@/audio'
 import { ENOUGH_S } from '@/heard/heardMeter'
-import type { ReviewTake } from '@/judging/api'
+import type { ReviewTake } from '@/verdicts/api'
 
 import classes from './Review.module.css'
 

@@ -1,6 +1,6 @@
 import { useQuery } from '@tanstack/react-query'
 
-import type { ReviewTake } from '@/judging/api'
+import type { ReviewTake } from '@/verdicts/api'
 import { level } from '@/ui/format'
 
 import { paletteQuery } from './api'

@@ -4,7 +4,7 @@ import { useState } from 'react'
 
 import { categoriesQuery, projectQuery } from '@/api/project'
 import { useHotkeys } from '@/app/keys'
-import { filterOf, isFiltered, type QueueFilter } from '@/judging/queueFilter'
+import { filterOf, isFiltered, type QueueFilter } from '@/verdicts/queueFilter'
 import { Views } from '@/shares'
 import { Button } from '@/ui/Button'
 import { Select } from '@/ui/Select'

@@ -3,11 +3,11 @@ import { type UIEvent, useEffect, useRef } from 'react'
 
 import { WaveThumb } from '@/audio'
 import { NotHeard } from '@/heard/NotHeard'
-import type { QueueItem } from '@/judging/api'
-import { isUnheard } from '@/judging/afterVerdict'
-import { Drafts, useDraftCount } from '@/judging/Drafts'
-import { isFiltered, type QueueFilter } from '@/judging/queueFilter'
-import type { Queue } from '@/judging/useQueue'
+import type { QueueItem } from '@/verdicts/api'
+import { isUnheard } from '@/verdicts/afterVerdict'
+import { Drafts, useDraftCount } from '@/verdicts/Drafts'
+import { isFiltered, type QueueFilter } from '@/verdicts/queueFilter'
+import type { Queue } from '@/verdicts/useQueue'
 import {
   capital,
   counted,
@@ -16,7 +16,7 @@ import {
   deemedAcceptanceNotice,
   describeWaiting,
   urgencyReason,
-} from '@/judging/words'
+} from '@/verdicts/words'
 import { Button } from '@/ui/Button'
 import { Count } from '@/ui/Count'
 import { age, plural } from '@/ui/format'

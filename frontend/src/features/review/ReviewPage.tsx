@@ -8,16 +8,16 @@ import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 import { showToast } from '@/app/toast'
 import { useTakePlayer } from '@/heard/useTakePlayer'
-import { isUnheard, nextAfter } from '@/judging/afterVerdict'
-import { firstUnheard, queueQuery, reviewQuery } from '@/judging/api'
-import { inOrder, MASTER } from '@/judging/hearing'
-import { usePeaksAhead } from '@/judging/peaks'
-import { filterOf } from '@/judging/queueFilter'
-import { useReady } from '@/judging/useHearing'
-import { useJudge } from '@/judging/useJudge'
-import { usePreference } from '@/judging/usePreference'
-import { useQueue } from '@/judging/useQueue'
-import { counted } from '@/judging/words'
+import { isUnheard, nextAfter } from '@/verdicts/afterVerdict'
+import { firstUnheard, queueQuery, reviewQuery } from '@/verdicts/api'
+import { inOrder, MASTER } from '@/verdicts/hearing'
+import { usePeaksAhead } from '@/verdicts/peaks'
+import { filterOf } from '@/verdicts/queueFilter'
+import { useReady } from '@/verdicts/useHearing'
+import { useVerdicts } from '@/verdicts/useVerdicts'
+import { usePreference } from '@/verdicts/usePreference'
+import { useQueue } from '@/verdicts/useQueue'
+import { counted } from '@/verdicts/words'
 import { Refusal } from '@/ui/Refusal'
 
 import { CueRoom } from './CueRoom'
@@ -58,7 +58,7 @@ export function ReviewPage(): ReactNode {
       params: { projectId, cueId: id },
       search: filter,
     })
-  const judge = useJudge(projectId, open, filter)
+  const verdicts = useVerdicts(projectId, open, filter)
 
   const at = waiting.findIndex(({ cue }) => cue.id === cueId)
   const ahead = at < 0 ? waiting : [...waiting.slice(at + 1), ...waiting.slice(0, at)]
@@ -150,7 +150,7 @@ export function ReviewPage(): ReactNode {
           conditions={conditions}
           target={target}
           onTarget={setTarget}
-          judge={judge}
+          verdicts={verdicts}
           waiting={counted(queue.waits)}
           onQueue={() => setQueueOpen(true)}
           onJudged={toNext}

@@ -1,8 +1,8 @@
 import type { ReactNode } from 'react'
 
 import { TakeCard } from '@/audio'
-import type { ReviewTake } from '@/judging/api'
-import { MASTER, soundOf } from '@/judging/hearing'
+import type { ReviewTake } from '@/verdicts/api'
+import { MASTER, soundOf } from '@/verdicts/hearing'
 import { length } from '@/ui/format'
 
 import classes from './Review.module.css'

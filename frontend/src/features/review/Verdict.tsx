@@ -2,13 +2,13 @@ import type { ReactNode } from 'react'
 
 import { HotkeyButton } from '@/app/keys'
 import type { Player, TimeRange } from '@/audio'
-import type { CueReview, ReviewCue, ReviewTake } from '@/judging/api'
-import { ChangeForm } from '@/judging/ChangeForm'
-import type { ReasonKind } from '@/judging/reasons'
-import { ReasonRow } from '@/judging/ReasonRow'
-import { ReversalNote } from '@/judging/ReversalNote'
-import type { Judge } from '@/judging/useJudge'
-import { namesOf, takeName } from '@/judging/words'
+import type { CueReview, ReviewCue, ReviewTake } from '@/verdicts/api'
+import { ChangeForm } from '@/verdicts/ChangeForm'
+import type { ReasonKind } from '@/verdicts/reasons'
+import { ReasonRow } from '@/verdicts/ReasonRow'
+import { ReversalNote } from '@/verdicts/ReversalNote'
+import type { Verdicts } from '@/verdicts/useVerdicts'
+import { namesOf, takeName } from '@/verdicts/words'
 import type { CueMoney } from '@/money/api'
 import { dueWithPick } from '@/money/words'
 import { Button } from '@/ui/Button'
@@ -55,7 +55,7 @@ interface VerdictProps {
   /** A whole set waits and can be accepted at once. */
   whole: boolean
   waiting: readonly ReviewTake[]
-  judge: Judge
+  verdicts: Verdicts
   range: TimeRange | null
   changing: { positionS: number } | null
   /** What the studio says most, on the digits. */
@@ -85,9 +85,9 @@ const STATE_WORDS: Partial<Record<ReviewTake['state'], string>> = {
 
 /** Who decides, what follows, and the buttons that do it. */
 export function Verdict(props: VerdictProps) {
-  const { review, hand, meant, name, whole, judge, changing, waiting, rights, listening } = props
+  const { review, hand, meant, name, whole, verdicts, changing, waiting, rights, listening } = props
   const { cue } = review
-  const { refusal } = judge
+  const { refusal } = verdicts
   const asking = changing ? null : props.asking
   const label = `${cue.name} ${name}`
   const isOpen = changing !== null || asking !== null
@@ -114,7 +114,9 @@ export function Verdict(props: VerdictProps) {
             onClose={() => props.onAsking(null)}
           />
           {reversal}
-          {judge.changeProblem && <ErrorBanner detail={judge.changeProblem.detail} fix={judge.changeProblem.fix} />}
+          {verdicts.changeProblem && (
+            <ErrorBanner detail={verdicts.changeProblem.detail} fix={verdicts.changeProblem.fix} />
+          )}
         </>
       )}
       {asking === 'label' && hand && (
@@ -136,12 +138,12 @@ export function Verdict(props: VerdictProps) {
           listed={props.reasons.change}
           positionS={changing.positionS}
           range={props.range}
-          saving={judge.change.isPending}
-          problem={judge.changeProblem}
+          saving={verdicts.change.isPending}
+          problem={verdicts.changeProblem}
           onClose={props.onCloseChange}
           reversal={reversal}
           onSave={(change, done) =>
-            judge.change.mutate(
+            verdicts.change.mutate(
               { cue, takes: meant, name, said: change },
               {
                 onSuccess: () => {

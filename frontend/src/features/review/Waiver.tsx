@@ -1,6 +1,6 @@
 import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
-import type { ReviewTake } from '@/judging/api'
+import type { ReviewTake } from '@/verdicts/api'
 import { Field, Submit } from '@/ui/Form'
 
 import { useWaive } from './api'

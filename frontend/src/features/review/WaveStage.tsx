@@ -10,11 +10,11 @@ import {
   type TimeRange,
   Waveform,
 } from '@/audio'
-import { type ReviewTake } from '@/judging/api'
-import { AS_DELIVERED, MASTER, soundOf } from '@/judging/hearing'
-import { useRelease } from '@/judging/useHearing'
-import { sentence } from '@/judging/words'
-import { usePeaks } from '@/judging/peaks'
+import { type ReviewTake } from '@/verdicts/api'
+import { AS_DELIVERED, MASTER, soundOf } from '@/verdicts/hearing'
+import { useRelease } from '@/verdicts/useHearing'
+import { sentence } from '@/verdicts/words'
+import { usePeaks } from '@/verdicts/peaks'
 import { figure } from '@/ui/format'
 
 import classes from './Review.module.css'

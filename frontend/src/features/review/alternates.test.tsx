@@ -2,7 +2,7 @@ import { fireEvent, screen, waitFor, within } from '@testing-library/react'
 import userEvent from '@testing-library/user-event'
 import { beforeAll, describe, expect, test } from 'vitest'
 
-import { comparedBlind } from '@/judging/comparedBlind'
+import { comparedBlind } from '@/verdicts/comparedBlind'
 import { anItem, aReview, aTake } from '@/test/review'
 import { opened, queueIs, server, serveReview, serveReviewPage, shield, walk } from '@/test/reviewPage'
 import { refusal } from '@/test/server'

@@ -6,8 +6,8 @@ import { type Me, meQuery } from '@/api/me'
 import { overviewQuery } from '@/api/project'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
-import { type CarriedNote, type CueReview, refresh } from '@/judging/api'
-import { mentionsOf } from '@/judging/mentionNames'
+import { type CarriedNote, type CueReview, refresh } from '@/verdicts/api'
+import { mentionsOf } from '@/verdicts/mentionNames'
 
 type Schemas = components['schemas']
 export type Comment = Schemas['CommentRead']

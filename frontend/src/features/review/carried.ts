@@ -1,5 +1,5 @@
 import type { CommentMark } from '@/audio'
-import type { CarriedNote, ReviewTake } from '@/judging/api'
+import type { CarriedNote, ReviewTake } from '@/verdicts/api'
 
 /** A note on an earlier version, where it stands in the one that is heard. */
 export interface Carried {

@@ -3,7 +3,7 @@ import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, beforeEach, expect, test, vi } from 'vitest'
 
-import type { CueReview } from '@/judging/api'
+import type { CueReview } from '@/verdicts/api'
 import { openApp } from '@/test/openApp'
 import { HandContext } from '@/test/audioContext'
 import { aMe, anItem, aPreview, APPROVER, aReview, aServer, aTake, PROJECT, somePeaks } from '@/test/review'

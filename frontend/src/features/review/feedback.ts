@@ -1,7 +1,7 @@
 import { isWaitingId } from '@/api/offlineOutbox'
 import type { CommentMark } from '@/audio'
-import type { CueReview, ReviewTake } from '@/judging/api'
-import type { Mention } from '@/judging/mentionNames'
+import type { CueReview, ReviewTake } from '@/verdicts/api'
+import type { Mention } from '@/verdicts/mentionNames'
 
 import type { Comment } from './api'
 

@@ -3,13 +3,13 @@ import userEvent from '@testing-library/user-event'
 import axe from 'axe-core'
 import { beforeAll, beforeEach, expect, test, vi } from 'vitest'
 
-import type { CueReview } from '@/judging/api'
+import type { CueReview } from '@/verdicts/api'
 import { HandContext } from '@/test/audioContext'
 import { openApp } from '@/test/openApp'
 import { aMe, anItem, aPreview, aReview, aServer, aTake, APPROVER, PROJECT, somePeaks } from '@/test/review'
 import { refusal } from '@/test/server'
 
-beforeAll(() => Promise.all([import('./ReviewPage'), import('@/judging/MentionList')]))
+beforeAll(() => Promise.all([import('./ReviewPage'), import('@/verdicts/MentionList')]))
 
 const shield = anItem({ id: 'shield', name: 'shield_hit' }, [aTake('a', { number: 1 })])
 const PEOPLE = [

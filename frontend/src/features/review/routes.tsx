@@ -2,10 +2,10 @@ import type { QueryClient } from '@tanstack/react-query'
 import { createRoute, lazyRouteComponent } from '@tanstack/react-router'
 
 import { shellRoute } from '@/app/roots'
-import { isNoted } from '@/judging/afterVerdict'
-import { queueQuery, reviewQuery } from '@/judging/api'
-import { filterOf, type QueueFilter } from '@/judging/queueFilter'
-import { heardTakes } from '@/judging/words'
+import { isNoted } from '@/verdicts/afterVerdict'
+import { queueQuery, reviewQuery } from '@/verdicts/api'
+import { filterOf, type QueueFilter } from '@/verdicts/queueFilter'
+import { heardTakes } from '@/verdicts/words'
 
 import { foundReasonsOf } from './foundReasons'
 
@@ -30,7 +30,7 @@ async function openFirst(client: QueryClient, projectId: string, filter: QueueFi
   const shape = heardTakes(first)[0]?.peaks_url
   if (!shape) return
   await page
-  const { prefetchPeaks } = await import('@/judging/peaks')
+  const { prefetchPeaks } = await import('@/verdicts/peaks')
   await prefetchPeaks(client, shape)
 }
 

@@ -1,5 +1,5 @@
-import type { ReviewTake } from '@/judging/api'
-import { soundOf } from '@/judging/hearing'
+import type { ReviewTake } from '@/verdicts/api'
+import { soundOf } from '@/verdicts/hearing'
 
 /** A place in the sound; its very start and end mean the whole of it. */
 export function inside(positionS: number, take: ReviewTake | undefined, target: string): number {

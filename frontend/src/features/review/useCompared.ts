@@ -1,7 +1,7 @@
 import { useMemo } from 'react'
 
-import type { ReviewTake } from '@/judging/api'
-import { inOrder, matchGains, sourceOf } from '@/judging/hearing'
+import type { ReviewTake } from '@/verdicts/api'
+import { inOrder, matchGains, sourceOf } from '@/verdicts/hearing'
 
 /** What is compared in one cue: its versions, the one before and the one at hand, each at the loudness of the first. */
 export function useCompared(

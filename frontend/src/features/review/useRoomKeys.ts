@@ -1,6 +1,6 @@
 import { useHotkeys } from '@/app/keys'
 import type { Player } from '@/audio'
-import type { ReviewTake } from '@/judging/api'
+import type { ReviewTake } from '@/verdicts/api'
 
 /** What the keys of one cue's review act on. */
 interface RoomActs {

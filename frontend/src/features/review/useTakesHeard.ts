@@ -1,9 +1,9 @@
 import { useMemo, useState } from 'react'
 
-import type { CueReview, ReviewTake } from '@/judging/api'
-import { useComparedBlind } from '@/judging/comparedBlind'
-import { inOrder, LETTERS } from '@/judging/hearing'
-import { takeName } from '@/judging/words'
+import type { CueReview, ReviewTake } from '@/verdicts/api'
+import { useComparedBlind } from '@/verdicts/comparedBlind'
+import { inOrder, LETTERS } from '@/verdicts/hearing'
+import { takeName } from '@/verdicts/words'
 
 import { shuffled } from './blind'
 

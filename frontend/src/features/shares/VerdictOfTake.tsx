@@ -6,17 +6,17 @@ import { flushSync } from 'react-dom'
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { HotkeyButton } from '@/app/keys'
 import type { Player, PlayerState } from '@/audio'
-import { reviewQuery } from '@/judging/api'
-import { blockedWords, whyBlocked } from '@/judging/blocked'
-import { ChangeForm } from '@/judging/ChangeForm'
-import { FirstListen } from '@/judging/FirstListen'
-import { MASTER } from '@/judging/hearing'
-import { ReasonRow } from '@/judging/ReasonRow'
-import { ReversalNote } from '@/judging/ReversalNote'
-import { useReasons } from '@/judging/reasons'
-import { useFirstListen, withHeard } from '@/judging/useFirstListen'
-import { useJudge } from '@/judging/useJudge'
-import { takeName } from '@/judging/words'
+import { reviewQuery } from '@/verdicts/api'
+import { blockedWords, whyBlocked } from '@/verdicts/blocked'
+import { ChangeForm } from '@/verdicts/ChangeForm'
+import { FirstListen } from '@/verdicts/FirstListen'
+import { MASTER } from '@/verdicts/hearing'
+import { ReasonRow } from '@/verdicts/ReasonRow'
+import { ReversalNote } from '@/verdicts/ReversalNote'
+import { useReasons } from '@/verdicts/reasons'
+import { useFirstListen, withHeard } from '@/verdicts/useFirstListen'
+import { useVerdicts } from '@/verdicts/useVerdicts'
+import { takeName } from '@/verdicts/words'
 import { ErrorBanner } from '@/ui/ErrorBanner'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
@@ -69,7 +69,7 @@ export function VerdictOfTake({
 }: VerdictOfTakeProps) {
   const client = useQueryClient()
   const { data: review } = useQuery({ ...reviewQuery(take.cue_id), enabled: take.may_approve })
-  const judge = useJudge(projectId)
+  const verdicts = useVerdicts(projectId)
   const [picking, setPicking] = useState(false)
   const reasons = useReasons(projectId)
   const [changing, setChanging] = useState<{ positionS: number } | null>(null)
@@ -88,7 +88,7 @@ export function VerdictOfTake({
   const approveNow = (because: readonly string[] = []) => {
     if (!judged || !review) return
     setPicking(false)
-    void judge.approve(review.cue, [judged], name, because).then(done)
+    void verdicts.approve(review.cue, [judged], name, because).then(done)
   }
   const approve = (because: readonly string[] = []) => {
     listen.approveHeard(toApprove, () => approveNow(because))
@@ -100,8 +100,11 @@ export function VerdictOfTake({
   }
   return (
     <div className="grid grid-cols-1 gap-3">
-      {judge.refusal && (
-        <ErrorBanner detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
+      {verdicts.refusal && (
+        <ErrorBanner
+          detail={`${verdicts.refusal.what} ${verdicts.refusal.problem.detail}`}
+          fix={verdicts.refusal.problem.fix}
+        />
       )}
       {changing && judged && review && (
         <ChangeForm
@@ -110,14 +113,14 @@ export function VerdictOfTake({
           listed={reasons.change}
           positionS={changing.positionS}
           range={null}
-          saving={judge.change.isPending}
-          problem={judge.changeProblem}
+          saving={verdicts.change.isPending}
+          problem={verdicts.changeProblem}
           reversal={
             judged.state === 'approved' && <ReversalNote cueId={review.cue.id} what={`${review.cue.name} ${name}`} />
           }
           onClose={() => setChanging(null)}
           onSave={(change, close) =>
-            judge.change.mutate(
+            verdicts.change.mutate(
               { cue: review.cue, takes: [judged], name, said: change },
               {
                 onSuccess: () => {

@@ -49,8 +49,8 @@ export class Drift {
     const awayS = soughtS - actualS
     this.#awayS = [...this.#awayS.slice(1 - READINGS), awayS]
     const middleS = [...this.#awayS].sort((a, b) => a - b)[(READINGS - 1) / 2] ?? 0
-    const isAway = this.#awayS.length === READINGS && Math.abs(middleS) > DRIFT_S
-    if (!isAway && Math.abs(awayS) <= FAR_S) return null
+    const isOutOfSync = this.#awayS.length === READINGS && Math.abs(middleS) > DRIFT_S
+    if (!isOutOfSync && Math.abs(awayS) <= FAR_S) return null
     this.#awayS = []
     return soughtS
   }

@@ -133,8 +133,8 @@ export function useLive(playlistId: string, mayJoin: boolean, player: Player, pl
       // What the holder hears is what counts: a sound that began late is set right for all.
       const isHeard = player.isHeard() && playthrough.current?.take_id === live.take_id && live.is_playing
       const heardS = player.heardS()
-      const isAway = Math.abs(wantedS - heardS) > DRIFT_S
-      if (isHeard && isAway && waiting.current === null && !isSending.current) {
+      const isOutOfSync = Math.abs(wantedS - heardS) > DRIFT_S
+      if (isHeard && isOutOfSync && waiting.current === null && !isSending.current) {
         move({ takeId: live.take_id, isPlaying: true, positionS: heardS, atMs: Date.now() })
       }
       return

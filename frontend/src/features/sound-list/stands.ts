@@ -1,4 +1,4 @@
-import { measuredPart, spelled } from '@/judging/words'
+import { measuredPart, spelled } from '@/verdicts/words'
 import { age, plural, shortDay } from '@/ui/format'
 import { SEVERITY_LOOK } from '@/ui/severity'
 import type { Tone } from '@/ui/StatusBadge'

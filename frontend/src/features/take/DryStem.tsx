@@ -2,7 +2,7 @@ import { useQueryClient } from '@tanstack/react-query'
 import { useCallback, useRef } from 'react'
 
 import { invalidate, queryKeys } from '@/api/queryKeys'
-import { ended } from '@/judging/findings'
+import { ended } from '@/verdicts/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, figure } from '@/ui/format'
@@ -34,7 +34,7 @@ export function DryStem({ take, check, found, mayGive }: DryStemProps) {
         Comparison with the dry stem
       </h3>
       <p className="small" role="status">
-        {saidOf(check, found)}
+        {describeComparison(check, found)}
       </p>
       {stem && (
         <div className="row wrap small">
@@ -53,7 +53,7 @@ export function DryStem({ take, check, found, mayGive }: DryStemProps) {
 }
 
 /** What was found, in a sentence or two; whose turn it is where nothing was found yet. */
-function saidOf(check: Check, stem: ReverbStem | null): string {
+function describeComparison(check: Check, stem: ReverbStem | null): string {
   if (isComparing(check)) return check.dry_stem ? 'Comparing with the stem…' : 'Checking again without the stem…'
   if (!check.dry_stem) return 'Add the same sound without reverb, and the check can measure the reverb exactly.'
   if (!check.is_newest_stem) return 'It arrived after the decision, which was made without it.'

@@ -1,7 +1,7 @@
 import { Link } from '@tanstack/react-router'
 import { useEffect, useRef } from 'react'
 
-import { ended, spotOf, wordsOf } from '@/judging/findings'
+import { ended, spotOf, wordsOf } from '@/verdicts/findings'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ago } from '@/ui/format'

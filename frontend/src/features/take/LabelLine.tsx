@@ -2,8 +2,8 @@ import { type FormEvent, useId } from 'react'
 
 import { DraftNote, useDraft } from '@/app/drafts'
 import { showToast } from '@/app/toast'
-import { useSetLabel } from '@/judging/labels'
-import { useReasons } from '@/judging/reasons'
+import { useSetLabel } from '@/verdicts/labels'
+import { useReasons } from '@/verdicts/reasons'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 

@@ -1,4 +1,4 @@
-import { ended } from '@/judging/findings'
+import { ended } from '@/verdicts/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Refusal } from '@/ui/Refusal'

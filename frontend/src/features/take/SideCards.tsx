@@ -1,8 +1,8 @@
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { historyQuery } from '@/judging/api'
-import { byWhom, happened, sentence, spot, historyText } from '@/judging/words'
+import { historyQuery } from '@/verdicts/api'
+import { byWhom, happened, sentence, spot, historyText } from '@/verdicts/words'
 import { LossPanel } from '@/losses'
 import { Card, CardHead } from '@/ui/Card'
 import { age, bytes, channels, clock, day, figure, sampleFormat, rate } from '@/ui/format'

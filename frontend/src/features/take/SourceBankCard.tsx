@@ -4,7 +4,7 @@ import { useRef, useState } from 'react'
 
 import { invalidate, queryKeys } from '@/api/queryKeys'
 import { formDraft, keepDraft, keptDraft } from '@/app/drafts'
-import { ended } from '@/judging/findings'
+import { ended } from '@/verdicts/findings'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { ErrorBanner } from '@/ui/ErrorBanner'

@@ -5,20 +5,20 @@ import { flushSync } from 'react-dom'
 
 import { HotkeyButton, useHotkeys } from '@/app/keys'
 import { type Player, type PlayerState, TakeCard, Waveform } from '@/audio'
-import { type QueueItem, type ReviewTake } from '@/judging/api'
-import { blockedWords, whyBlocked } from '@/judging/blocked'
-import { ChangeForm } from '@/judging/ChangeForm'
-import { isWholeSet, pickedOfSet } from '@/judging/choice'
-import { FirstListen } from '@/judging/FirstListen'
-import { type Gains, MASTER, matchGains, soundOf, sourceOf } from '@/judging/hearing'
-import { loweredWords } from '@/judging/levels'
-import { playWhole, useFirstListen, withHeard } from '@/judging/useFirstListen'
-import { useHearing } from '@/judging/useHearing'
-import { ReasonRow } from '@/judging/ReasonRow'
-import { useReasons } from '@/judging/reasons'
-import type { Judge } from '@/judging/useJudge'
-import { asked, asks, heardTakes, takeName } from '@/judging/words'
-import { usePeaks } from '@/judging/peaks'
+import { type QueueItem, type ReviewTake } from '@/verdicts/api'
+import { blockedWords, whyBlocked } from '@/verdicts/blocked'
+import { ChangeForm } from '@/verdicts/ChangeForm'
+import { isWholeSet, pickedOfSet } from '@/verdicts/choice'
+import { FirstListen } from '@/verdicts/FirstListen'
+import { type Gains, MASTER, matchGains, soundOf, sourceOf } from '@/verdicts/hearing'
+import { loweredWords } from '@/verdicts/levels'
+import { playWhole, useFirstListen, withHeard } from '@/verdicts/useFirstListen'
+import { useHearing } from '@/verdicts/useHearing'
+import { ReasonRow } from '@/verdicts/ReasonRow'
+import { useReasons } from '@/verdicts/reasons'
+import type { Verdicts } from '@/verdicts/useVerdicts'
+import { asked, asks, heardTakes, takeName } from '@/verdicts/words'
+import { usePeaks } from '@/verdicts/peaks'
 import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { gain, length } from '@/ui/format'
@@ -35,7 +35,7 @@ interface NextUpCardProps {
   playing: PlayerState
   /** The takes that were heard on this page. */
   heardHere: ReadonlySet<string>
-  judge: Judge
+  verdicts: Verdicts
 }
 
 /** The cue that has waited longest: heard and decided where it stands. */
@@ -52,7 +52,7 @@ interface HeardProps extends NextUpCardProps {
   onChoose: (takeId: string) => void
 }
 
-function Heard({ item, projectId, mayApprove, player, playing, judge, takes, hand, onChoose }: HeardProps) {
+function Heard({ item, projectId, mayApprove, player, playing, verdicts, takes, hand, onChoose }: HeardProps) {
   const navigate = useNavigate()
   const narrow = useMediaQuery('(max-width: 760px)')
   const { cue } = item
@@ -86,8 +86,8 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
   const approveNow = (because: readonly string[] = []) => {
     player.pause()
     setPicking(false)
-    if (whole) void judge.acceptSet(cue, takes, meant, because)
-    else void judge.approve(cue, [hand], name, because)
+    if (whole) void verdicts.acceptSet(cue, takes, meant, because)
+    else void verdicts.approve(cue, [hand], name, because)
   }
   const approve = (because: readonly string[] = []) => listen.approveHeard(meant, () => approveNow(because))
   const openReview = () =>
@@ -232,7 +232,7 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
               iconTone="change"
               onPress={() => {
                 player.pause()
-                judge.change.reset()
+                verdicts.change.reset()
                 setPicking(false)
                 flushSync(() => setChanging(true))
               }}
@@ -261,8 +261,11 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
           />
         </p>
       )}
-      {judge.refusal && (
-        <ErrorBanner detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`} fix={judge.refusal.problem.fix} />
+      {verdicts.refusal && (
+        <ErrorBanner
+          detail={`${verdicts.refusal.what} ${verdicts.refusal.problem.detail}`}
+          fix={verdicts.refusal.problem.fix}
+        />
       )}
       {picking && mayApprove && blocked === '' && (
         <div className="border-t mt-4 pt-3">
@@ -283,11 +286,11 @@ function Heard({ item, projectId, mayApprove, player, playing, judge, takes, han
             listed={reasons.change}
             positionS={player.positionS()}
             range={null}
-            saving={judge.change.isPending}
-            problem={judge.changeProblem}
+            saving={verdicts.change.isPending}
+            problem={verdicts.changeProblem}
             onClose={() => setChanging(false)}
             onSave={(change, done) =>
-              judge.change.mutate(
+              verdicts.change.mutate(
                 { cue, takes: [hand], name, said: change },
                 {
                   onSuccess: () => {

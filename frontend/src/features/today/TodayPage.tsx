@@ -9,10 +9,10 @@ import { NextCard } from '@/app/NextCard'
 import { nextStepsQuery, stepsToName } from '@/app/nextSteps'
 import { useTitle } from '@/app/title'
 import { useTakePlayer } from '@/heard/useTakePlayer'
-import { Drafts, useDraftCount } from '@/judging/Drafts'
-import { useReady } from '@/judging/useHearing'
-import { useJudge } from '@/judging/useJudge'
-import { useQueue } from '@/judging/useQueue'
+import { Drafts, useDraftCount } from '@/verdicts/Drafts'
+import { useReady } from '@/verdicts/useHearing'
+import { useVerdicts } from '@/verdicts/useVerdicts'
+import { useQueue } from '@/verdicts/useQueue'
 import { cueMoneyQuery, moneyQuery } from '@/money/api'
 import { MilestonesCard } from '@/money/MilestonesCard'
 import { MoneyLine } from '@/money/MoneyLine'
@@ -44,7 +44,7 @@ export function TodayPage(): ReactNode {
   const next = useQuery(nextStepsQuery(projectId))
   const drafts = useDraftCount(projectId)
   const [player, playing, heardHere] = useTakePlayer(projectId, { held: true })
-  const judge = useJudge(projectId)
+  const verdicts = useVerdicts(projectId)
   const page = useRef<HTMLDivElement>(null)
   const client = useQueryClient()
 
@@ -140,13 +140,13 @@ export function TodayPage(): ReactNode {
                 player={player}
                 playing={playing}
                 heardHere={heardHere}
-                judge={judge}
+                verdicts={verdicts}
               />
             )}
-            {!first && judge.refusal && (
+            {!first && verdicts.refusal && (
               <ErrorBanner
-                detail={`${judge.refusal.what} ${judge.refusal.problem.detail}`}
-                fix={judge.refusal.problem.fix}
+                detail={`${verdicts.refusal.what} ${verdicts.refusal.problem.detail}`}
+                fix={verdicts.refusal.problem.fix}
               />
             )}
             {loaded && !first && rest.length === 0 && questions.length === 0 && steps.length === 0 && (

@@ -3,7 +3,7 @@ import { useQueryClient } from '@tanstack/react-query'
 import { post, queryById, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
 import type { components } from '@/api/schema.gen'
-import { refresh } from '@/judging/api'
+import { refresh } from '@/verdicts/api'
 
 export type TodayAnswer = components['schemas']['Today']
 export type AskedQuestion = components['schemas']['AskedQuestion']

@@ -1,5 +1,5 @@
-import type { QueueCount } from '@/judging/api'
-import { capital, spelled } from '@/judging/words'
+import type { QueueCount } from '@/verdicts/api'
+import { capital, spelled } from '@/verdicts/words'
 
 interface Counts {
   cues: QueueCount

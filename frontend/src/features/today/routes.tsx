@@ -5,7 +5,7 @@ import { meQuery } from '@/api/me'
 import { lastProject } from '@/app/lastProject'
 import { nextStepsQuery } from '@/app/nextSteps'
 import { shellRoute } from '@/app/roots'
-import { queueQuery } from '@/judging/api'
+import { queueQuery } from '@/verdicts/api'
 
 import { todayQuery } from './api'
 

@@ -1,5 +1,5 @@
 import type { Company, CompanyStart } from '@/audio'
-import type { Placing } from '@/judging/useHearing'
+import type { Placing } from '@/verdicts/useHearing'
 
 /** Long enough that a change of level does not click, too short to hear as a fade. */
 const FADE_S = 0.005

@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from 'react'
 
 import type { Player, Source } from '@/audio'
-import type { Placing } from '@/judging/useHearing'
+import type { Placing } from '@/verdicts/useHearing'
 
 import { recordOpening, type Scene, type SceneLane } from './api'
 import { gainOf, type HeardLane, placed, placingOf, SceneLanes } from './lanes'

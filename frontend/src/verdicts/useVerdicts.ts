@@ -29,7 +29,7 @@ export interface Refusal {
   problem: ApiProblem
 }
 
-export interface ChangeSaid {
+export interface ChangeNote {
   note: string
   /** Chosen of the studio's list; the note has those of a change too. */
   reasons: readonly string[]
@@ -43,7 +43,7 @@ const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ?
 const giveVerdict = (
   take: ReviewTake,
   kind: 'approve' | 'request_change',
-  { note, reasons, startS, endS }: ChangeSaid,
+  { note, reasons, startS, endS }: ChangeNote,
   label: string,
   onKept: () => void,
   { mentions = [], key = newIdempotencyKey() }: { mentions?: string[]; key?: string } = {},
@@ -92,7 +92,7 @@ function waitingDraft(
   client: QueryClient,
   cue: ReviewCue,
   take: ReviewTake,
-  { note, reasons, startS, endS }: ChangeSaid,
+  { note, reasons, startS, endS }: ChangeNote,
 ): NonNullable<ReviewTake['draft_change']> {
   const { id = '', name = 'You' } = client.getQueryData<Me>(meQuery.queryKey)?.person ?? {}
   return {
@@ -124,7 +124,7 @@ interface ChangeAsked {
   takes: readonly ReviewTake[]
   /** What they are called: "A", "_02". */
   name: string
-  said: ChangeSaid
+  said: ChangeNote
 }
 
 interface Decision {
@@ -139,7 +139,7 @@ interface Decision {
 }
 
 /** Give verdicts: at once on the screen, then on the server; what is refused comes back with its reason. */
-export function useJudge(projectId: string, onBack?: (cueId: string) => void, filter?: QueueFilter) {
+export function useVerdicts(projectId: string, onBack?: (cueId: string) => void, filter?: QueueFilter) {
   const client = useQueryClient()
   const [refusal, setRefusal] = useState<Refusal | null>(null)
   const queueKey: QueryKey = queueQuery(projectId, filter).queryKey
@@ -340,4 +340,4 @@ export function useJudge(projectId: string, onBack?: (cueId: string) => void, fi
   return { approve, acceptSet, change, changeProblem, refusal }
 }
 
-export type Judge = ReturnType<typeof useJudge>
+export type Verdicts = ReturnType<typeof useVerdicts>

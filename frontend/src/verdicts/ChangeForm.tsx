@@ -14,7 +14,7 @@ import { Segmented } from '@/ui/Segmented'
 import classes from './ChangeForm.module.css'
 import { Mentions } from './Mentions'
 import { SendField } from './SendField'
-import type { ChangeSaid } from './useJudge'
+import type { ChangeNote } from './useVerdicts'
 
 type Where = 'whole' | 'point' | 'range'
 
@@ -39,7 +39,7 @@ interface ChangeFormProps {
   /** What it counts: "Round 1 of 2 begins with it." */
   counts?: string
   /** `done` ends the form's draft, once the change is requested. */
-  onSave: (change: ChangeSaid, done: () => void) => void
+  onSave: (change: ChangeNote, done: () => void) => void
   onClose: () => void
 }
 
