@@ -5,7 +5,7 @@ import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
 
 import { NotFoundPage } from './NotFoundPage'
-import { ShellLink } from './shell/ShellLink'
+import { StartPageLink } from './shell/StartPageLink'
 import { useTitle } from './title'
 
 /** A page that could not be shown: what happened, and the ways on. */
@@ -32,9 +32,7 @@ function Broken({ error, onAgain }: { error: unknown; onAgain: () => void }) {
             <Button variant="primary" onClick={onAgain}>
               Try again
             </Button>
-            <ShellLink path="/" className="link">
-              Go to the start page
-            </ShellLink>
+            <StartPageLink />
           </>
         }
       >

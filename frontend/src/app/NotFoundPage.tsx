@@ -1,6 +1,7 @@
 import { EmptyState } from '@/ui/EmptyState'
 
 import { ShellLink } from './shell/ShellLink'
+import { StartPageLink } from './shell/StartPageLink'
 import { useTitle } from './title'
 
 /** No page has this address, or none that this person may see: the two look alike. */
@@ -13,9 +14,7 @@ export function NotFoundPage() {
         level={1}
         action={
           <>
-            <ShellLink path="/" className="link">
-              Go to the start page
-            </ShellLink>
+            <StartPageLink />
             <ShellLink path="/projects" className="link">
               All projects
             </ShellLink>

@@ -1,9 +1,9 @@
 import { useQuery } from '@tanstack/react-query'
 
-import { ApiProblem } from '@/api'
 import { Button } from '@/ui/Button'
 import { CopyButton } from '@/ui/CopyButton'
 import { ago } from '@/ui/format'
+import { Refusal } from '@/ui/Refusal'
 import { StatusBadge } from '@/ui/StatusBadge'
 
 import { mailedLinksQuery, useHandOverLink } from './api'
@@ -48,11 +48,7 @@ export function MailedLink({ projectId, ofId, recipient }: MailedLinkProps) {
           </span>
         </Button>
       )}
-      {handOver.error instanceof ApiProblem && (
-        <span role="alert" className="small">
-          {handOver.error.detail}
-        </span>
-      )}
+      <Refusal error={handOver.error} />
     </span>
   )
 }

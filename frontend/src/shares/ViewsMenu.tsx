@@ -2,12 +2,11 @@ import { Menu } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { defaultParseSearch, defaultStringifySearch } from '@tanstack/react-router'
 
-import { useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
-import { Button } from '@/ui/Button'
+import { Field, Submit } from '@/ui/Form'
 import type { MenuProps } from '@/ui/LazyMenu'
 import { OpenedMenu } from '@/ui/OpenedMenu'
-import { Refusal } from '@/ui/Refusal'
 
 import { useDeleteView, useSaveView, type ViewedPage, viewsQuery } from './api'
 import classes from './ViewsMenu.module.css'
@@ -23,22 +22,8 @@ interface ViewsMenuProps extends MenuProps {
 /** The filters that a person kept: opened, kept under a name, deleted. */
 export function ViewsMenu({ button, projectId, page = 'sound_list', search, onOpen }: ViewsMenuProps) {
   const { data: views } = useQuery(viewsQuery(projectId, page))
-  const [name, setName, draft] = useDraft(`view:${page}:${projectId}`, '')
   const save = useSaveView(projectId, page)
   const remove = useDeleteView(projectId)
-  const keep = () => {
-    const typed = name.trim()
-    if (typed === '' || save.isPending) return
-    save.mutate(
-      { name: typed, query: defaultStringifySearch(search as Record<string, unknown>).replace(/^\?/, '') },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast(`View ${typed} saved.`)
-        },
-      },
-    )
-  }
   return (
     <OpenedMenu button={button} position="bottom-end" width={260}>
       <Menu.Label>{page === 'review_queue' ? 'Views of the team' : 'Your views'}</Menu.Label>
@@ -49,29 +34,36 @@ export function ViewsMenu({ button, projectId, page = 'sound_list', search, onOp
         </Menu.Item>
       ))}
       <Menu.Divider />
-      <form
+      <DraftForm
         className={`grid gap-2 ${classes.form}`}
-        onSubmit={(event) => {
-          event.preventDefault()
-          keep()
-        }}
+        draftKey={`view:${page}:${projectId}`}
+        initialValues={{ name: '' }}
+        mutation={save}
+        onSubmit={({ name }, onSent) =>
+          save.mutate(
+            { name: name.trim(), query: defaultStringifySearch(search as Record<string, unknown>).replace(/^\?/, '') },
+            {
+              onSuccess: (view) => {
+                onSent()
+                showToast(`View ${view.name} saved.`)
+              },
+            },
+          )
+        }
       >
-        <input
-          className={classes.name}
+        <Field
+          name="name"
           aria-label="Name of the view"
           placeholder="Name of this filter"
           maxLength={80}
-          value={name}
-          onChange={(event) => setName(event.currentTarget.value)}
           onKeyDown={(event) => {
             if (event.key !== 'Escape' && event.key !== 'Tab') event.stopPropagation() // the menu reads letters as a choice
           }}
         />
-        <Button type="submit" aria-busy={save.isPending}>
+        <Submit variant="plain" className="grid">
           Save view
-        </Button>
-      </form>
-      <Refusal error={save.error} />
+        </Submit>
+      </DraftForm>
       {views !== undefined && views.length > 0 && (
         <>
           <Menu.Divider />

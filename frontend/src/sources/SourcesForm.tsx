@@ -1,9 +1,9 @@
-import { Checkbox, TextInput } from '@mantine/core'
+import { Checkbox } from '@mantine/core'
 import { Link, useParams } from '@tanstack/react-router'
-import { useId, useState } from 'react'
+import { useId } from 'react'
 
 import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
+import { Field, Form, Submit } from '@/ui/Form'
 
 import type { Sources } from './api'
 import classes from './Sources.module.css'
@@ -29,96 +29,84 @@ const NOTHING: Required<Sources> = {
 /** Asks what sounds were made from; rows whose first field is empty are left out. */
 export function SourcesForm({ initial, error, isPending, onSave, onCancel }: SourcesFormProps) {
   const { projectId } = useParams({ strict: false })
-  const [sources, setSources] = useState<Required<Sources>>({ ...NOTHING, ...initial })
-  const change = (changed: Partial<Sources>) => setSources((now) => ({ ...now, ...changed }))
   return (
-    <form
-      className={classes.form}
+    <Form
+      className="grid gap-3"
       aria-label="Sources"
-      onSubmit={(event) => {
-        event.preventDefault()
+      initialValues={{ ...NOTHING, ...initial }}
+      mutation={{ isPending, error }}
+      onSubmit={(sources) =>
         onSave({
           ...sources,
           libraries: sources.libraries.filter(({ name }) => name.trim()),
           generated: sources.generated.filter(({ tool }) => tool.trim()),
           performers: sources.performers.filter(({ name }) => name.trim()),
         })
-      }}
+      }
     >
-      <div className="flex wrap gap-2-4">
-        <Checkbox
-          label="Made from scratch"
-          checked={sources.from_scratch}
-          onChange={({ currentTarget }) => change({ from_scratch: currentTarget.checked })}
-        />
-        <Checkbox
-          label="Own recordings"
-          checked={sources.own_recordings}
-          onChange={({ currentTarget }) => change({ own_recordings: currentTarget.checked })}
-        />
-      </div>
-      <SourceRows
-        title="Sound libraries"
-        rowName="library"
-        fields={[
-          ['name', 'Library'],
-          ['licence', 'Licence'],
-          ['file', 'File'],
-        ]}
-        rows={sources.libraries}
-        empty={{ name: '', licence: '', file: '' }}
-        onChange={(libraries) => change({ libraries })}
-      />
-      {projectId !== undefined && (
-        <p className="small mid">
-          <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }} target="_blank">
-            Register a library
-          </Link>{' '}
-          by fingerprints of its files (in a new tab), and versions that equal one say so.
-        </p>
+      {(sources, change) => (
+        <>
+          <div className="flex wrap gap-2-4">
+            <Field as={Checkbox} name="from_scratch" label="Made from scratch" />
+            <Field as={Checkbox} name="own_recordings" label="Own recordings" />
+          </div>
+          <SourceRows
+            title="Sound libraries"
+            list="libraries"
+            rowName="library"
+            fields={[
+              ['name', 'Library'],
+              ['licence', 'Licence'],
+              ['file', 'File'],
+            ]}
+            rows={sources.libraries}
+            empty={{ name: '', licence: '', file: '' }}
+            onChange={(libraries) => change({ libraries })}
+          />
+          {projectId !== undefined && (
+            <p className="small mid">
+              <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }} target="_blank">
+                Register a library
+              </Link>{' '}
+              by fingerprints of its files (in a new tab), and versions that equal one say so.
+            </p>
+          )}
+          <SourceRows
+            title="Generated parts"
+            list="generated"
+            rowName="generated part"
+            fields={[
+              ['tool', 'Tool and version'],
+              ['part', 'Part of the sound'],
+            ]}
+            rows={sources.generated}
+            empty={{ tool: '', part: '' }}
+            onChange={(generated) => change({ generated })}
+          />
+          <SourceRows
+            title="Performers"
+            list="performers"
+            rowName="performer"
+            fields={[
+              ['name', 'Performer'],
+              ['release', 'Release: its date or place'],
+            ]}
+            rows={sources.performers}
+            empty={{ name: '', release: '' }}
+            onChange={(performers) => change({ performers })}
+          />
+          <Field optional name="note" label="Note" />
+          <Submit onCancel={onCancel}>Save sources</Submit>
+        </>
       )}
-      <SourceRows
-        title="Generated parts"
-        rowName="generated part"
-        fields={[
-          ['tool', 'Tool and version'],
-          ['part', 'Part of the sound'],
-        ]}
-        rows={sources.generated}
-        empty={{ tool: '', part: '' }}
-        onChange={(generated) => change({ generated })}
-      />
-      <SourceRows
-        title="Performers"
-        rowName="performer"
-        fields={[
-          ['name', 'Performer'],
-          ['release', 'Release: its date or place'],
-        ]}
-        rows={sources.performers}
-        empty={{ name: '', release: '' }}
-        onChange={(performers) => change({ performers })}
-      />
-      <TextInput
-        label="Note"
-        value={sources.note}
-        onChange={({ currentTarget }) => change({ note: currentTarget.value })}
-      />
-      <Refusal error={error} />
-      <div className="flex wrap gap-2-4">
-        <Button variant="primary" type="submit" disabled={isPending}>
-          Save sources
-        </Button>
-        <Button variant="quiet" onClick={onCancel}>
-          Cancel
-        </Button>
-      </div>
-    </form>
+    </Form>
   )
 }
 
 interface SourceRowsProps<Row extends Record<string, string>> {
   title: string
+  /** The field that holds the rows. */
+  list: keyof Sources
   /** What one row is called. */
   rowName: string
   fields: readonly (readonly [keyof Row & string, string])[]
@@ -129,6 +117,7 @@ interface SourceRowsProps<Row extends Record<string, string>> {
 
 function SourceRows<Row extends Record<string, string>>({
   title,
+  list,
   rowName,
   fields,
   rows,
@@ -137,21 +126,14 @@ function SourceRows<Row extends Record<string, string>>({
 }: SourceRowsProps<Row>) {
   const heading = useId()
   return (
-    <div role="group" aria-labelledby={heading} className={classes.group}>
+    <div role="group" aria-labelledby={heading} className={`grid gap-2 ${classes.group}`}>
       <p id={heading} className="small strong">
         {title}
       </p>
-      {rows.map((row, place) => (
-        <div key={place} className={classes.row}>
+      {rows.map((_, place) => (
+        <div key={place} className={`flex wrap items-end gap-2 ${classes.row}`}>
           {fields.map(([name, label]) => (
-            <TextInput
-              key={name}
-              label={label}
-              value={row[name]}
-              onChange={({ currentTarget: { value } }) =>
-                onChange(rows.map((item, at) => (at === place ? { ...item, [name]: value } : item)))
-              }
-            />
+            <Field key={name} optional name={`${list}.${place}.${name}`} label={label} />
           ))}
           <Button
             variant="quiet"

@@ -1,10 +1,11 @@
 import { NumberInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { type FormEvent, type ReactNode, useState } from 'react'
+import { type ReactNode, useState } from 'react'
 
 import { keptCuesQuery } from '@/api/soundList'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
+import { Field, Form, Submit } from '@/ui/Form'
 import { place, plural } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 import { Select } from '@/ui/Select'
@@ -48,19 +49,21 @@ export function SplitPanel(props: SplitPanelProps) {
           {split.state === 'refused' && !split.is_our_fault ? (
             <ShortestPause split={split} finding={finding} />
           ) : (
-            <div className="row wrap">
-              <Button
-                disabled={!split.may_split || finding.isPending}
-                onClick={() => finding.mutate(split.shortest_pause_s)}
-              >
-                Find the parts
-              </Button>
-              <span className="small mid">
-                By its markers, or else by its silences. You see them before anything changes.
-              </span>
-            </div>
+            <>
+              <div className="row wrap">
+                <Button
+                  disabled={!split.may_split || finding.isPending}
+                  onClick={() => finding.mutate(split.shortest_pause_s)}
+                >
+                  Find the parts
+                </Button>
+                <span className="small mid">
+                  By its markers, or else by its silences. You see them before anything changes.
+                </span>
+              </div>
+              <Refusal error={finding.error} />
+            </>
           )}
-          <Refusal error={finding.error} />
         </div>
       )
   }
@@ -201,26 +204,23 @@ function Parts({ parts, onHear, choice }: PartsProps) {
 
 /** How long silence has to be to part two sounds. */
 function ShortestPause({ split, finding }: { split: Split; finding: ReturnType<typeof useFindParts> }) {
-  const [seconds, setSeconds] = useState<number | string>(split.shortest_pause_s)
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (typeof seconds === 'number') finding.mutate(seconds)
-  }
   return (
-    <form className="row wrap items-end" onSubmit={send}>
-      <NumberInput
+    <Form
+      className="row wrap items-end"
+      initialValues={{ pause_s: split.shortest_pause_s }}
+      mutation={finding}
+      onSubmit={({ pause_s }) => finding.mutate(pause_s)}
+    >
+      <Field
+        as={NumberInput}
+        name="pause_s"
         label="Silence between parts, at least (s)"
-        value={seconds}
-        onChange={setSeconds}
         min={0.05}
         max={10}
         step={0.1}
         decimalScale={2}
       />
-      <Button type="submit" disabled={typeof seconds !== 'number' || finding.isPending}>
-        Find the parts again
-      </Button>
-      <Refusal error={finding.error} />
-    </form>
+      <Submit variant="plain">Find the parts again</Submit>
+    </Form>
   )
 }

@@ -7,8 +7,8 @@ import { sentence } from './sentence'
 
 interface RefusalProps {
   /** The error of a query or a mutation; nothing is drawn while there is none. */
-  error: unknown
-  /** What was to be done, where the sentence alone would not say: a file's name. */
+  error?: unknown
+  /** What was to be done, where the sentence alone would not say: a file's name, or a sentence. */
   about?: string
   action?: ReactNode
   /** What to do, where the server does not say it. */
@@ -25,7 +25,7 @@ export function Refusal({ error, about, action, fix, inset = false, className }:
   const detail = problem ? sentence(problem.detail) : 'Something went wrong in the page. What you typed is kept.'
   return (
     <ErrorBanner
-      detail={about ? `${about}: ${detail}` : detail}
+      detail={about ? `${about}${about.endsWith('.') ? '' : ':'} ${detail}` : detail}
       fix={problem?.fix ? sentence(problem.fix) : fix}
       action={action}
       className={[inset ? 'inset' : '', className].filter(Boolean).join(' ')}

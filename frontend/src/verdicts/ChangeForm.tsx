@@ -1,6 +1,5 @@
 import { type KeyboardEvent, type ReactNode, useId, useLayoutEffect, useRef, useState } from 'react'
 
-import type { ApiProblem } from '@/api'
 import { DraftNote, useDraft } from '@/app/drafts'
 import { useHotkeys } from '@/app/keys'
 import type { TimeRange } from '@/audio'
@@ -31,7 +30,7 @@ interface ChangeFormProps {
   positionS: number
   range: TimeRange | null
   saving: boolean
-  problem: ApiProblem | null
+  error: unknown
   /** What it takes back, where the version is approved. */
   reversal?: ReactNode
   /** Who gets it. */
@@ -52,7 +51,7 @@ export function ChangeForm({
   positionS,
   range,
   saving,
-  problem,
+  error,
   reversal,
   to = 'the designer',
   counts = '',
@@ -156,7 +155,7 @@ export function ChangeForm({
       <Mentions takeId={takeId} field={field} text={text} onText={setText} />
       {projectId !== undefined && <WordList projectId={projectId} text={text} />}
       {empty && <FieldError id={errorId}>Choose a reason or write what to change.</FieldError>}
-      <Refusal error={problem} />
+      <Refusal error={error} />
       {reversal}
       <DraftNote draft={draft} />
       <div className="row wrap">

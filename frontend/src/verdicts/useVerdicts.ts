@@ -1,7 +1,7 @@
 import { type InfiniteData, type QueryClient, type QueryKey, useQueryClient } from '@tanstack/react-query'
 import { useState } from 'react'
 
-import { unwrap, api, ApiProblem, networkError, newIdempotencyKey, useMutation } from '@/api'
+import { api, newIdempotencyKey, unwrap, useMutation } from '@/api'
 import { answerOrOptimistic, offlineOutbox, waitingId } from '@/api/offlineOutbox'
 import { type Me, meQuery } from '@/api/me'
 import { queryKeys } from '@/api/queryKeys'
@@ -23,10 +23,10 @@ import { mentionsOf } from './mentionNames'
 import type { QueueFilter } from './queueFilter'
 import { underWay } from './underWay'
 
-/** What was refused, and why: said where it happened. */
-export interface Refusal {
-  what: string
-  problem: ApiProblem
+/** What was refused, in a sentence, and why. */
+interface RefusedVerdict {
+  about: string
+  error: unknown
 }
 
 export interface ChangeNote {
@@ -36,8 +36,6 @@ export interface ChangeNote {
   startS?: number
   endS?: number
 }
-
-const asProblem = (error: unknown): ApiProblem => (error instanceof ApiProblem ? error : networkError())
 
 /** Send a verdict; `onKept` is called where it waits for the connection, to be sent later. */
 const giveVerdict = (
@@ -141,7 +139,7 @@ interface Decision {
 /** Give verdicts: at once on the screen, then on the server; what is refused comes back with its reason. */
 export function useVerdicts(projectId: string, onBack?: (cueId: string) => void, filter?: QueueFilter) {
   const client = useQueryClient()
-  const [refusal, setRefusal] = useState<Refusal | null>(null)
+  const [refusal, setRefusal] = useState<RefusedVerdict | null>(null)
   const queueKey: QueryKey = queueQuery(projectId, filter).queryKey
   const countKey: QueryKey = countQuery(projectId, filter).queryKey
 
@@ -211,7 +209,7 @@ export function useVerdicts(projectId: string, onBack?: (cueId: string) => void,
         }
         const sent = Promise.all(atServer.map((undoable) => takeBack(undoable, `undo of “${decided.done}”`, noteKept)))
         void end(sent, (error) => {
-          if (!isUndoKept) setRefusal({ what: `${decided.done} It stays so.`, problem: asProblem(error) })
+          if (!isUndoKept) setRefusal({ about: `${decided.done} It stays so.`, error })
         })
         await sent
       }
@@ -223,7 +221,7 @@ export function useVerdicts(projectId: string, onBack?: (cueId: string) => void,
       dismissToast()
       // A refusal that comes later stands above every page, and leads nobody away from what they do then.
       if (!isKept) {
-        setRefusal({ what: decided.refused, problem: asProblem(error) })
+        setRefusal({ about: decided.refused, error })
         onBack?.(decided.cue.id)
       }
     })
@@ -325,8 +323,7 @@ export function useVerdicts(projectId: string, onBack?: (cueId: string) => void,
             for (const { takeId } of sent) showDraft(cue.id, takeId, null)
             onBack?.(cue.id)
           },
-          (error: unknown) =>
-            setRefusal({ what: `The change of ${cue.name} ${name} is sent.`, problem: asProblem(error) }),
+          (error: unknown) => setRefusal({ about: `The change of ${cue.name} ${name} is sent.`, error }),
         )
         await refresh(client, projectId)
       }
@@ -336,8 +333,7 @@ export function useVerdicts(projectId: string, onBack?: (cueId: string) => void,
     onSettled: () => void refresh(client, projectId),
   })
 
-  const changeProblem = change.error === null ? null : asProblem(change.error)
-  return { approve, acceptSet, change, changeProblem, refusal }
+  return { approve, acceptSet, change, refusal }
 }
 
 export type Verdicts = ReturnType<typeof useVerdicts>

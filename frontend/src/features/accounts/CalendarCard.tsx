@@ -1,8 +1,8 @@
-import { Select, TextInput } from '@mantine/core'
-import { useState } from 'react'
+import { Select } from '@mantine/core'
 
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
+import { Field, Form, Submit } from '@/ui/Form'
 import { day } from '@/ui/format'
 import { Row, Rows } from '@/ui/Rows'
 
@@ -18,7 +18,9 @@ export function CalendarCard({ studioId }: { studioId: string }) {
     <Card aria-labelledby="calendar">
       <CardHead id="calendar" title="Calendar" note="for clauses on silence" />
       <CardProblem error={error ?? save.error} />
-      {calendar && <Fields calendar={calendar} isPending={save.isPending} onSave={(to) => save.mutate(to)} />}
+      {calendar && (
+        <Fields studioId={studioId} calendar={calendar} isPending={save.isPending} onSave={(to) => save.mutate(to)} />
+      )}
       <p className="small mid p-3-inset">
         Saturdays and Sundays never count. A holiday entered now does not delay a cue that is in review already.
         Designers see this calendar.
@@ -28,6 +30,7 @@ export function CalendarCard({ studioId }: { studioId: string }) {
 }
 
 interface FieldsProps {
+  studioId: string
   calendar: StudioCalendar
   isPending: boolean
   onSave: (calendar: StudioCalendar) => void
@@ -35,9 +38,8 @@ interface FieldsProps {
 
 const ZONES = ['UTC', ...Intl.supportedValuesOf('timeZone').filter((zone) => zone !== 'UTC')]
 
-function Fields({ calendar: { time_zone: zone, holidays }, isPending, onSave }: FieldsProps) {
-  const [on, setOn] = useState('')
-  const [name, setName] = useState('')
+function Fields({ studioId, calendar: { time_zone: zone, holidays }, isPending, onSave }: FieldsProps) {
+  const add = useSaveStudioCalendar(studioId)
   return (
     <>
       <div className="p-3-inset">
@@ -71,27 +73,19 @@ function Fields({ calendar: { time_zone: zone, holidays }, isPending, onSave }: 
           ))}
         </Rows>
       )}
-      <form
-        className={classes.holiday}
-        onSubmit={(event) => {
-          event.preventDefault()
-          onSave({ time_zone: zone, holidays: [...holidays, { day: on, name }] })
-          setOn('')
-          setName('')
-        }}
+      <Form
+        className={`flex wrap items-end gap-2 ${classes.holiday}`}
+        initialValues={{ day: '', name: '' }}
+        mutation={add}
+        resets
+        onSubmit={(holiday) => add.mutate({ time_zone: zone, holidays: [...holidays, holiday] })}
       >
-        <TextInput
-          type="date"
-          label="Holiday"
-          required
-          value={on}
-          onChange={({ currentTarget }) => setOn(currentTarget.value)}
-        />
-        <TextInput label="Name" required value={name} onChange={({ currentTarget }) => setName(currentTarget.value)} />
-        <Button type="submit" icon="plus" disabled={isPending}>
+        <Field name="day" label="Holiday" type="date" />
+        <Field name="name" label="Name" />
+        <Submit variant="plain" icon="plus">
           Add holiday
-        </Button>
-      </form>
+        </Submit>
+      </Form>
     </>
   )
 }

@@ -2,7 +2,7 @@ import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
-import { ApiProblem, useMutation } from '@/api'
+import { useMutation } from '@/api'
 import { showToast } from '@/app/toast'
 import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
@@ -22,7 +22,7 @@ interface Of {
 /** A folder that was sent: to adopt, or adopted, with how far its checks are. */
 export function AdoptionDetail({ projectId, adoptionId }: Of): ReactNode {
   const { data, error } = useQuery(progressQuery(adoptionId))
-  if (error instanceof ApiProblem) return <Refusal error={error} />
+  if (error) return <Refusal error={error} />
   if (data === undefined) return null
   if (data.adopted_at === null) return <Sent projectId={projectId} adoptionId={adoptionId} />
   return <Adopted projectId={projectId} progress={data} />

@@ -7,7 +7,7 @@ import { useTitle } from '@/app/title'
 import { reasonsText } from '@/verdicts/words'
 import { ClosedGateNote } from '@/phases'
 import { Card, CardHead } from '@/ui/Card'
-import { Refusal } from '@/ui/Refusal'
+import { PageWait } from '@/ui/PageWait'
 import { bytes, plural } from '@/ui/format'
 import { Person } from '@/ui/Person'
 import { StatusBadge } from '@/ui/StatusBadge'
@@ -22,12 +22,7 @@ export function DeliveryPage() {
   const { data: delivery, error } = useQuery(deliveryQuery(deliveryId))
   useTitle(delivery ? `Delivery ${delivery.number}` : 'Delivery')
   if (delivery === undefined) {
-    return (
-      <div className="page stack">
-        <h1 className={error ? undefined : 'visually-hidden'}>{error ? 'Delivery not found' : 'Delivery'}</h1>
-        <Refusal error={error} />
-      </div>
-    )
+    return <PageWait isNamed title="Delivery" error={error} />
   }
   return (
     <div className="page stack">

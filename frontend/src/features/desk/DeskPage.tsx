@@ -87,11 +87,10 @@ export function DeskPage() {
   const isDrawn = useIsDrawn(projectId, desk)
   const problem = error ?? noUploads
   if (problem) {
-    const refusal = problem instanceof ApiProblem ? problem : null
     return (
       <div className="page">
         <h1>Your desk</h1>
-        {refusal?.status === 403 ? (
+        {problem instanceof ApiProblem && problem.status === 403 ? (
           <EmptyState head="This page is for the project’s sound designers">
             You are on the game team. See Today for your tasks.
           </EmptyState>

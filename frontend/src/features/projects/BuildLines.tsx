@@ -2,12 +2,12 @@ import { Link } from '@tanstack/react-router'
 import type { ReactNode } from 'react'
 
 import { ago, plural } from '@/ui/format'
+import { Refusal } from '@/ui/Refusal'
 import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Build, type BuildBrief, useBuildReport } from './api'
 import classes from './Builds.module.css'
 import { OUTCOME_STATES, outcomeInWords, outcomeOf, type RefusedFile, refusedFiles, warnedFiles } from './reports'
-import { refusal } from './words'
 
 /** One build: its label, how it ended, when and what for. */
 export function BuildLine({ build, children }: { build: Build | BuildBrief; children?: ReactNode }) {
@@ -34,7 +34,7 @@ interface BuildReasonsProps {
 export function BuildReasons({ build, projectId, most = 1000 }: BuildReasonsProps) {
   const { data: report, error, isPending } = useBuildReport(build.id)
   if (isPending) return <p className={`small dim ${classes.pending}`}>Reading the report…</p>
-  if (error) return <p className="small">{refusal(error).detail}</p>
+  if (error) return <Refusal error={error} />
   const refused = refusedFiles(report)
   const warned = warnedFiles(report)
   return (

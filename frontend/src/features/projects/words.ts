@@ -8,13 +8,6 @@ import type { EngagementKind } from './people/api'
 /** Figures with the minus that they are read with. */
 export const trueMinus = (text: string): string => text.replace(/(^|[\s(])-(?=\d|∞|inf)/g, '$1−')
 
-/** What was refused, and what to do about it, in sentences. */
-export function refusal(error: unknown): { detail: string; fix?: string } {
-  if (!(error instanceof ApiProblem))
-    return { detail: 'Could not send. Something went wrong in the page; your text is kept.' }
-  return { detail: sentence(error.detail), fix: error.fix === '' ? undefined : sentence(error.fix) }
-}
-
 /** What stands against one field, in a sentence. */
 export function against(error: unknown, field: string): string | undefined {
   const problem = error instanceof ApiProblem ? error.of(field) : undefined

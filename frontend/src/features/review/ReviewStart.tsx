@@ -2,7 +2,6 @@ import { Link, Navigate, useParams, useSearch } from '@tanstack/react-router'
 
 import type { ReactNode } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useMyProject } from '@/api/me'
 import { useTitle } from '@/app/title'
 import { isNoted } from '@/verdicts/afterVerdict'
@@ -35,7 +34,7 @@ export function ReviewStart(): ReactNode {
       />
     )
   }
-  if (queue.error instanceof ApiProblem) {
+  if (queue.error) {
     return (
       <div className="page">
         <h1>Review</h1>

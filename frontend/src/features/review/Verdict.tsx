@@ -13,7 +13,7 @@ import type { CueMoney } from '@/money/api'
 import { dueWithPick } from '@/money/words'
 import { Button } from '@/ui/Button'
 import { plural } from '@/ui/format'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 import { VerdictBar } from '@/ui/VerdictBar'
 
 import { ListenProgress } from './ListenProgress'
@@ -96,7 +96,7 @@ export function Verdict(props: VerdictProps) {
   const above = (isOpen || refusal || props.checklist) && (
     <>
       {!isOpen && props.checklist}
-      {refusal && <ErrorBanner detail={`${refusal.what} ${refusal.problem.detail}`} fix={refusal.problem.fix} />}
+      <Refusal {...refusal} />
       {asking === 'pick' && (
         <ReasonRow
           reasons={props.reasons.pick}
@@ -114,9 +114,7 @@ export function Verdict(props: VerdictProps) {
             onClose={() => props.onAsking(null)}
           />
           {reversal}
-          {verdicts.changeProblem && (
-            <ErrorBanner detail={verdicts.changeProblem.detail} fix={verdicts.changeProblem.fix} />
-          )}
+          <Refusal error={verdicts.change.error} />
         </>
       )}
       {asking === 'label' && hand && (
@@ -139,7 +137,7 @@ export function Verdict(props: VerdictProps) {
           positionS={changing.positionS}
           range={props.range}
           saving={verdicts.change.isPending}
-          problem={verdicts.changeProblem}
+          error={verdicts.change.error}
           onClose={props.onCloseChange}
           reversal={reversal}
           onSave={(change, done) =>

@@ -1,10 +1,12 @@
+import { Textarea } from '@mantine/core'
 import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { useParams } from '@tanstack/react-router'
 import { type ReactNode, useState } from 'react'
 
 import { ApiProblem, useMutation } from '@/api'
 import { queryKeys } from '@/api/queryKeys'
-import { formDraft, useDraft } from '@/app/drafts'
+import { formDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
 // eslint-disable-next-line no-restricted-imports -- the plays of guests are recorded by their link
@@ -53,7 +55,8 @@ export function ListenPage(): ReactNode {
   )
 }
 
-function Gone({ problem }: { problem: ApiProblem | null }) {
+function Gone({ error }: { error: unknown }) {
+  const problem = error instanceof ApiProblem ? error : null
   return (
     <Sheet>
       <div className="grid gap-3 p-3-inset-4">
@@ -74,7 +77,7 @@ function Door({ secret, onOpened }: { secret: string; onOpened: (visit: string) 
       onOpened(visit)
     },
   })
-  if (door.error) return <Gone problem={door.error instanceof ApiProblem ? door.error : null} />
+  if (door.error) return <Gone error={door.error} />
   if (door.data === undefined) return <PageSkeleton />
   const needsPassword = door.data.needs_password
   return (
@@ -104,7 +107,7 @@ function Visit({ visit, onOver }: { visit: string; onOver: () => void }) {
   if (error) {
     return (
       <>
-        <Gone problem={error instanceof ApiProblem ? error : null} />
+        <Gone error={error} />
         <p className={classes.again}>
           <button type="button" className="link" onClick={onOver}>
             Open the link again
@@ -232,34 +235,16 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
 }
 
 function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound; positionS: () => number }) {
-  const [text, setText, draft] = useDraft(`guest-comment:${visit.slice(0, 8)}:${sound.place}`, '')
   const [sent, setSent] = useState<{ text: string; startS: number | null }[]>([])
-  const [busy, setBusy] = useState(false)
-  const [problem, setProblem] = useState<ApiProblem | null>(null)
-  const send = async () => {
-    const trimmed = text.trim()
-    if (trimmed === '' || busy) return
-    const atS = positionS()
-    const startS = atS > 0 && sound.duration_s !== null && atS < sound.duration_s ? Math.floor(atS * 1000) / 1000 : null
-    setBusy(true)
-    try {
-      await sendGuestComment(visit, sound.place, trimmed, startS)
-      draft.discard()
-      setSent([...sent, { text: trimmed, startS }])
-      setProblem(null)
-    } catch (error) {
-      if (error instanceof ApiProblem) setProblem(error)
-    }
-    setBusy(false)
-  }
+  const send = useMutation({
+    mutationFn: ({ text, startS }: { text: string; startS: number | null }) =>
+      sendGuestComment(visit, sound.place, text, startS),
+    onSuccess: (_, comment) => setSent((before) => [...before, comment]),
+  })
+  const startOf = (atS: number) =>
+    atS > 0 && sound.duration_s !== null && atS < sound.duration_s ? Math.floor(atS * 1000) / 1000 : null
   return (
-    <form
-      className="grid grid-cols-1 gap-3"
-      onSubmit={(event) => {
-        event.preventDefault()
-        void send()
-      }}
-    >
+    <>
       <ul aria-label="What you wrote" aria-live="polite">
         {sent.map((comment) => (
           <li key={`${comment.startS} ${comment.text}`} className="small">
@@ -268,21 +253,29 @@ function Comment({ visit, sound, positionS }: { visit: string; sound: GuestSound
           </li>
         ))}
       </ul>
-      <textarea
-        className={classes.text}
-        rows={2}
-        maxLength={10_000}
-        aria-label={`Comment on ${titleOf(sound)}`}
-        placeholder="Comment, at the place where the playhead stands"
-        value={text}
-        onChange={(event) => setText(event.currentTarget.value)}
-      />
-      <Refusal error={problem} />
-      <div className="row wrap">
-        <Button type="submit" icon="comment" aria-busy={busy}>
+      <DraftForm
+        className="grid grid-cols-1 gap-3"
+        draftKey={`guest-comment:${visit.slice(0, 8)}:${sound.place}`}
+        initialValues={{ text: '' }}
+        mutation={send}
+        onSubmit={({ text }, onSuccess) => {
+          const trimmed = text.trim()
+          if (trimmed !== '') send.mutate({ text: trimmed, startS: startOf(positionS()) }, { onSuccess })
+        }}
+      >
+        <Field
+          as={Textarea}
+          optional
+          name="text"
+          rows={2}
+          maxLength={10_000}
+          aria-label={`Comment on ${titleOf(sound)}`}
+          placeholder="Comment, at the place where the playhead stands"
+        />
+        <Submit variant="plain" icon="comment">
           Send comment
-        </Button>
-      </div>
-    </form>
+        </Submit>
+      </DraftForm>
+    </>
   )
 }

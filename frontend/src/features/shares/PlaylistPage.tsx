@@ -2,7 +2,6 @@ import { useQuery } from '@tanstack/react-query'
 import { Link, useNavigate, useParams } from '@tanstack/react-router'
 import { type ReactNode, useEffect, useEffectEvent, useRef, useState } from 'react'
 
-import { ApiProblem } from '@/api'
 import { meQuery } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { useTitle } from '@/app/title'
@@ -35,7 +34,7 @@ export function PlaylistPage(): ReactNode {
   const { playlistId = '' } = useParams({ strict: false })
   const { data: playlist, error } = useQuery(playlistQuery(playlistId))
   useTitle(playlist?.name ?? 'Playlist')
-  if (error instanceof ApiProblem) {
+  if (error) {
     return (
       <div className="page">
         <h1>Playlist</h1>

@@ -17,7 +17,7 @@ import { useReasons } from '@/verdicts/reasons'
 import { useFirstListen, withHeard } from '@/verdicts/useFirstListen'
 import { useVerdicts } from '@/verdicts/useVerdicts'
 import { takeName } from '@/verdicts/words'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 import { StatusBadge, type StateKind } from '@/ui/StatusBadge'
 
 import type { PlaylistTake } from './api'
@@ -100,12 +100,7 @@ export function VerdictOfTake({
   }
   return (
     <div className="grid grid-cols-1 gap-3">
-      {verdicts.refusal && (
-        <ErrorBanner
-          detail={`${verdicts.refusal.what} ${verdicts.refusal.problem.detail}`}
-          fix={verdicts.refusal.problem.fix}
-        />
-      )}
+      <Refusal {...verdicts.refusal} />
       {changing && judged && review && (
         <ChangeForm
           takeId={judged.id}
@@ -114,7 +109,7 @@ export function VerdictOfTake({
           positionS={changing.positionS}
           range={null}
           saving={verdicts.change.isPending}
-          problem={verdicts.changeProblem}
+          error={verdicts.change.error}
           reversal={
             judged.state === 'approved' && <ReversalNote cueId={review.cue.id} what={`${review.cue.name} ${name}`} />
           }

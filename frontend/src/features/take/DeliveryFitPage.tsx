@@ -1,14 +1,14 @@
 import { useQuery } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 
-import { ShellLink } from '@/app/shell/ShellLink'
+import { StartPageLink } from '@/app/shell/StartPageLink'
 import { useTitle } from '@/app/title'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { plural } from '@/ui/format'
 import { PageHead } from '@/ui/PageHead'
 import { Table } from '@/ui/Table'
-import { Refusal } from '@/ui/Refusal'
+import { PageWait } from '@/ui/PageWait'
 
 import { deliveryFitQuery } from './api'
 import { type DeliveryFit, moved, WHAT } from './fit'
@@ -20,19 +20,7 @@ export function DeliveryFitPage() {
   const { data: fit, error } = useQuery(deliveryFitQuery(deliveryId))
   useTitle(fit ? `Delivery ${fit.number} compared with earlier work` : 'Delivery')
   if (fit === undefined) {
-    return (
-      <div className="page stack">
-        <h1 className={error ? undefined : 'visually-hidden'}>{error ? 'Delivery not found' : 'Delivery'}</h1>
-        <Refusal
-          error={error}
-          action={
-            <ShellLink path="/" className="link">
-              Go to the start page
-            </ShellLink>
-          }
-        />
-      </div>
-    )
+    return <PageWait isNamed title="Delivery" error={error} action={<StartPageLink />} />
   }
   return (
     <div className="page stack">

@@ -1,60 +1,52 @@
-import { type FormEvent, useId } from 'react'
+import { useId } from 'react'
 
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
+import { Field, Submit } from '@/ui/Form'
 import { useSetLabel } from '@/verdicts/labels'
 import { useReasons } from '@/verdicts/reasons'
-import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
 
 import type { Take } from './api'
-import classes from './Take.module.css'
 
 /** What the version is among alternates, of the studio's list or in other words. */
 export function LabelLine({ take }: { take: Take }) {
   const saved = take.label ?? ''
-  const [text, setText, draft] = useDraft(`label:${take.id}:${saved}`, saved)
   const { label: listed } = useReasons(take.project_id)
   const label = useSetLabel()
   const listId = useId()
-  const onSubmit = (event: FormEvent) => {
-    event.preventDefault()
-    const words = text.trim()
-    if (label.isPending || words === saved) return
-    label.mutate(
-      { takeId: take.id, label: words || null },
-      {
-        onSuccess: () => {
-          draft.discard()
-          showToast(words ? `Labelled “${words}”.` : 'The label is gone.')
-        },
-      },
-    )
-  }
   return (
-    <form className="row wrap mt-2" onSubmit={onSubmit} aria-label="Label">
-      <label className="small strong" htmlFor={`${listId}-field`}>
-        Label
-      </label>
-      <input
-        id={`${listId}-field`}
-        className={`line-field ${classes.labelField}`}
-        list={listId}
-        maxLength={40}
-        placeholder="longer, layered, wild"
-        value={text}
-        onChange={(event) => setText(event.currentTarget.value)}
-      />
-      <datalist id={listId}>
-        {listed.map((option) => (
-          <option key={option} value={option} />
-        ))}
-      </datalist>
-      <Button type="submit" disabled={text.trim() === saved} aria-busy={label.isPending}>
-        {text.trim() === '' && saved !== '' ? 'Take away' : 'Save label'}
-      </Button>
-      <DraftNote draft={draft} />
-      <Refusal error={label.error} />
-    </form>
+    <DraftForm
+      className="row wrap items-end mt-2"
+      aria-label="Label"
+      draftKey={`label:${take.id}:${saved}`}
+      initialValues={{ text: saved }}
+      mutation={label}
+      onSubmit={({ text }, onSent) => {
+        const words = text.trim()
+        label.mutate(
+          { takeId: take.id, label: words || null },
+          {
+            onSuccess: () => {
+              onSent()
+              showToast(words ? `Labelled “${words}”.` : 'The label is gone.')
+            },
+          },
+        )
+      }}
+    >
+      {({ text }) => (
+        <>
+          <Field optional name="text" label="Label" list={listId} maxLength={40} placeholder="longer, layered, wild" />
+          <datalist id={listId}>
+            {listed.map((option) => (
+              <option key={option} value={option} />
+            ))}
+          </datalist>
+          <Submit variant="plain" disabled={text.trim() === saved}>
+            {text.trim() === '' && saved !== '' ? 'Take away' : 'Save label'}
+          </Submit>
+        </>
+      )}
+    </DraftForm>
   )
 }

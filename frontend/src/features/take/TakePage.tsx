@@ -6,7 +6,7 @@ import { ApiProblem } from '@/api'
 import { meQuery, useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { NdaFirst } from '@/app/shell/NdaFirst'
-import { ShellLink } from '@/app/shell/ShellLink'
+import { StartPageLink } from '@/app/shell/StartPageLink'
 import { useTitle } from '@/app/title'
 import { type FindingMark, spotOf as playFrom } from '@/audio'
 import { useTakePlayer } from '@/heard/useTakePlayer'
@@ -15,6 +15,7 @@ import { FixPanel, useFixing, useSounds } from '@/fixing'
 import { loadSplitPanel, type Split, useSplit } from '@/splitting'
 import { TakeSourcesPart } from '@/sources/TakeSourcesPart'
 import { Card, CardHead } from '@/ui/Card'
+import { PageWait } from '@/ui/PageWait'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, day, figure, range } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
@@ -43,19 +44,7 @@ export function TakePage() {
   useTitle(take ? nameOf(take) : 'Version')
   if (take === undefined) {
     if (error instanceof ApiProblem && error.code === 'nda-needed') return <Closed />
-    return (
-      <div className="page stack">
-        <h1 className={error ? undefined : 'visually-hidden'}>{error ? 'Version not found' : 'Version'}</h1>
-        <Refusal
-          error={error}
-          action={
-            <ShellLink path="/" className="link">
-              Go to the start page
-            </ShellLink>
-          }
-        />
-      </div>
-    )
+    return <PageWait isNamed title="Version" error={error} action={<StartPageLink />} />
   }
   return <WithSounds key={take.id} take={take} />
 }

@@ -23,7 +23,7 @@ import { Button } from '@/ui/Button'
 import { Card } from '@/ui/Card'
 import { gain, length } from '@/ui/format'
 import { UnreadDot } from '@/ui/UnreadDot'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 
 import classes from './Today.module.css'
 
@@ -261,12 +261,7 @@ function Heard({ item, projectId, mayApprove, player, playing, verdicts, takes, 
           />
         </p>
       )}
-      {verdicts.refusal && (
-        <ErrorBanner
-          detail={`${verdicts.refusal.what} ${verdicts.refusal.problem.detail}`}
-          fix={verdicts.refusal.problem.fix}
-        />
-      )}
+      <Refusal {...verdicts.refusal} />
       {picking && mayApprove && blocked === '' && (
         <div className="border-t mt-4 pt-3">
           <ReasonRow
@@ -287,7 +282,7 @@ function Heard({ item, projectId, mayApprove, player, playing, verdicts, takes, 
             positionS={player.positionS()}
             range={null}
             saving={verdicts.change.isPending}
-            problem={verdicts.changeProblem}
+            error={verdicts.change.error}
             onClose={() => setChanging(false)}
             onSave={(change, done) =>
               verdicts.change.mutate(

@@ -2,7 +2,6 @@ import { useQuery, useQueryClient } from '@tanstack/react-query'
 import { Link, useParams } from '@tanstack/react-router'
 import { type ReactNode, useRef } from 'react'
 
-import { ApiProblem } from '@/api'
 import { useIsParty, useMyProject } from '@/api/me'
 import { useHotkeys } from '@/app/keys'
 import { NextCard } from '@/app/NextCard'
@@ -20,7 +19,7 @@ import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { day } from '@/ui/format'
 import { KeysLine } from '@/ui/KeysLine'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 import { PageHead } from '@/ui/PageHead'
 
 import { todayQuery } from './api'
@@ -69,7 +68,6 @@ export function TodayPage(): ReactNode {
     { keys: 'k', label: 'Previous', group: 'Today', run: () => step(-1), repeats: true },
   ])
 
-  const failed = [queue.error, today.error].find((error) => error instanceof ApiProblem)
   const loaded = queue.isKnown && today.isSuccess
   const side = today.data
   // Drawn together: early parts would move when the rest appears above or next to them.
@@ -115,17 +113,14 @@ export function TodayPage(): ReactNode {
             })
           : '\u00a0'}
       </PageHead>
-      {failed && (
-        <ErrorBanner
-          detail={failed.detail}
-          fix={failed.fix}
-          action={
-            <button type="button" className="link" onClick={() => void client.refetchQueries({ type: 'active' })}>
-              Try again
-            </button>
-          }
-        />
-      )}
+      <Refusal
+        error={queue.error ?? today.error}
+        action={
+          <button type="button" className="link" onClick={() => void client.refetchQueries({ type: 'active' })}>
+            Try again
+          </button>
+        }
+      />
       {settled && (
         <div className={`grid items-start gap-4 ${classes.today}`}>
           <div className="stack">
@@ -143,12 +138,7 @@ export function TodayPage(): ReactNode {
                 verdicts={verdicts}
               />
             )}
-            {!first && verdicts.refusal && (
-              <ErrorBanner
-                detail={`${verdicts.refusal.what} ${verdicts.refusal.problem.detail}`}
-                fix={verdicts.refusal.problem.fix}
-              />
-            )}
+            {!first && <Refusal {...verdicts.refusal} />}
             {loaded && !first && rest.length === 0 && questions.length === 0 && steps.length === 0 && (
               <EmptyState
                 head="Nothing to do"

@@ -118,7 +118,7 @@ export function ScriptPage(): ReactNode {
       </div>
     )
   const read = isGiven ? plan.data : undefined
-  const problem = isGiven && plan.error instanceof ApiProblem ? plan.error : null
+  const error = isGiven ? plan.error : null
   const isWaiting = plan.isFetching || !isSettled
   const touched = read ? read.added + read.changed : 0
   const put = () =>
@@ -205,7 +205,9 @@ export function ScriptPage(): ReactNode {
               onChange={(event) => change({ language: event.currentTarget.value })}
             />
           </div>
-          {(problem?.code === 'speaker-missing' || typed.speaker !== '' || typed.inKey) && (
+          {((error instanceof ApiProblem && error.code === 'speaker-missing') ||
+            typed.speaker !== '' ||
+            typed.inKey) && (
             <fieldset className={classes.acts}>
               <legend>Who speaks lines that name no one</legend>
               <TextInput
@@ -223,7 +225,7 @@ export function ScriptPage(): ReactNode {
           )}
           <DraftNote draft={draft} />
           {unread && <FieldError>{unread}</FieldError>}
-          <Refusal error={problem} />
+          <Refusal error={error} />
         </div>
       </Card>
       {read && (

@@ -1,15 +1,15 @@
-import { TextInput } from '@mantine/core'
-import { type FormEvent, useRef, useState } from 'react'
+import { NativeSelect } from '@mantine/core'
+import { useRef, useState } from 'react'
 
 import { base64Of } from '@/api/base64'
-import { DraftNote, useDraft } from '@/app/drafts'
+import { DraftForm } from '@/app/drafts/DraftForm'
 import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { FieldError } from '@/ui/FieldError'
+import { Field, Submit } from '@/ui/Form'
 import { Refusal } from '@/ui/Refusal'
 import { ago, bytes, plural, shortDay } from '@/ui/format'
-import { Select } from '@/ui/Select'
 
 import forms from '../Hiring.module.css'
 import { type Entry, useDropCalendar, useReadCalendar, useSetBusy } from './api'
@@ -47,82 +47,66 @@ export function AvailabilityCard({ entry }: { entry: Entry }) {
 }
 
 function BusyForm({ entry }: { entry: Entry }) {
-  const [ranges, set, draft] = useDraft(`roster-busy:${entry.id}`, () => typedRanges(entry))
   const save = useSetBusy(entry.id)
-  const [wrong, setWrong] = useState<string | null>(null)
-  const kept = typedRanges(entry)
-  const isChanged = JSON.stringify(kept) !== JSON.stringify(ranges)
-  const put = (at: number, changes: Partial<TypedRange>) =>
-    set((before) => before.map((range, place) => (place === at ? { ...range, ...changes } : range)))
-  const send = (event: FormEvent) => {
-    event.preventDefault()
-    if (save.isPending) return
-    const open = ranges.find(({ from, to }) => from === '' || to === '')
-    setWrong(open ? 'Enter the first and the last day of every range, or remove it.' : null)
-    if (open) return
-    save.mutate(
-      ranges.map(({ from, to, ...rest }) => ({ from_on: from, to_on: to, ...rest })),
-      { onSuccess: () => showToast('Dates saved.') },
-    )
-  }
+  const saved = { ranges: typedRanges(entry) }
   return (
-    <form onSubmit={send} noValidate className="stack" aria-label="Busy days">
-      <DraftNote draft={draft} />
-      {ranges.map((range, at) => (
-        <fieldset
-          key={at}
-          className={`grid items-end gap-3 ${classes.range}`}
-          style={{ border: 0, padding: 0, margin: 0 }}
-        >
-          <legend className="visually-hidden">{`Busy range ${at + 1}`}</legend>
-          <TextInput
-            label="Busy from"
-            type="date"
-            value={range.from}
-            onChange={({ currentTarget: { value } }) => put(at, { from: value })}
-          />
-          <TextInput
-            label="to"
-            type="date"
-            value={range.to}
-            onChange={({ currentTarget: { value } }) => put(at, { to: value })}
-          />
-          <Select
-            label="How much"
-            value={range.kind}
-            onChange={({ currentTarget: { value } }) => put(at, { kind: value === 'half_days' ? value : 'booked' })}
-          >
-            <option value="booked">booked</option>
-            <option value="half_days">half days</option>
-          </Select>
-          <TextInput
-            label="Note"
-            maxLength={200}
-            value={range.note}
-            onChange={({ currentTarget: { value } }) => put(at, { note: value })}
-          />
-          <Button
-            square
-            variant="quiet"
-            icon="cross"
-            aria-label={`Remove busy range ${at + 1}`}
-            onClick={() => set((before) => before.filter((_, place) => place !== at))}
-          />
-        </fieldset>
-      ))}
-      {wrong && <FieldError>{wrong}</FieldError>}
-      <Refusal error={save.error} />
-      <div className="row wrap">
-        <Button icon="plus" onClick={() => set((before) => [...before, NEW_RANGE])}>
-          Add busy days
-        </Button>
-        {isChanged && (
-          <Button type="submit" variant="primary" aria-busy={save.isPending}>
-            Save dates
-          </Button>
-        )}
-      </div>
-    </form>
+    <DraftForm
+      className="stack"
+      aria-label="Busy days"
+      draftKey={`roster-busy:${entry.id}`}
+      initialValues={saved}
+      mutation={save}
+      onSubmit={({ ranges }, onSent) =>
+        save.mutate(
+          ranges.map(({ from, to, ...rest }) => ({ from_on: from, to_on: to, ...rest })),
+          {
+            onSuccess: () => {
+              onSent()
+              showToast('Dates saved.')
+            },
+          },
+        )
+      }
+    >
+      {({ ranges }, change) => (
+        <>
+          {ranges.map((_, at) => (
+            <fieldset
+              key={at}
+              className={`grid items-end gap-3 ${classes.range}`}
+              style={{ border: 0, padding: 0, margin: 0 }}
+            >
+              <legend className="visually-hidden">{`Busy range ${at + 1}`}</legend>
+              <Field name={`ranges.${at}.from`} label="Busy from" type="date" />
+              <Field name={`ranges.${at}.to`} label="to" type="date" />
+              <Field
+                as={NativeSelect}
+                name={`ranges.${at}.kind`}
+                label="How much"
+                data={[
+                  { value: 'booked', label: 'booked' },
+                  { value: 'half_days', label: 'half days' },
+                ]}
+              />
+              <Field optional name={`ranges.${at}.note`} label="Note" maxLength={200} />
+              <Button
+                square
+                variant="quiet"
+                icon="cross"
+                aria-label={`Remove busy range ${at + 1}`}
+                onClick={() => change({ ranges: ranges.filter((_, place) => place !== at) })}
+              />
+            </fieldset>
+          ))}
+          <div className="row wrap">
+            <Button icon="plus" onClick={() => change({ ranges: [...ranges, NEW_RANGE] })}>
+              Add busy days
+            </Button>
+            {JSON.stringify(ranges) !== JSON.stringify(saved.ranges) && <Submit>Save dates</Submit>}
+          </div>
+        </>
+      )}
+    </DraftForm>
   )
 }
 

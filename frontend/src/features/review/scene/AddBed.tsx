@@ -1,9 +1,7 @@
+import { NativeSelect } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
-import { useState } from 'react'
 
-import { Button } from '@/ui/Button'
-import { Refusal } from '@/ui/Refusal'
-import { Select } from '@/ui/Select'
+import { Field, Form, Submit } from '@/ui/Form'
 
 import { type BedRole, type BedSource, bedSourcesQuery, useBeds } from './api'
 
@@ -17,12 +15,7 @@ interface AddBedProps {
 export function AddBed({ projectId, category, onDone }: AddBedProps) {
   const sources = useQuery(bedSourcesQuery(projectId))
   const { set } = useBeds(projectId)
-  const [role, setRole] = useState<BedRole>('ambience')
-  const [chosen, setChosen] = useState('')
-  const [isWide, setWide] = useState(true)
   const options = sources.data ?? []
-  const source = options.find((option) => idOf(option) === chosen) ?? options[0]
-  const problem = set.error ?? sources.error
   if (sources.data?.length === 0) {
     return (
       <p className="small mid">
@@ -31,52 +24,60 @@ export function AddBed({ projectId, category, onDone }: AddBedProps) {
     )
   }
   return (
-    <form
+    <Form
       className="flex wrap items-end gap-2"
       aria-label="Add a bed"
-      onSubmit={(event) => {
-        event.preventDefault()
-        if (source === undefined || set.isPending) return
+      initialValues={{ role: 'ambience', sound: '', under: 'project' }}
+      mutation={{ isPending: set.isPending, error: set.error ?? sources.error }}
+      onSubmit={({ role, sound, under }) => {
+        const source = options.find((option) => idOf(option) === sound) ?? options[0]
+        if (source === undefined) return
         const { take_id, reference_id } = source
-        const bed = { role, category: isWide ? '' : category, take_id, reference_id, level_db: -12, is_on: true }
+        const bed = {
+          role: role as BedRole,
+          category: under === 'project' ? '' : category,
+          take_id,
+          reference_id,
+          level_db: -12,
+          is_on: true,
+        }
         set.mutate(bed, { onSuccess: onDone })
       }}
     >
-      <Select label="Plays as" value={role} onChange={(event) => setRole(event.currentTarget.value as BedRole)}>
-        <option value="music">Music</option>
-        <option value="ambience">Ambience</option>
-        <option value="voice">Voice</option>
-      </Select>
-      <Select
+      <Field
+        as={NativeSelect}
+        name="role"
+        label="Plays as"
+        data={[
+          { value: 'music', label: 'Music' },
+          { value: 'ambience', label: 'Ambience' },
+          { value: 'voice', label: 'Voice' },
+        ]}
+      />
+      <Field
+        as={NativeSelect}
+        name="sound"
         label="Sound"
-        value={source ? idOf(source) : ''}
-        onChange={(event) => setChosen(event.currentTarget.value)}
-      >
-        {options.map((option) => (
-          <option key={idOf(option)} value={idOf(option)}>
-            {option.name}
-            {option.reference_id ? ' (reference)' : option.loops ? ' (loop)' : ''}
-          </option>
-        ))}
-      </Select>
+        data={options.map((option) => ({
+          value: idOf(option),
+          label: `${option.name}${option.reference_id ? ' (reference)' : option.loops ? ' (loop)' : ''}`,
+        }))}
+      />
       {category && (
-        <Select
+        <Field
+          as={NativeSelect}
+          name="under"
           label="Under the sounds of"
-          value={isWide ? 'project' : 'category'}
-          onChange={(event) => setWide(event.currentTarget.value === 'project')}
-        >
-          <option value="project">the whole project</option>
-          <option value="category">{category}</option>
-        </Select>
+          data={[
+            { value: 'project', label: 'the whole project' },
+            { value: 'category', label: category },
+          ]}
+        />
       )}
-      <Button type="submit" variant="primary" disabled={source === undefined || set.isPending}>
+      <Submit disabled={options.length === 0} onCancel={onDone}>
         Add
-      </Button>
-      <Button variant="quiet" onClick={onDone}>
-        Cancel
-      </Button>
-      <Refusal error={problem} />
-    </form>
+      </Submit>
+    </Form>
   )
 }
 

@@ -13,7 +13,7 @@ import { clock, day, plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
 import { ShowMore } from '@/ui/ShowMore'
 
-import { compareQuery, type Difference, problemIn, type Revision, revisionsQuery } from '../api'
+import { compareQuery, type Difference, type Revision, revisionsQuery } from '../api'
 import { Changes } from '../Changes'
 import classes from './Compare.module.css'
 
@@ -54,7 +54,6 @@ export function ComparePage(): ReactNode {
     { keys: 'k', label: 'Newer revision', group: 'Compare', run: () => step(1), repeats: true },
   ])
 
-  const problem = problemIn(compared.error) ?? problemIn(revisions.error) ?? problemIn(listError)
   const nothing =
     compared.data && compared.data.added.length + compared.data.changed.length + compared.data.cut.length === 0
   return (
@@ -70,7 +69,7 @@ export function ComparePage(): ReactNode {
           Back to the list
         </ButtonLink>
       </header>
-      <Refusal error={problem} />
+      <Refusal error={compared.error ?? revisions.error ?? listError} />
       {list?.revision === 0 && (
         <EmptyState head="No revisions yet">Adding the first cues creates revision 1.</EmptyState>
       )}

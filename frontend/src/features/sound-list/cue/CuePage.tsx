@@ -17,13 +17,12 @@ import { PHASE_WORDS } from '@/phases'
 import { StatusBadge } from '@/ui/StatusBadge'
 import { VisionLine } from '@/vision'
 import { VoiceLineWhereAny } from '@/voice-lines/VoiceLineWhereAny'
-import { Refusal } from '@/ui/Refusal'
+import { PageWait } from '@/ui/PageWait'
 
 import {
   cueChangesQuery,
   type CueDetail,
   cueQuery,
-  problemIn,
   progressQuery,
   type Version,
   versionsQuery,
@@ -52,17 +51,16 @@ export function CuePage(): ReactNode {
   useTitle(cue?.name ?? 'Cue')
   if (cue === undefined) {
     return (
-      <div className="page stack">
-        <h1 className={error ? undefined : 'visually-hidden'}>{error ? 'Cue not found' : 'Cue'}</h1>
-        <Refusal
-          error={error}
-          action={
-            <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
-              Go to the sound list
-            </Link>
-          }
-        />
-      </div>
+      <PageWait
+        isNamed
+        title="Cue"
+        error={error}
+        action={
+          <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
+            Go to the sound list
+          </Link>
+        }
+      />
     )
   }
   return <CueSheet key={cue.id} cue={cue} projectId={projectId} />
@@ -197,7 +195,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
             projectId={projectId}
             versions={versions.data}
             unheardIds={row?.progress?.unheard_take_ids ?? NONE}
-            problem={problemIn(versions.error)}
+            error={versions.error}
             playingId={playing.status === 'playing' || playing.status === 'loading' ? playing.sourceId : null}
             reviews={rights.reviews}
             onPlay={play}

@@ -1,6 +1,5 @@
 import { Link } from '@tanstack/react-router'
 
-import type { ApiProblem } from '@/api'
 import { WaveThumb } from '@/audio'
 import { NotHeard } from '@/heard/NotHeard'
 import { reasonsText, sentence } from '@/verdicts/words'
@@ -30,18 +29,18 @@ interface VersionsProps {
   versions: readonly Version[] | undefined
   /** The takes among them that the current person has not heard. */
   unheardIds: readonly string[]
-  problem: ApiProblem | null
+  error: unknown
   playingId: string | null
   reviews: boolean
   onPlay: (version: Version) => void
 }
 
 /** Everything that was delivered for a cue, the newest first, with what the checker found. */
-export function Versions({ cue, projectId, versions, unheardIds, problem, playingId, reviews, onPlay }: VersionsProps) {
+export function Versions({ cue, projectId, versions, unheardIds, error, playingId, reviews, onPlay }: VersionsProps) {
   return (
     <Card aria-labelledby="versions">
       <CardHead id="versions" title="Versions" count={versions?.length} end="newest first" />
-      <Refusal error={problem} />
+      <Refusal error={error} />
       {versions?.length === 0 && <p className="small dim grid gap-3 p-3-inset-4">No versions yet.</p>}
       <ul>
         {versions?.map((version) => (

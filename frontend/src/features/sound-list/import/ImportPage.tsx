@@ -15,14 +15,13 @@ import { Button, ButtonLink } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { EmptyState } from '@/ui/EmptyState'
 import { FieldError } from '@/ui/FieldError'
-import { Refusal } from '@/ui/Refusal'
 import { bytes, figure, plural } from '@/ui/format'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 import { PageHead } from '@/ui/PageHead'
 import { Segmented } from '@/ui/Segmented'
 import { Select } from '@/ui/Select'
 
-import { problemIn, useRights } from '../api'
+import { useRights } from '../api'
 import { columnsQuery, type OwnColumn } from '../columns/api'
 import { type ImportField, type ImportRead, importSheet, useImport } from './api'
 import classes from './Import.module.css'
@@ -127,7 +126,6 @@ export function ImportPage(): ReactNode {
   const given = isGiven(sheet)
   const read = given ? plan.data : undefined
   const isStale = plan.isPlaceholderData || plan.isFetching || asked !== sheet
-  const problem = given ? problemIn(plan.error) : null
   const put = () => {
     if (read === undefined || isStale) return
     send.mutate(bodyOf(sheet), {
@@ -259,7 +257,7 @@ export function ImportPage(): ReactNode {
             />
           </div>
           {unread && <FieldError>{unread}</FieldError>}
-          {problem && problem.code !== 'column-unknown' && <ErrorBanner detail={problem.detail} fix={problem.fix} />}
+          <Refusal error={given ? plan.error : null} />
         </div>
       </Card>
 
@@ -267,7 +265,6 @@ export function ImportPage(): ReactNode {
         <>
           <ReadNotes read={read} reading={sheet.read} onRead={(reading) => setSheet({ ...sheet, read: reading })} />
           <RefusedNamesList refused={read.refused_names} />
-          {problem?.code === 'column-unknown' && <ErrorBanner detail={problem.detail} />}
           <ImportRows
             read={read}
             head={(column) => (

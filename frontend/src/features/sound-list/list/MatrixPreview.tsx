@@ -4,7 +4,6 @@ import { keepPreviousData, useQuery } from '@tanstack/react-query'
 import { figure, plural } from '@/ui/format'
 import { Refusal } from '@/ui/Refusal'
 
-import { problemIn } from '../api'
 import classes from './AddCues.module.css'
 import { matrixQuery, type MatrixRow } from './matrix'
 
@@ -24,8 +23,7 @@ export function MatrixPreview({ projectId, line, category }: MatrixPreviewProps)
     ...matrixQuery(projectId, asked.line, asked.category),
     placeholderData: keepPreviousData,
   })
-  const problem = problemIn(error)
-  if (problem) return <Refusal error={problem} />
+  if (error) return <Refusal error={error} />
   if (data === undefined) return null
   const taken = data.rows.filter(({ owner }) => owner !== null)
   const rows = [...taken, ...data.rows.filter(({ owner }) => owner === null)]

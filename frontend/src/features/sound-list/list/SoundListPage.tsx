@@ -8,13 +8,12 @@ import { showToast } from '@/app/toast'
 import { useTakePlayer } from '@/heard/useTakePlayer'
 import { Button } from '@/ui/Button'
 import { EmptyState } from '@/ui/EmptyState'
-import { ErrorBanner } from '@/ui/ErrorBanner'
+import { Refusal } from '@/ui/Refusal'
 
 import {
   countsQuery,
   type Cue,
   openQuestionsQuery,
-  problemIn,
   progressQuery,
   unmatchedQuery,
   useChangeCue,
@@ -206,7 +205,6 @@ export function SoundListPage(): ReactNode {
   })
   usePastedRows(projectId, rights.edits, toImport)
 
-  const refused = problemIn(list.error) ?? problemIn(progress.error) ?? problemIn(change.error)
   const pickedCues = useMemo(() => rows.filter(({ id }) => picked.has(id)).map(({ cue }) => cue), [rows, picked])
   const openRow = panel && rows.find(({ id }) => id === panel.id)
   const playingTake = playing.status === 'playing' || playing.status === 'loading' ? playing.sourceId : null
@@ -218,24 +216,21 @@ export function SoundListPage(): ReactNode {
   return (
     <div className={`page ${classes.page}`}>
       <ListHead projectId={projectId} list={list.data} mayEdit={rights.edits} needs={needs} />
-      {refused && (
-        <ErrorBanner
-          detail={refused.detail}
-          fix={refused.fix}
-          action={
-            <button
-              type="button"
-              className="link"
-              onClick={() => {
-                change.reset()
-                void Promise.all([list.refetch(), progress.refetch()])
-              }}
-            >
-              Try again
-            </button>
-          }
-        />
-      )}
+      <Refusal
+        error={list.error ?? progress.error ?? change.error}
+        action={
+          <button
+            type="button"
+            className="link"
+            onClick={() => {
+              change.reset()
+              void Promise.all([list.refetch(), progress.refetch()])
+            }}
+          >
+            Try again
+          </button>
+        }
+      />
       {picked.size > 0 ? (
         <PickedBar projectId={projectId} cues={pickedCues} categories={categories} people={people} onClear={unpick} />
       ) : (
