@@ -50,7 +50,7 @@ export function SampleBanner({ projectId, isProducer }: { projectId: string; isP
     },
   })
   return (
-    <aside className={classes.banner} aria-label="Sample project">
+    <aside className={`bg-well border-b ${classes.banner}`} aria-label="Sample project">
       <span>This is the sample project. Try everything, and delete it when you are done.</span>
       {isProducer && (
         <Button aria-busy={remove.isPending} onClick={() => remove.mutate()}>

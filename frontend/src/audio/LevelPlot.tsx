@@ -30,7 +30,7 @@ interface LevelWellProps {
 /** Where levels are drawn, from 0 dB at the top; its lines are named at the right. */
 export function LevelWell({ linesDb, floorDb, tall, children }: LevelWellProps) {
   return (
-    <div className={classes.well} data-tall={tall || undefined}>
+    <div className={`bg-well overflow-hidden relative ${classes.well}`} data-tall={tall || undefined}>
       {children}
       {linesDb.map((db) => (
         <span key={db} className={classes.db} style={{ top: `${(db / floorDb) * 100}%` }} aria-hidden="true">

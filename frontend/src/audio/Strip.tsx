@@ -26,7 +26,11 @@ function Strip({
   const ref = useRef<HTMLDivElement>(null)
   useAt(ref, durationS, playheadS, clock)
   return (
-    <div ref={ref} className={classes.strip} style={{ height: heightPx }}>
+    <div
+      ref={ref}
+      className={`bg-well flex-none overflow-hidden relative ${classes.strip}`}
+      style={{ height: heightPx }}
+    >
       {children}
       <span className={classes.playhead} />
       <span className={classes.name}>{name}</span>

@@ -45,7 +45,7 @@ export function TakeCard({ letter, keys, peaks, inHand, setAside, blind, facts =
         ) : (
           <WaveThumb peaks={peaks} highlighted={inHand} faded={setAside} heightPx={30} />
         )}
-        <span className={`flex between gap-2 ${classes.facts}`}>
+        <span className={`flex between gap-2 mid nowrap ${classes.facts}`}>
           {setAside ? (
             <span className="dim">
               <Icon name="turn" size={14} /> set aside

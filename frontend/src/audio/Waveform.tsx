@@ -103,7 +103,7 @@ export function Waveform(props: WaveformProps) {
       {findings.length > 0 && (
         <FindingsLane findings={findings} durationS={durationS} width={width} narrow={narrow} onMark={props.onMark} />
       )}
-      <div className={classes.well} style={{ height: heightPx }}>
+      <div className={`bg-well overflow-hidden relative ${classes.well}`} style={{ height: heightPx }}>
         <Shape {...props} stepS={plain ? undefined : stepS} />
         {props.selection && <span className={classes.selection} style={spanStyle(props.selection, durationS)} />}
         {findings.map(
@@ -228,7 +228,7 @@ function FindingsLane({
     [findings, width, durationS, narrow, all],
   )
   return (
-    <div className={classes.lane} style={{ height: Math.max(1, layout.lanes) * 26 }}>
+    <div className="relative" style={{ height: Math.max(1, layout.lanes) * 26 }}>
       {layout.placed.map(({ item, leftPx, lane }) => (
         <button
           type="button"
@@ -285,7 +285,7 @@ function Pins({
         <button
           type="button"
           key={item.id}
-          className={classes.pin}
+          className={`grid pointer strong ${classes.pin}`}
           data-range={item.endS !== undefined || undefined}
           aria-pressed={item.id === open}
           aria-label={
@@ -307,7 +307,7 @@ function Pins({
       {layout.moreAt && (
         <button
           type="button"
-          className={classes.pin}
+          className={`grid pointer strong ${classes.pin}`}
           style={{ left: layout.moreAt.leftPx, bottom: 4 + layout.moreAt.lane * 27 }}
           aria-label={plural(layout.hidden.length, 'more comment')}
           onClick={() => setAll(true)}

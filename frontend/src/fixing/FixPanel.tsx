@@ -54,7 +54,7 @@ export function FixPanel(props: FixPanelProps) {
       {fix && <CueProgress fix={fix} mayUse={mayUse} />}
       <Refusal error={error} />
       {(mayUse || actions || isMade) && (
-        <div className={`row wrap ${classes.actions}`}>
+        <div className={`row wrap mt-3 ${classes.actions}`}>
           {mayUse && <Consent fixing={fixing} />}
           {isMade && sound !== null && (
             <Button icon="ab" keys="b" onClick={fixing.flip}>

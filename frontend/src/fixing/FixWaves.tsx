@@ -110,8 +110,8 @@ function Spots({ name, spots, headS, limitDbfs, fixing }: SpotsProps) {
   ].filter(({ startS, endS }) => endS - startS > 1e-6)
   const leftS = spot.after_end_s - spot.after_start_s
   return (
-    <section className={classes.spots} aria-label="Position">
-      <div className={classes.spotHead}>
+    <section className={`border-t mt-6px ${classes.spots}`} aria-label="Position">
+      <div className={`flex wrap items-center between ${classes.spotHead}`}>
         <span className="small mid">{spotName(spot)}</span>
         {spots.length > 1 && (
           <Segmented

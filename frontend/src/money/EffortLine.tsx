@@ -39,7 +39,7 @@ export function EffortLine({ projectId, postingId, contractId, beginOn = '', due
   if (!effort) return error ? <Refusal error={error} /> : <Skeleton rows={1} />
   if (effort.cues === 0) return null
   return (
-    <div className={`small ${classes.effort}`} role="group" aria-label="Effort">
+    <div className={`small grid justify-items-start gap-1 ${classes.effort}`} role="group" aria-label="Effort">
       <p>
         {effortWords(effort)} {effortDays(effort)}
       </p>

@@ -56,7 +56,7 @@ export function MoneyLine({ figures, currency, side, wouldOweMinor = 0, projectI
                 </li>
               ),
           )}
-          <li className={classes.agreed}>
+          <li className={`end ${classes.agreed}`}>
             <span className="mid">Agreed</span> {money(agreed_minor, currency)}
           </li>
         </ul>

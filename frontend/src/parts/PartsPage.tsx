@@ -70,7 +70,7 @@ export function PartsPage() {
 
   return (
     <div className="page">
-      <div className={classes.top}>
+      <div className={`flex wrap items-center between gap-2-4 ${classes.top}`}>
         <h1>Parts</h1>
         <KeysLine
           keys={[
@@ -80,7 +80,7 @@ export function PartsPage() {
           ]}
         />
       </div>
-      <div className={classes.columns}>
+      <div className={`grid grid-cols-2 items-start gap-4 ${classes.columns}`}>
         <div className="stack">
           <States />
           <Buttons />

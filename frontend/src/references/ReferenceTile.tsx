@@ -42,7 +42,7 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
   const act = (label: string, run: () => void, inside: ReactNode) => (
     <button
       type="button"
-      className={classes.th}
+      className={`grid pointer overflow-hidden relative w-full ${classes.th}`}
       aria-label={`${label} ${title}${excerpt && `: ${excerpt}`}`}
       onClick={run}
     >
@@ -50,7 +50,7 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
     </button>
   )
   const sign = (
-    <span className={classes.sign}>
+    <span className={`grid bg-raised ${classes.sign}`}>
       <Icon name={kindIcon(version.kind)} />
     </span>
   )
@@ -65,28 +65,38 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
         return act(
           'Download',
           download,
-          <span className={classes.words}>
+          <span className={`mid wrap-anywhere ${classes.words}`}>
             {version.preview === 'pending' ? 'The preview is being made.' : `No preview: ${version.problem}.`}
           </span>,
         )
       case 'text':
-        return act('Read', () => opened(() => onShow(reference)), <span className={classes.excerpt}>{excerpt}</span>)
+        return act(
+          'Read',
+          () => opened(() => onShow(reference)),
+          <span className={`overflow-hidden pre-line w-full wrap-anywhere ${classes.excerpt}`}>{excerpt}</span>,
+        )
       case 'video':
       case 'audio':
         if (isUnplayable) {
-          return act('Download', download, <span className={classes.words}>This browser can’t play it.</span>)
+          return act(
+            'Download',
+            download,
+            <span className={`mid wrap-anywhere ${classes.words}`}>This browser can’t play it.</span>,
+          )
         }
         if (!isPlaying) return act('Play', () => opened(() => setPlaying(true)), sign)
         // What was sent comes as it is, without captions.
         /* eslint-disable jsx-a11y/media-has-caption */
         return (
-          <div className={classes.th}>{version.kind === 'video' ? <video {...played} /> : <audio {...played} />}</div>
+          <div className={`grid pointer overflow-hidden relative w-full ${classes.th}`}>
+            {version.kind === 'video' ? <video {...played} /> : <audio {...played} />}
+          </div>
         )
       /* eslint-enable jsx-a11y/media-has-caption */
       case 'link':
         return (
           <a
-            className={classes.th}
+            className={`grid pointer overflow-hidden relative w-full ${classes.th}`}
             href={version.url ?? undefined}
             target="_blank"
             rel="noreferrer noopener"
@@ -107,7 +117,7 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
         <p className="strong">{title}</p>
         <p className="small dim">{factsOf(reference)}</p>
         {terms && (
-          <p className={`small tone-warn flex items-start gap-1 ${classes.terms}`}>
+          <p className={`small tone-warn flex items-start gap-1 toned ${classes.terms}`}>
             <Icon name="triangle" />
             <span>
               <span className="visually-hidden">Terms: </span>

@@ -40,7 +40,7 @@ function Shown({ reference }: { reference: Reference }) {
       <div className="flex wrap items-center gap-2-3">
         <span className="small dim">{factsOf(reference)}</span>
         {terms && (
-          <span className={`small tone-warn flex items-start gap-1 ${classes.terms}`}>
+          <span className={`small tone-warn flex items-start gap-1 toned ${classes.terms}`}>
             <Icon name="triangle" />
             <span>{terms}</span>
           </span>

@@ -9,7 +9,7 @@ import { ReferenceTile } from './ReferenceTile'
 export function WordSound({ reference }: { reference: Reference }) {
   const [shown, setShown] = useState<Reference | null>(null)
   return (
-    <span className={classes.wordSound}>
+    <span className={`block mt-2 ${classes.wordSound}`}>
       <ReferenceTile reference={reference} plays onShow={setShown} />
       <ReferenceDialog reference={shown} onClose={() => setShown(null)} />
     </span>

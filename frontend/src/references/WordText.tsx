@@ -68,7 +68,7 @@ function WordButton({ word, reference, heard, onHear }: WordButtonProps) {
   return (
     <button
       type="button"
-      className={classes.word}
+      className={` ${classes.word}`}
       aria-expanded={isHeard}
       aria-label={`Hear “${word}”`}
       title={reference.caption}

@@ -14,7 +14,7 @@ export function SourcesText({ words, openPoints }: SourcesTextProps) {
     <>
       <p className={words === null ? 'mid' : classes.words}>{words === null ? 'Not stated yet.' : `${words}.`}</p>
       {words !== null && openPoints.length > 0 && (
-        <ul className={classes.points} aria-label="Open points">
+        <ul className="" aria-label="Open points">
           {openPoints.map((point) => (
             <li key={point} className="small tone-warn toned">
               <Icon name="triangle" size={14} /> {point}

@@ -20,11 +20,11 @@ interface CardHeadProps {
 
 export function CardHead({ title, id, count, note, end }: CardHeadProps) {
   return (
-    <header className={classes.head}>
+    <header className={`flex wrap items-center gap-0-2 border-b ${classes.head}`}>
       <h2 id={id}>{title}</h2>
       {count !== undefined && <Count of={count} />}
-      {note && <span className={classes.note}>{note}</span>}
-      {end && <span className={`row ${classes.end}`}>{end}</span>}
+      {note && <span className={`min-w-0 nowrap ${classes.note}`}>{note}</span>}
+      {end && <span className={`row end nowrap ${classes.end}`}>{end}</span>}
     </header>
   )
 }

@@ -19,7 +19,7 @@ export function EmptyState({ head, level = 2, children, action }: EmptyStateProp
     <div className={classes.empty}>
       <Head className={level === 1 ? 'title' : undefined}>{head}</Head>
       {children && <p className="mid">{children}</p>}
-      {action && <div className={classes.action}>{action}</div>}
+      {action && <div className={`flex wrap items-center gap-2-4 ${classes.action}`}>{action}</div>}
     </div>
   )
 }

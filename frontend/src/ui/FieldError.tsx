@@ -13,7 +13,7 @@ interface FieldErrorProps {
 /** The sentence below a field; what was typed stays as it is. */
 export function FieldError({ id, children, correction }: FieldErrorProps) {
   return (
-    <div className={`flex items-start gap-6px ${classes.error} tone-bad`}>
+    <div className={`flex items-start gap-6px tone-bad mt-6px toned ${classes.error}`}>
       <Icon name="back" />
       <div>
         <span id={id} role="alert">

@@ -13,7 +13,7 @@ interface PageHeadProps {
 /** The head of a page: what it is, and what one can do on it. */
 export function PageHead({ title, children, actions }: PageHeadProps) {
   return (
-    <header className={classes.head}>
+    <header className={`flex wrap gap-2-4 ${classes.head}`}>
       <div className="grow">
         <h1>{title}</h1>
         {children && <p className="mid">{children}</p>}

@@ -12,7 +12,7 @@ interface SegmentedProps<T extends string> {
 /** A few things of which one is on: Master, Game, Handheld. */
 export function Segmented<T extends string>({ label, options, value, onChange }: SegmentedProps<T>) {
   return (
-    <span role="group" aria-label={label} className={classes.segmented}>
+    <span role="group" aria-label={label} className={`inline-flex bg-raised flex-none ${classes.segmented}`}>
       {options.map((option) => (
         <button
           type="button"

@@ -24,7 +24,7 @@ export function VerdictBar({ who, follows, children, above }: VerdictBarProps) {
             <p className="strong">{who}</p>
             {follows && <p className="small mid">{follows}</p>}
           </div>
-          <div className={classes.acts}>{children}</div>
+          <div className={`flex wrap gap-2 end ${classes.acts}`}>{children}</div>
         </div>
       )}
     </section>

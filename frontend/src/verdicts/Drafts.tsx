@@ -64,7 +64,7 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
         ))}
       </ul>
       {mayApprove && drafts.length > 0 && (
-        <div className={`grid gap-2 ${classes.foot}`}>
+        <div className={`grid gap-2 border-t p-3-4 ${classes.foot}`}>
           {asking && (
             <>
               <p className="small mid">{roundsOf(drafts)} You can’t undo sending.</p>

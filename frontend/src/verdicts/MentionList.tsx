@@ -74,7 +74,13 @@ export function MentionList({ takeId, field, text, onText }: MentionsProps) {
 
   if (!isOpen) return null
   return (
-    <div ref={keepInSight} id={listId} role="listbox" aria-label="People to mention" className={classes.list}>
+    <div
+      ref={keepInSight}
+      id={listId}
+      role="listbox"
+      aria-label="People to mention"
+      className={`bg-raised overflow-hidden ${classes.list}`}
+    >
       {options.map((person, index) => (
         <div
           key={person.id}

@@ -26,7 +26,7 @@ export function VoiceLineStrip({ projectId, line }: { projectId: string; line: V
         </Link>
       </header>
       {line.before && <Beside of={line.before} />}
-      <blockquote className={classes.text} lang={line.language}>
+      <blockquote className={`pre-line wrap-anywhere ${classes.text}`} lang={line.language}>
         {line.text}
       </blockquote>
       {line.after && <Beside of={line.after} />}

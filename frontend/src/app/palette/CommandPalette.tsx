@@ -127,7 +127,7 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
         <input
           ref={input}
           data-autofocus
-          className={classes.input}
+          className={`flex-1 min-w-0 ${classes.input}`}
           role="combobox"
           aria-label="Search or run a command"
           aria-expanded={lines.length > 0}

@@ -17,7 +17,7 @@ export function AccountMenuTrigger({ data, onKeys }: { data: ShellData; onKeys: 
         {person?.name ?? 'Settings'}
       </span>
       <span className="visually-hidden">{person ? `${person.name}: account and settings` : 'Settings'}</span>
-      <span className={classes.whoChevron}>
+      <span className={`flex ${classes.whoChevron}`}>
         <Icon name="chevron" />
       </span>
     </button>

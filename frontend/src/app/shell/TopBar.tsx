@@ -79,7 +79,7 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
         <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
           <Icon name="search" />
           <span className={classes.findWords}>Search or do</span>
-          <kbd className={classes.findKeys} aria-hidden="true">
+          <kbd className={`end mid ${classes.findKeys}`} aria-hidden="true">
             {findKeys}
           </kbd>
         </button>

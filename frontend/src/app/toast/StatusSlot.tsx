@@ -20,7 +20,11 @@ export function StatusSlot() {
   const isLoadingLate = useLate(useIsLoading())
   const isLate = isSendingLate || isLoadingLate
   return (
-    <div role="status" className={classes.slot} data-filled={isLate || toast !== null || undefined}>
+    <div
+      role="status"
+      className={`flex items-center gap-3 min-w-0 ${classes.slot}`}
+      data-filled={isLate || toast !== null || undefined}
+    >
       {isLate && (
         <span className={`row ${classes.sending}`}>
           <span className="ring" aria-hidden="true" />
@@ -58,7 +62,7 @@ function ToastLine({ toast }: { toast: Toast }) {
     // Pointing at it or progress in it stops its clock; there is nothing to press on the line itself.
     // eslint-disable-next-line jsx-a11y/no-static-element-interactions
     <div
-      className={`row ${classes.toast} on-ink`}
+      className={`row on-ink overflow-hidden relative ${classes.toast}`}
       data-held={held || undefined}
       onMouseEnter={() => setHeld(true)}
       onMouseLeave={() => setHeld(false)}
@@ -66,7 +70,7 @@ function ToastLine({ toast }: { toast: Toast }) {
       onBlur={() => setHeld(false)}
     >
       <Icon name="tick" />
-      <span className={classes.text}>{toast.text}</span>
+      <span className={`min-w-0 ${classes.text}`}>{toast.text}</span>
       {toast.undo && (
         <Button variant="quiet" className={classes.undo} keys="u" onClick={undo}>
           Undo

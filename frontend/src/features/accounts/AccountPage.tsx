@@ -43,7 +43,7 @@ export function AccountPage() {
         {me.person.name}, {me.email}
       </p>
       {requiredBy.length > 0 && (
-        <p role="status" className={classes.required}>
+        <p role="status" className={`mt-4 p-3-4 ${classes.required}`}>
           <span className="strong">{`${requiredBy.join(', ')}: a second factor is required.`}</span> Set one up below;
           then the studio’s pages open.
         </p>

@@ -66,7 +66,7 @@ export function SecondFactorCard() {
           />
         ) : isOn ? (
           <>
-            <p className={classes.address}>
+            <p className="flex wrap between gap-2 pt-3 wrap-anywhere">
               <span>Authenticator app, since {day(factors.totp_since ?? '')}</span>
               <StatusBadge kind="passed">On</StatusBadge>
             </p>
@@ -87,7 +87,7 @@ export function SecondFactorCard() {
         ) : (
           factors !== undefined && (
             <>
-              <p className={classes.address}>
+              <p className="flex wrap between gap-2 pt-3 wrap-anywhere">
                 <span>Authenticator app</span>
                 <StatusBadge kind="warning">Off</StatusBadge>
               </p>

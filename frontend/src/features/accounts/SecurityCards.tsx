@@ -22,7 +22,7 @@ export function AddressCard({ me }: { me: Me }) {
     <Card aria-labelledby="address-card">
       <CardHead id="address-card" title="Email" />
       <div className={classes.inside}>
-        <p className={classes.address}>
+        <p className="flex wrap between gap-2 pt-3 wrap-anywhere">
           <span className="strong">{me.email}</span>
           <StatusBadge kind={isVerified ? 'passed' : 'warning'}>{isVerified ? 'Verified' : 'Not verified'}</StatusBadge>
         </p>

@@ -127,7 +127,7 @@ export function ChooseFolder({ projectId }: { projectId: string }): ReactNode {
       {(stage.at === 'choose' || stage.at === 'planned') && (
         <Card aria-labelledby="choose">
           <CardHead id="choose" title="The game’s sounds" note="Drop the folder anywhere on this page" />
-          <div className={classes.choose} data-over={isOver || undefined}>
+          <div className={`flex wrap items-center gap-2-3 ${classes.choose}`} data-over={isOver || undefined}>
             <Button
               variant={stage.at === 'choose' ? 'primary' : 'plain'}
               keys="o"

@@ -150,7 +150,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
     ({ key }) => brief.open.includes(key) && !asked.some((question) => question.key === key),
   )
   return (
-    <div className={classes.room}>
+    <div className={`grid overflow-hidden ${classes.room}`}>
       <nav className={`wide-only ${classes.rail}`} aria-label="Topics">
         <div className={`flex items-center between ${classes.railHead}`}>
           <span className="strong">Brief</span>
@@ -167,7 +167,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
           ))}
         </ol>
         {!brief.may_ask && <ReadBy projectId={projectId} newest={brief.newest_version} />}
-        <div className={classes.railFoot}>
+        <div className={`border-t p-14px ${classes.railFoot}`}>
           <KeysLine
             keys={[
               { keys: ['j', 'k'], label: 'next question' },
@@ -183,12 +183,12 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
         </div>
       </nav>
       <div className="flex flex-col min-h-0 min-w-0">
-        <div className={`grid gap-3 ${classes.scroll}`} ref={scroll}>
+        <div className={`grid gap-3 content-start flex-1 min-h-0 overflow-y-auto ${classes.scroll}`} ref={scroll}>
           <div className={classes.narrowHead}>
             <p className="small mid">{`Brief, ${brief.answered} of ${brief.total}. Topic ${at + 1} of ${brief.topics.length}`}</p>
             <Bar brief={brief} />
           </div>
-          <header className={classes.head}>
+          <header className={`flex top between gap-4 ${classes.head}`}>
             <div>
               <h1 ref={heading} tabIndex={-1}>
                 {topic.title}
@@ -216,7 +216,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
             </aside>
           )}
         </div>
-        <div className={classes.foot}>
+        <div className={`flex items-center between gap-4 ${classes.foot}`}>
           <div className="wide-only">
             <p className="strong">{nextOpen ? `Next open: ${lower(nextOpen.text)}` : 'No other question is open.'}</p>
             <p className="small mid">
@@ -224,7 +224,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
               see it.
             </p>
           </div>
-          <div className={`flex gap-2 ${classes.footActs}`}>
+          <div className={`flex gap-2 flex-none ${classes.footActs}`}>
             <Button keys="p" disabled={at === 0} onClick={() => go(at - 1)}>
               Back
             </Button>

@@ -71,7 +71,7 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
             {at > 0 && (
               <button
                 type="button"
-                className={classes.tokenAct}
+                className={` ${classes.tokenAct}`}
                 aria-label={`Move ${token.name} left`}
                 onClick={() => move(at, -1)}
               >
@@ -83,7 +83,7 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
             </span>
             <button
               type="button"
-              className={classes.tokenAct}
+              className={` ${classes.tokenAct}`}
               aria-label={`Remove ${token.name}`}
               onClick={() => set({ tokens: tokens.filter((other) => other !== token) })}
             >

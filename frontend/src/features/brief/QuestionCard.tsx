@@ -95,7 +95,7 @@ export function QuestionCard({
             </div>
           </>
         ) : (
-          <p className={classes.said}>{question.answer?.words ?? 'No answer yet.'}</p>
+          <p className="pre-line">{question.answer?.words ?? 'No answer yet.'}</p>
         )}
         {against && (
           <ErrorBanner

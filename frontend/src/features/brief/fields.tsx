@@ -120,7 +120,7 @@ export function EffectsField({ question, value, onChange, categories }: FieldPro
   const others = [...new Set([...categories, ...EFFECTS_ROWS])].filter((category) => !rows.includes(category))
   const of = (row: string) => table[row] ?? []
   return (
-    <div className={`grid gap-2 ${classes.effects}`}>
+    <div className={`grid gap-2 overflow-x-auto ${classes.effects}`}>
       <table>
         <caption className="visually-hidden">{question.text}</caption>
         <thead>
@@ -228,7 +228,7 @@ export function ScenesField({ value, onChange }: FieldProps) {
           aria-label={scene || `Scene ${at + 1}`}
         >
           <input
-            className={classes.input}
+            className={`bg-raised w-full ${classes.input}`}
             placeholder={at === 0 ? 'Harbour' : 'Another scene'}
             aria-label={`Scene ${at + 1}`}
             value={scene}
@@ -237,7 +237,7 @@ export function ScenesField({ value, onChange }: FieldProps) {
             onChange={({ currentTarget }) => put(at, { scene: currentTarget.value })}
           />
           <input
-            className={classes.input}
+            className={`bg-raised w-full ${classes.input}`}
             placeholder={at === 0 ? 'Gulls, water on wood, distant ropes' : 'What is heard'}
             aria-label={`Ambience of ${scene || `scene ${at + 1}`}`}
             value={ambience}

@@ -21,7 +21,12 @@ export function CiCommands({ projectId }: { projectId: string }) {
       />
       {/* A long line scrolls, so the keyboard must reach it. */}
       {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-      <pre className={classes.script} tabIndex={0} role="region" aria-label="Command to copy">
+      <pre
+        className={`border-b overflow-x-auto bg-well p-3-4 ${classes.script}`}
+        tabIndex={0}
+        role="region"
+        aria-label="Command to copy"
+      >
         {text}
       </pre>
       <p className="small mid p-2-inset-3">

@@ -235,7 +235,7 @@ function DriftCard({ audit, projectId }: { audit: AuditSummary; projectId: strin
       )}
       {groups && groups.length > 0 && (
         <>
-          <div className={`wide-only ${classes.columnsHead} micro dim`} aria-hidden="true">
+          <div className={`wide-only micro dim border-b ${classes.columnsHead}`} aria-hidden="true">
             <span>Sound</span>
             <span>What</span>
             <span>Where</span>

@@ -81,7 +81,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
   ])
   if (!cue) return <NoCues projectId={projectId} label={audit.label} />
   return (
-    <div className={classes.room}>
+    <div className={`grid overflow-hidden ${classes.room}`}>
       <aside className={`wide-only ${classes.list}`} aria-label="Sounds of the build">
         <Head listening={listening} heard={heard.size} notes={notes.notes.length} />
         <div className="border-b p-2-14px">
@@ -101,7 +101,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
               />
               <button
                 type="button"
-                className={`grid gap-2 hover ${classes.item}`}
+                className={`grid gap-2 hover pointer w-full ${classes.item}`}
                 aria-current={index === at || undefined}
                 onClick={() => setAt(index)}
               >
@@ -122,7 +122,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           />
         </div>
       </aside>
-      <div className={`flex flex-col gap-3 ${classes.judge}`}>
+      <div className={`flex flex-col gap-3 min-w-0 overflow-y-auto ${classes.judge}`}>
         <header className={`${classes.phoneHead} small`}>
           <h1 className="small strong">{`Listening pass, ${at + 1} of ${cues.length}, build ${audit.label}`}</h1>
           <span>{`${countOf(heard.size, cues.length)} heard`}</span>
@@ -154,7 +154,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
         />
       </div>
       <aside className={classes.notes} aria-label="Notes of this pass">
-        <header className={`row between ${classes.head}`}>
+        <header className={`row between border-b flex-none ${classes.head}`}>
           <h2>Notes of this pass</h2>
           <span className="dim">{figure(notes.notes.length)}</span>
         </header>
@@ -184,7 +184,7 @@ function Head({ listening, heard, notes }: { listening: ListeningPass; heard: nu
   const { cues, audit } = listening
   return (
     <>
-      <header className={`row between ${classes.head}`}>
+      <header className={`row between border-b flex-none ${classes.head}`}>
         <h1 className="strong">Listening pass</h1>
         <span className="small dim">{`build ${audit.label}`}</span>
       </header>

@@ -28,7 +28,7 @@ export function MomentRow({ moment, sound, sounds, onSeek, onChange, onRemove, o
   }
   const isUnknown = moment.sound.trim() !== '' && sound === null
   return (
-    <li className={`grid items-center gap-2 ${classes.row}`}>
+    <li className={`grid items-center gap-2 border-t p-2-14px ${classes.row}`}>
       <Button variant="quiet" aria-label={`Play from ${at}`} onClick={onSeek}>
         {at}
       </Button>

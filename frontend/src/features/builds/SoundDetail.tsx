@@ -103,7 +103,7 @@ function Pair({ sound, audit, projectId }: { sound: AuditedSound; audit: AuditSu
               onClick={() => void press(row.id)}
             />
             <span className={row.id === 'built' ? 'strong' : undefined}>{row.label}</span>
-            <div className={classes.wave}>
+            <div className={`min-w-0 ${classes.wave}`}>
               <Waveform
                 plain
                 still={state.sourceId !== row.id}
@@ -216,7 +216,7 @@ function Decision({ group, audit, projectId }: SoundDetailProps) {
         </label>
         <input
           id="drift-reason"
-          className={classes.text}
+          className={`bg-raised w-full ${classes.text}`}
           value={reason}
           maxLength={1_000}
           aria-invalid={isAsked && reason.trim() === ''}

@@ -21,7 +21,7 @@ export function SoundRow({ group, audit, projectId, isOpen, onOpen }: SoundRowPr
   const [move] = first.moves
   const list = move?.changelist
   return (
-    <li className={classes.row} data-open={isOpen || undefined}>
+    <li className={`border-b ${classes.row}`} data-open={isOpen || undefined}>
       <button type="button" className={`hover ${classes.rowButton}`} aria-expanded={isOpen} onClick={onOpen}>
         <span className="cut-text">
           <span className={isOpen ? 'strong' : undefined}>{name}</span>{' '}

@@ -103,7 +103,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
           <button
             key={heardAs}
             type="button"
-            className={`flex items-center gap-3 hover ${classes.bigKey}`}
+            className={`flex items-center gap-3 hover bg-raised pointer ${classes.bigKey}`}
             data-wide={heardAs === 'good' || undefined}
             aria-pressed={choice.said === heardAs}
             aria-keyshortcuts={keys}
@@ -121,7 +121,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
       <label className="block">
         <span className="visually-hidden">In words</span>
         <input
-          className={classes.text}
+          className={`bg-raised w-full ${classes.text}`}
           value={choice.text}
           maxLength={1_000}
           placeholder="Comment (optional)"
@@ -132,7 +132,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
         />
       </label>
       <footer className={`row ${classes.verdict}`}>
-        <div className={classes.chosen}>
+        <div className={`flex-1 min-w-0 ${classes.chosen}`}>
           <p className="strong">
             {choice.said === null
               ? 'Nothing chosen'

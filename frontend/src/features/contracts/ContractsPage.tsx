@@ -83,7 +83,7 @@ function Listed({ contracts, project }: { contracts: readonly ContractBrief[]; p
               <div className="grow">
                 <p className={waits ? 'strong' : undefined}>
                   <Link
-                    className={classes.over}
+                    className={` ${classes.over}`}
                     to="/projects/$projectId/contracts/$contractId"
                     params={{ projectId: project.id, contractId: contract.id }}
                   >

@@ -16,7 +16,7 @@ export function DifferenceView({ difference, currency }: { difference: Differenc
   } = difference
   return (
     <>
-      <ul className={classes.changes}>
+      <ul className={` ${classes.changes}`}>
         {difference.changes.map((change) => (
           <li key={change}>{change}</li>
         ))}

@@ -86,7 +86,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
           {preview.clauses.filter(({ key }) => isOpen(key)).map(clauseOf)}
           <button
             type="button"
-            className={`row hover ${classes.usual}`}
+            className={`row hover mt-2 nowrap pointer ${classes.usual}`}
             aria-expanded={isUsualOpen}
             onClick={() => setUsualOpen(!isUsualOpen)}
           >
@@ -99,7 +99,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
       )}
       <button
         type="button"
-        className={`row hover ${classes.usual}`}
+        className={`row hover mt-2 nowrap pointer ${classes.usual}`}
         aria-expanded={isAdding}
         onClick={() => setAdding(!isAdding)}
       >
@@ -110,7 +110,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
         </span>
       </button>
       {isAdding && (
-        <ul className={classes.left}>
+        <ul className={` ${classes.left}`}>
           {left.map(({ key, title }) => (
             <li key={key}>
               <span className="grow">

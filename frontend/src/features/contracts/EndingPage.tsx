@@ -128,7 +128,7 @@ function Statement({ ending }: { ending: Ending }) {
         }
       />
       {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- a region that scrolls is reached by keys */}
-      <div className={classes.statement} tabIndex={0} role="region" aria-label="Statement">
+      <div className={`overflow-x-auto ${classes.statement}`} tabIndex={0} role="region" aria-label="Statement">
         <table>
           <thead className="small dim">
             <tr>

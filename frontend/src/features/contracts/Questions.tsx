@@ -150,13 +150,13 @@ function Answers({ drafting, back, plan, begun }: AnswersProps) {
     price.isSaved || price.totalMinor === null ? {} : { total: money(price.totalMinor, draft.currency) }
   return (
     <>
-      <div className={classes.answers}>
-        <ol className={classes.questions} aria-label="Questions">
+      <div className={`grid bg-raised ${classes.answers}`}>
+        <ol className={` ${classes.questions}`} aria-label="Questions">
           {questions.map((question, place) => {
             const isOpen = question === current
             const reason = openReasons[question]
             return (
-              <li key={question} className={classes.question} data-open={isOpen || undefined}>
+              <li key={question} className={`border-b ${classes.question}`} data-open={isOpen || undefined}>
                 <button type="button" aria-expanded={isOpen} onClick={() => show(isOpen ? null : question)}>
                   <span className={classes.number} data-done={reason === '' || undefined}>
                     {reason === '' ? <Icon name="tick" /> : place + 1}

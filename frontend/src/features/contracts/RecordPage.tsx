@@ -63,7 +63,7 @@ export function RecordPage() {
               </EmptyState>
             </div>
           )}
-          <ol className={classes.entries}>
+          <ol className={` ${classes.entries}`}>
             {record.entries.map((entry) => (
               <Line key={entry.seq} entry={entry} />
             ))}

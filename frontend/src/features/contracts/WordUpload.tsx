@@ -104,7 +104,7 @@ export function WordUpload({ contract, draft, onDraft }: WordUploadProps) {
       <Refusal error={read.error} />
       <div role="status">
         {draft.read && (
-          <div className={styles.found}>
+          <div className={`grid grid-cols-1 gap-2 wrap-anywhere ${styles.found}`}>
             <p>
               <strong>{draft.read.file}</strong>
               {` ${draft.read.added === 0 ? 'No change was found.' : `${plural(draft.read.added, 'change')} added below.`}`}

@@ -55,7 +55,7 @@ function Head({ delivery }: { delivery: DeliveryDetail }) {
       </p>
       {delivery.note && <p>“{delivery.note}”</p>}
       {counts.length > 0 && (
-        <ul className={classes.counts} aria-label="How its files stand">
+        <ul className={`flex wrap items-center gap-2-4 ${classes.counts}`} aria-label="How its files stand">
           {counts.map(({ kind, files }) => (
             <li key={kind}>
               <StatusBadge kind={kind} /> <span className="num small mid">{files}</span>

@@ -101,7 +101,7 @@ export function DeliveryCard({
       )}
       {held}
       {empty && (
-        <div className={classes.drop}>
+        <div className={`flex wrap items-center between p-inset ${classes.drop}`}>
           <p>
             <span className="strong">Drop files, a folder or a ZIP anywhere on this page.</span>{' '}
             <span className="mid">
@@ -188,7 +188,7 @@ function Foot({ projectId, delivery, going }: { projectId: string; delivery: Del
   const error = save.error ?? close.error
   return (
     <form
-      className={classes.foot}
+      className={`flex wrap items-end gap-2-4 border-t ${classes.foot}`}
       onSubmit={(event) => {
         event.preventDefault()
         void keep().catch(() => undefined)

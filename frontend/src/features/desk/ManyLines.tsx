@@ -23,7 +23,7 @@ export function ManyLines({ rows, ...actions }: { rows: readonly DeliveryRow[] }
   return (
     <div
       ref={ref}
-      className={classes.many}
+      className={`border-b overflow-y-auto ${classes.many}`}
       // The keyboard scrolls it too.
       // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       tabIndex={0}

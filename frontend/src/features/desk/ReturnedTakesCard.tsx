@@ -158,10 +158,10 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
       </div>
       {cue && <ReferencesWhereAny projectId={projectId} cueId={cue.id} />}
       {changes.length > 0 && (
-        <ol className={classes.changes} aria-label="Requested changes">
+        <ol className={`mt-6px ${classes.changes}`} aria-label="Requested changes">
           {changes.map((change, index) => (
             <li key={change.id}>
-              <span className={`${classes.pin} tone-change`} aria-hidden="true">
+              <span className={`tone-change grid toned ${classes.pin}`} aria-hidden="true">
                 {index + 1}
               </span>
               <div className="grow">
@@ -190,7 +190,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         </ol>
       )}
       {advice.length > 0 && (
-        <ul className={classes.changes} aria-label="Comments">
+        <ul className={`mt-6px ${classes.changes}`} aria-label="Comments">
           {advice.map((one) => (
             <li key={one.id}>
               <Avatar name={one.author.name} picture={one.author.picture} />
@@ -218,7 +218,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         </ul>
       )}
       {findings.length > 0 && (
-        <ul className={classes.findings} aria-label="Check results">
+        <ul className={`grid mt-6px ${classes.findings}`} aria-label="Check results">
           {findings.map((finding) => (
             <FindingRow
               key={`${finding.code} ${finding.start_s}`}
@@ -346,8 +346,8 @@ function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
         </p>
         <StatusBadge kind={item.status} />
       </div>
-      <div className={`flex items-center gap-14px ${classes.said}`}>
-        <span className={classes.thumb}>
+      <div className={`flex items-center gap-14px min-w-0 ${classes.said}`}>
+        <span className={`block bg-well flex-none relative ${classes.thumb}`}>
           <WaveThumb peaks={thumbOf(item)} heightPx={32} />
           {item.duration_s !== null &&
             changes.map(

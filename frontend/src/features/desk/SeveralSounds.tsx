@@ -19,7 +19,7 @@ export function SeveralSounds({ projectId, player }: { projectId: string; player
   if (offers.length === 0) return null
   return (
     <section aria-label="Files with several sounds">
-      <div className={classes.bar}>
+      <div className={`flex wrap items-center gap-2-3 ${classes.bar}`}>
         <StatusBadge kind="question">{plural(offers.length, 'file')} with several sounds</StatusBadge>
         <span className="small mid">Nothing is split until you say so.</span>
       </div>

@@ -291,7 +291,7 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
       )}
       <ul aria-labelledby="asked">
         {newest.map(({ id, cue, text, asked_at, answer }) => (
-          <li key={id} className={classes.question}>
+          <li key={id} className={`border-b wrap-anywhere ${classes.question}`}>
             <p>“{text}”</p>
             <p className="small dim">
               {cue.name}, {ago(asked_at)}

@@ -28,7 +28,7 @@ export function UndecidedFiles({ projectId }: { projectId: string }) {
   const isBusy = work.isPending || undo.isPending
   return (
     <section aria-label="Files to choose between" aria-busy={isBusy}>
-      <div className={classes.bar}>
+      <div className={`flex wrap items-center gap-2-3 ${classes.bar}`}>
         <StatusBadge kind="question">{plural(places.length, 'sound')} with several files</StatusBadge>
         <span className="small mid">They came in one delivery, and only one can be the sound. Say what they are.</span>
       </div>

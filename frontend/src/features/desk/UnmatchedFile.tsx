@@ -52,13 +52,13 @@ export function UnmatchedFile(props: FileProps) {
     <article
       id={`tray-${take.id}`}
       aria-label={take.file_name}
-      className={classes.file}
+      className={`grid border-t ${classes.file}`}
       aria-busy={busy}
       aria-current={current || undefined}
       data-chosen={chosen || undefined}
     >
       <div>
-        <label className={`flex items-start gap-2 ${classes.tick}`}>
+        <label className={`flex items-start gap-2 min-w-0 pointer ${classes.tick}`}>
           <input
             type="checkbox"
             checked={chosen}

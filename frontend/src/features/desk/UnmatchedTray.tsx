@@ -130,7 +130,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
   let room = shown
   return (
     <section aria-label="Unmatched files" aria-busy={busy}>
-      <div className={classes.bar}>
+      <div className={`flex wrap items-center gap-2-3 ${classes.bar}`}>
         <StatusBadge kind="unmatched">{files(count)} without a cue</StatusBadge>
         {sure.length > 0 && (
           <Button variant="primary" disabled={busy} onClick={() => act({ what: 'accept', takeIds: sure })}>
@@ -204,8 +204,8 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         return (
           <div key={folder} role="group" aria-label={folder === '' ? 'Files' : `Folder ${folder}`}>
             {folder !== '' && (
-              <div className={classes.folder}>
-                <label className={`flex items-start gap-2 ${classes.tick}`}>
+              <div className={`flex wrap items-center gap-3 border-t ${classes.folder}`}>
+                <label className={`flex items-start gap-2 min-w-0 pointer ${classes.tick}`}>
                   <input type="checkbox" checked={whole} onChange={() => choose(ids, !whole)} />
                   <span className="mono">{folder}/</span>
                 </label>

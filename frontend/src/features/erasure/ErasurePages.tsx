@@ -65,7 +65,7 @@ function ErasurePage({ subject, title, children }: ErasurePageProps) {
       <Refusal error={error} />
       {erasure && (
         <>
-          <div className={classes.lists}>
+          <div className={`grid items-start gap-4 wrap-anywhere ${classes.lists}`}>
             <Card aria-labelledby="deleted">
               <CardHead id="deleted" title="Deleted" />
               <Rows>

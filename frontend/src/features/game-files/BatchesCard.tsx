@@ -131,7 +131,7 @@ function SizeBars({ batch, sizes }: { batch: Batch; sizes: readonly BatchSizes[]
         {totals.map(({ target, before, after }) => (
           <div key={target} className={`grid items-center gap-3 ${classes.bar} small`}>
             <span className="cut-text">{target}</span>
-            <span className={classes.track}>
+            <span className={`bg-well relative ${classes.track}`}>
               <i data-half="upper" style={{ width: share(before) }} />
               <i data-half="lower" data-used="" style={{ width: share(after) }} />
             </span>

@@ -31,7 +31,7 @@ export function MemoryBars({ target }: { target: Target }) {
         {rows.map(({ name, of, used: now }) => (
           <div key={name} className={`grid items-center gap-3 ${classes.bar} small`}>
             <span className="cut-text">{name}</span>
-            <span className={classes.track}>
+            <span className={`bg-well relative ${classes.track}`}>
               <i style={{ width: share(of.memory_bytes) }} />
               <i data-used="" style={{ width: share(Math.min(now?.memory_bytes ?? 0, of.memory_bytes)) }} />
               {of.budget_bytes !== null && <i data-budget="" style={{ left: share(of.budget_bytes) }} />}

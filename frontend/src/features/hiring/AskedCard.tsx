@@ -50,7 +50,7 @@ export function AskedCard({ lines, postingId }: AskedCardProps) {
 function LineCues({ line, cues }: { line: AskedLine; cues: readonly AskedCue[] }) {
   return (
     <details className="grow">
-      <summary className={`flex gap-3 ${classes.asked}`}>
+      <summary className={`flex gap-3 pointer ${classes.asked}`}>
         <span className="grow">{line.label}</span>
         <span className="mid">{countOfLine(line)}</span>
       </summary>

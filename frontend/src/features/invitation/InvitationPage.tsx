@@ -51,13 +51,13 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
 
   return (
     <div className="page">
-      <div className={classes.head}>
+      <div className={`flex wrap items-start between ${classes.head}`}>
         <div>
           <h1>{project.name}</h1>
           <p className="mid">
             {inviter} of {studio} invites you {KIND_WORDS[kind]}.
           </p>
-          {project.description && <p className={classes.text}>{project.description}</p>}
+          {project.description && <p className="mt-2 wrap-anywhere pre-line">{project.description}</p>}
         </div>
         {isIn && desk ? (
           <ButtonLink component={ShellLink} variant="primary" icon="tray" path={`/projects/${desk.id}/desk`}>
@@ -72,7 +72,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
         )}
       </div>
       {note && (
-        <blockquote className={classes.note}>
+        <blockquote className={`pre-line wrap-anywhere ${classes.note}`}>
           <p className="lead">{note}</p>
           <footer className="small dim">{inviter}</footer>
         </blockquote>

@@ -56,7 +56,7 @@ function Head({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   const { milestone, contract_title: title, contract_id: contractId, project_id: projectId, designer } = sheet
   const { due_on: due, done_at: done, accepted, wanted } = milestone
   return (
-    <header className={classes.head}>
+    <header className={`flex wrap between ${classes.head}`}>
       <div>
         <h1>{milestone.name}</h1>
         <p className="mid">

@@ -135,7 +135,7 @@ function Editor({ contract, plan, cues, projectId }: EditorProps) {
   }
   return (
     <div className="page stack">
-      <header className={classes.head}>
+      <header className={`flex wrap top between ${classes.head}`}>
         <div>
           <h1>{`Plan: ${contract.title}`}</h1>
           <p className="mid">{modeInWords(contract)}</p>

@@ -53,7 +53,7 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
     <Card aria-labelledby="cues">
       <CardHead id="cues" title="Cues" end={`${covered} of ${plural(cues.length, 'cue')} in this contract`} />
       <ClosedGateNote projectId={projectId} cueIds={coveredCues.map(({ id }) => id)} />
-      <div className={`grid gap-3 ${classes.bulk}`}>
+      <div className={`grid gap-3 border-b p-3-inset ${classes.bulk}`}>
         <TextInput
           label="Show"
           placeholder="name, ID or category"

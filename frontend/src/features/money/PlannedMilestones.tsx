@@ -118,7 +118,7 @@ function Milestone({
         placeholder="as in the contract"
         onChange={({ currentTarget: { value } }) => onChange({ tax: value })}
       />
-      <div className={classes.tools}>
+      <div className="flex wrap items-center between gap-2-4 col-span-full">
         <Checkbox
           label="Deposit, due at signing"
           checked={milestone.isDeposit}

@@ -91,7 +91,7 @@ function NoticeRow({ notice, onRead }: { notice: Notice; onRead: () => void }) {
             {ago(notice.created_at)}
           </time>
         </span>
-        <span className={`small mid ${classes.text}`}>{notice.text}</span>
+        <span className={`small mid overflow-hidden pre-line wrap-anywhere ${classes.text}`}>{notice.text}</span>
       </Link>
       {isNew && (
         <Button variant="quiet" className="small" onClick={onRead}>

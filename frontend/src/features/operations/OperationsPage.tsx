@@ -41,7 +41,7 @@ export function OperationsPage() {
   const scope: Scope = view.value === SERVER ? SERVER : { studioId: view.value }
   return (
     <div className="page">
-      <header className={classes.head}>
+      <header className={`flex wrap items-end between gap-2-4 ${classes.head}`}>
         <div>
           <h1>Jobs and storage</h1>
           <InOneLine scope={scope} />

@@ -101,7 +101,7 @@ function CiLines({ projectId }: { projectId: string }) {
   if (error) return <Refusal inset error={error} />
   if (data === undefined) return null
   return (
-    <div className={`row ${classes.command}`}>
+    <div className={`row bg-well inset ${classes.command}`}>
       <code>{data.command.replace(/ (&&|--server|--project|--target)/g, ' \\\n  $1')}</code>
       <div className={classes.take}>
         <CopyLines lines={[data.command]} label="Copy the CI command" />

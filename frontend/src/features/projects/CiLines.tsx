@@ -29,18 +29,28 @@ export function CiCard({ projectId }: { projectId: string }) {
         <>
           {/* A long line scrolls, so the keyboard must reach it. */}
           {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-          <pre className={classes.script} tabIndex={0} role="region" aria-label="Command to copy">
+          <pre
+            className={`border-b overflow-x-auto bg-well p-3-4 ${classes.script}`}
+            tabIndex={0}
+            role="region"
+            aria-label="Command to copy"
+          >
             {data.command}
           </pre>
-          <p className={`small mid ${classes.steps}`}>
+          <p className={`small mid border-b p-3-4 ${classes.steps}`}>
             It fetches spec, list and baseline, checks, audits and posts the build.{' '}
             <code className="mono">audio-checks</code> must be installed.
           </p>
-          <details className={classes.steps}>
+          <details className={`border-b p-3-4 ${classes.steps}`}>
             <summary className="small">The same steps with curl</summary>
             <CopyLines lines={data.lines} label="Copy all steps" />
             {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-            <pre className={classes.script} tabIndex={0} role="region" aria-label="Steps to copy">
+            <pre
+              className={`border-b overflow-x-auto bg-well p-3-4 ${classes.script}`}
+              tabIndex={0}
+              role="region"
+              aria-label="Steps to copy"
+            >
               {data.lines.join('\n')}
             </pre>
           </details>

@@ -151,7 +151,7 @@ function Gauge({ week, most }: { week: Week; most: number }) {
   const there = week.there_h
   const words = there === null ? 'hours there not known' : week.is_short ? 'more is due than there is' : 'it fits'
   return (
-    <span className={classes.bar} role="img" aria-label={words}>
+    <span className={`block relative ${classes.bar}`} role="img" aria-label={words}>
       <i
         className={week.is_short ? `${classes.due} ${classes.over}` : classes.due}
         style={{ width: `${(week.wanted_h / most) * 100}%` }}

@@ -129,7 +129,7 @@ function PackLine({ pack, projectId, masters }: { pack: Pack; projectId: string;
       )}
       {missing.length > 0 && (
         <details className="small">
-          <summary className={`row tone-warn ${classes.missing}`}>
+          <summary className={`row tone-warn min-h-24px pointer ${classes.missing}`}>
             <Icon name="triangle" />
             <span className="toned">{`${plural(missing.length, 'accepted file')} missing`}</span>
           </summary>

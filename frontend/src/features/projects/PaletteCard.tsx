@@ -62,7 +62,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
           </EmptyState>
         </div>
       )}
-      <ul className={classes.sounds}>
+      <ul className={`grid overflow-hidden ${classes.sounds}`}>
         {palette.map(({ cue, thumb, loudness_lufs, preview_url }) => (
           <li key={cue.id} className={classes.sound} data-playing={playing === cue.id || undefined}>
             <Link className={`strong cut-text ${classes.name}`} to={`${list}/cues/${cue.id}` as LinkProps['to']}>
@@ -70,7 +70,7 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
             </Link>
             <button
               type="button"
-              className={classes.play}
+              className={`block pointer ${classes.play}`}
               aria-label={playing === cue.id ? `Pause ${cue.name}` : `Play ${cue.name}`}
               disabled={preview_url === null}
               onClick={() => (playing === cue.id ? stop() : play(cue.id, false))}

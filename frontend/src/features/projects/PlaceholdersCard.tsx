@@ -41,7 +41,7 @@ function headOf({ cues, cues_left }: Countdown): string {
 function Counted({ projectId, countdown }: { projectId: string; countdown: Countdown }) {
   const { files, left, categories, next } = countdown
   return (
-    <div className={`grid gap-2 wrap-anywhere ${classes.counted}`}>
+    <div className={`grid gap-2 wrap-anywhere p-3-4 ${classes.counted}`}>
       <Meter
         label={`${figure(files - left)} of ${plural(files, 'file')} ${files - left === 1 ? 'has' : 'have'} an accepted sound`}
         whole={files}

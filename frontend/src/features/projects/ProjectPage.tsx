@@ -75,7 +75,7 @@ function NextStep({ projectId }: { projectId: string }) {
   if (next === undefined) return <Skeleton />
   if (first === undefined) return null
   return (
-    <section className={classes.next} aria-label="Next step">
+    <section className={`flex wrap items-center gap-3 bg-raised p-3-4 ${classes.next}`} aria-label="Next step">
       <div className="grow">
         <p className="strong">{first.head}</p>
         <p className="small mid">

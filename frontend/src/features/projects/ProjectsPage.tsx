@@ -73,7 +73,11 @@ export function ProjectsPage() {
           <Rows aria-label="Projects">
             {projects.map((project) => (
               <Row key={project.id} className={classes.project}>
-                <Link className={classes.name} to="/projects/$projectId" params={{ projectId: project.id }}>
+                <Link
+                  className={`grid min-w-0 ${classes.name}`}
+                  to="/projects/$projectId"
+                  params={{ projectId: project.id }}
+                >
                   <span className="strong">{project.name}</span>
                   <span className="small mid cut-text">{project.description}</span>
                 </Link>

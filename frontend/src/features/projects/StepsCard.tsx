@@ -26,7 +26,7 @@ export function StepsCard({ project, overview: { steps, cues, counts, needs } }:
   const statuses = (Object.keys(STATUSES) as Status[]).filter((status) => (counts[status] ?? 0) > 0)
   return (
     <Card className={classes.card} aria-labelledby="steps">
-      <div className={classes.head}>
+      <div className={`flex wrap items-baseline between gap-2px-4 ${classes.head}`}>
         <h2 id="steps">{plural(cues, 'cue')}</h2>
         <p className="small mid">{standInWords(counts)}</p>
         <NeedSums sums={needs} />
@@ -54,7 +54,7 @@ export function StepsCard({ project, overview: { steps, cues, counts, needs } }:
           </Link>
         </p>
       )}
-      <ul className={`flex wrap ${classes.legend}`} aria-label="Cues by state">
+      <ul className={`flex wrap border-t mt-3 ${classes.legend}`} aria-label="Cues by state">
         {statuses.map((status) => (
           <li key={status}>
             <StatusBadge kind={STATUSES[status].kind}>

@@ -20,7 +20,10 @@ interface AskedProps {
 /** What was asked of the version before, beside the one that answers it. */
 export function Asked({ projectId, asked, number, isHeard, onFlip, onSpot }: AskedProps) {
   return (
-    <section className={classes.asked} aria-label={`What was asked of version ${number}`}>
+    <section
+      className={`flex items-start gap-2-4 wrap-anywhere ${classes.asked}`}
+      aria-label={`What was asked of version ${number}`}
+    >
       <ul className="grow">
         {asked.map(({ id, text, start_s: startS, end_s: endS, written_by: by }) => (
           <li key={id}>

@@ -48,7 +48,7 @@ export function CarriedNotes({ carried, hand, cueId, projectId, areBlocking, onS
     },
   ])
   return (
-    <section className={classes.carried} aria-label="Carried over from earlier versions">
+    <section className={`border-b ${classes.carried}`} aria-label="Carried over from earlier versions">
       <p className="row small p-10px-inset">
         <span className="strong">Carried over from earlier versions</span>
         <span className="dim end nowrap">
@@ -93,7 +93,7 @@ function Line({ carried, hand, isNext, onSpot, onSay }: LineProps) {
   return (
     <li className={classes.said} aria-current={isNext || undefined}>
       <p className="row">
-        {number !== null && <span className={classes.saidNumber}>{number}</span>}
+        {number !== null && <span className={`flex-none strong ${classes.saidNumber}`}>{number}</span>}
         <Avatar name={note.author.name} picture={note.author.picture} />
         <span className="strong cut-text">{note.author.name}</span>
         {startS !== null && (

@@ -53,7 +53,7 @@ export function Checklist({ checklist, hand, cueId, onClose }: ChecklistProps) {
           const checked = checks.get(id)
           return (
             <li key={id}>
-              <label className={classes.item}>
+              <label className={`flex top min-h-24px pointer wrap-anywhere ${classes.item}`}>
                 <input
                   type="checkbox"
                   checked={checked !== undefined}

@@ -444,7 +444,7 @@ export function CueRoom(props: CueRoomProps) {
 
   return (
     <>
-      <section className={`flex flex-col ${classes.stage}`} aria-label={cue.name}>
+      <section className={`flex flex-col bg-raised overflow-y-auto ${classes.stage}`} aria-label={cue.name}>
         <CueHead
           projectId={projectId}
           review={review}

@@ -59,7 +59,7 @@ export function QueuePanel(props: QueuePanelProps) {
   }
   return (
     <aside className={`flex flex-col ${classes.queue}`} aria-label="Queue" id="queue" data-opened={opened || undefined}>
-      <header className={`row ${classes.head}`}>
+      <header className={`row border-b flex-none ${classes.head}`}>
         <h2 className="nowrap">{mayApprove ? 'For you' : 'Waiting for the approver'}</h2>
         <Count of={counted(queue.waits)} what="waiting" />
         <Button
@@ -105,12 +105,12 @@ export function QueuePanel(props: QueuePanelProps) {
         <JudgedLately projectId={projectId} />
       </div>
       {drafts > 0 && (
-        <section aria-label="Drafts, not sent" className={classes.drafts}>
+        <section aria-label="Drafts, not sent" className={`border-t overflow-y-auto ${classes.drafts}`}>
           <h3 className={`${classes.sub} small`}>Drafts, not sent</h3>
           <Drafts projectId={projectId} mayApprove={mayApprove} onAsk={onOpen} />
         </section>
       )}
-      <footer className={`grid gap-6px ${classes.foot}`}>
+      <footer className={`grid gap-6px border-t flex-none ${classes.foot}`}>
         <KeysLine
           keys={[
             { keys: ['j', 'k'], label: 'next, previous' },
@@ -157,7 +157,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
         <span className="small dim nowrap num">
           {isUnheard(item) && <NotHeard />} {age(item.waiting_since)}
         </span>{' '}
-        <span className={classes.itemWave}>
+        <span className={`grid col-span-full ${classes.itemWave}`}>
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} highlighted={current} heightPx={24} />
         </span>
         {waits.odd ? (

@@ -123,7 +123,7 @@ export function ReviewPage(): ReactNode {
   ])
 
   return (
-    <div className={classes.room}>
+    <div className={`grid overflow-hidden ${classes.room}`}>
       <QueuePanel
         projectId={projectId}
         queue={queue}
@@ -161,7 +161,7 @@ export function ReviewPage(): ReactNode {
           startS={search.at}
         />
       ) : (
-        <section className={`flex flex-col ${classes.stage}`}>
+        <section className={`flex flex-col bg-raised overflow-y-auto ${classes.stage}`}>
           <h1 className="visually-hidden">Review</h1>
           <Refusal error={error} />
         </section>

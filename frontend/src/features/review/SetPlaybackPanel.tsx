@@ -30,7 +30,11 @@ export function OpenedPanel({ way, setWay, setOpen, isPlaying, onPlay, onStop }:
       </option>
     ))
   return (
-    <section id="set-way" aria-label="How the set is played" className={classes.setWay}>
+    <section
+      id="set-way"
+      aria-label="How the set is played"
+      className={`flex wrap items-end border-t ${classes.setWay}`}
+    >
       <Segmented
         label="Rate"
         options={RATES}

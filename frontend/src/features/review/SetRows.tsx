@@ -42,7 +42,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
             data-picked={picked.has(take.id) || undefined}
             onChoose={() => onChoose(take)}
           >
-            <span className={`mono ${classes.setName}`}>
+            <span className={`mono flex items-center between gap-6px ${classes.setName}`}>
               {nameOf(take)}
               {index < 9 && <Key keys={String(index + 1)} />}
             </span>

@@ -73,7 +73,7 @@ export function SidePanel(props: SidePanelProps) {
 
   return (
     <aside className={`flex flex-col ${classes.side}`} aria-label="About this version">
-      <div role="tablist" aria-label="About this version" className={classes.tabs}>
+      <div role="tablist" aria-label="About this version" className={`flex border-b ${classes.tabs}`}>
         {tabs.map(({ id, label }) => (
           <button
             key={id}
@@ -229,18 +229,18 @@ function SaidLine({ item, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
     <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
       <button
         type="button"
-        className={`row ${classes.saidHead}`}
+        className={`row min-h-24px pointer ${classes.saidHead}`}
         aria-expanded={open}
         aria-label={['Comment', item.number, 'by', item.who, where].filter((word) => word != null).join(' ')}
         onClick={onOpen}
       >
-        {item.number !== null && <span className={classes.saidNumber}>{item.number}</span>}
+        {item.number !== null && <span className={`flex-none strong ${classes.saidNumber}`}>{item.number}</span>}
         <Avatar name={item.who} picture={item.picture} />
         <span className="strong cut-text">{item.who}</span>
         <span className={item.kind === 'change' ? 'small tone-change toned nowrap' : 'small dim nowrap'}>{role}</span>
         <span className="small mono dim end nowrap">{where}</span>
       </button>
-      <p className={classes.saidText}>
+      <p className={`pre-line wrap-anywhere ${classes.saidText}`}>
         {on && <span className="dim">On {on}: </span>}
         <MentionedText text={item.text} mentions={item.mentions} />
         {resolved && <span className="dim"> Resolved.</span>}

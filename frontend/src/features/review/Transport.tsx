@@ -43,7 +43,7 @@ export function Transport({ player, playing, durationS, trouble, isSilent, onNex
     },
   ])
   return (
-    <div ref={bar} className={classes.transport} role="group" aria-label="Playing">
+    <div ref={bar} className={`flex wrap items-center gap-6px ${classes.transport}`} role="group" aria-label="Playing">
       <HotkeyButton
         keys="Space"
         keyLabel="Play, pause"

@@ -21,7 +21,7 @@ export function Position({ player, durationS, thumb, onSeek, disabled = false }:
   const atS = Math.min(durationS, step / STEPS_A_SECOND)
   return (
     <div className="grid gap-1">
-      <div className={classes.shape}>
+      <div className={`relative ${classes.shape}`}>
         <WaveThumb peaks={thumb} heightPx={72} />
         <span
           className={classes.head}
@@ -30,7 +30,7 @@ export function Position({ player, durationS, thumb, onSeek, disabled = false }:
         />
         <input
           type="range"
-          className={classes.seek}
+          className={`pointer w-full ${classes.seek}`}
           aria-label="Playhead"
           aria-valuetext={placeInWords(atS)}
           min={0}

@@ -49,7 +49,7 @@ export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
     >
       {bandwidthHz !== null && bandwidthHz > FROM_HZ && (
         <span
-          className={classes.bandwidth}
+          className={`bg-well nowrap ${classes.bandwidth}`}
           data-left={across(bandwidthHz) > 0.6 || undefined}
           style={{ left: `${Math.min(1, across(bandwidthHz)) * 100}%` }}
         >

@@ -89,7 +89,7 @@ function Line({ finding, onSpot }: { finding: Found; onSpot: () => void }) {
       {finding.waived && 'Waived by the approver. '}
       {rest}{' '}
       {finding.auto_fix && (
-        <span className={`inline-flex items-baseline gap-1 ${classes.fixes}`}>
+        <span className={`inline-flex items-baseline gap-1 strong ${classes.fixes}`}>
           <Icon name="spanner" size={14} /> A fix {finding.auto_fix}.
         </span>
       )}

@@ -64,7 +64,7 @@ const percent = (share: number | null): string => `${figure(100 * (share ?? 0))}
 function FramesPlot({ frames: { codec, places, shares, most } }: { frames: Frames }) {
   const width = WIDTH / shares.length
   return (
-    <div className={classes.places}>
+    <div className={`bg-well overflow-hidden relative ${classes.places}`}>
       <svg
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"

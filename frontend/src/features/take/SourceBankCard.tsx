@@ -133,7 +133,7 @@ function UploadLine({ upload, queue }: { upload: Upload; queue: UploadQueue }) {
     return <ErrorBanner detail={ended(`${file.name}: ${reason ?? 'it is on its way already'}`)} />
   }
   return (
-    <div className={classes.stemDrop}>
+    <div className={`flex wrap items-center gap-2-3 ${classes.stemDrop}`}>
       <UploadProgress upload={upload} onStop={() => queue.stop(id)} />
     </div>
   )

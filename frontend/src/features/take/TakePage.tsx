@@ -280,7 +280,7 @@ function Head({ take, check, isTeam, fix, cutFrom, children }: HeadProps) {
   const origin = fix.fix?.fixed_from
   const waiver = check?.waiver
   return (
-    <header className={classes.head}>
+    <header className={`flex items-start between gap-4 ${classes.head}`}>
       <div>
         <div className={`flex wrap items-center ${classes.names}`}>
           <h1>{cue?.name ?? take.file_name}</h1>

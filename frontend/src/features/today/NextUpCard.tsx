@@ -179,7 +179,7 @@ function Heard({ item, projectId, mayApprove, player, playing, verdicts, takes, 
           </Link>
         </p>
       )}
-      <div className={`row wrap ${classes.acts}`}>
+      <div className={`row wrap mt-4 ${classes.acts}`}>
         <HotkeyButton
           keys="Space"
           keyLabel="Play, pause"

@@ -88,7 +88,7 @@ function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: 
     <li>
       <Link
         data-stop
-        className={`grid items-center gap-3 hover ${classes.line}`}
+        className={`grid items-center gap-3 hover pointer w-full ${classes.line}`}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
       >
@@ -104,7 +104,7 @@ function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: 
             </span>
           )}
         </span>
-        <span className={`wide-only ${classes.lineWave}`}>
+        <span className="wide-only grid">
           <WaveThumb peaks={heardTakes(item)[0]?.thumb ?? null} heightPx={26} />
         </span>
         <span className="wide-only">
@@ -139,14 +139,14 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
       <button
         type="button"
         data-stop
-        className={`grid items-center gap-3 hover ${classes.line}`}
+        className={`grid items-center gap-3 hover pointer w-full ${classes.line}`}
         aria-expanded={open}
         aria-controls={placeId}
         onClick={() => setOpen(!open)}
       >
         <span className="mono dim wide-only">{cue.label}</span> <span className="strong cut-text">{cue.name}</span>{' '}
         <span className={`mid ${open ? '' : 'cut-text'} ${classes.why}`}>“{question.text}”</span>
-        <span className={`small mid wide-only ${classes.lineWave}`}>
+        <span className="small mid wide-only grid">
           <Person
             name={question.asked_by.name}
             picture={question.asked_by.picture}
@@ -187,7 +187,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
   }
   return (
     <form
-      className={`grid gap-2 ${classes.answer}`}
+      className={`grid gap-2 border-b p-3-inset ${classes.answer}`}
       onSubmit={(event) => {
         event.preventDefault()
         send()
@@ -202,7 +202,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
           // The line was opened to be written in.
           // eslint-disable-next-line jsx-a11y/no-autofocus
           autoFocus
-          className={`line-field ${classes.answerText}`}
+          className={`line-field flex-1 ${classes.answerText}`}
           aria-label={`Answer for ${question.cue.name}`}
           maxLength={4000}
           value={text}

@@ -91,7 +91,7 @@ function Uploading({ uploads: { queue } }: { uploads: ReleaseUploads }) {
   useLeaveWarning(uploads)
   if (uploads.length === 0) return null
   return (
-    <ul className={classes.uploads} aria-label="Uploads">
+    <ul className="col-span-full" aria-label="Uploads">
       {uploads.map(({ id, file, state, sentBytes, reason }) => (
         <li key={id} className="flex wrap items-center gap-1-3 wrap-anywhere">
           <span className="mono">{file.name}</span>

@@ -83,7 +83,12 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
               <li key={line.id} className={`hover ${classes.line}`}>
                 <span className="strong">{line.character.name}</span>
                 <span className={classes.words}>
-                  <button type="button" data-line className={classes.open} onClick={() => setOpened(line.id)}>
+                  <button
+                    type="button"
+                    data-line
+                    className={`min-h-24px pointer ${classes.open}`}
+                    onClick={() => setOpened(line.id)}
+                  >
                     <span lang={language}>{line.text ?? <span className="dim">Not translated yet</span>}</span>
                   </button>
                   {language !== script.original_language && line.original_text !== null && (
@@ -93,7 +98,7 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
                   )}
                   {line.direction && <span className="small mid">({line.direction})</span>}
                 </span>
-                <span className={`small dim mono ${classes.path}`}>
+                <span className={`small dim mono wrap-anywhere ${classes.path}`}>
                   {line.path}
                   {line.files.length > 1 && ` (${line.files.length} files)`}
                 </span>

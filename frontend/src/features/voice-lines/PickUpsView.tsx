@@ -55,7 +55,7 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
           <ul>
             {lines.map((line) => (
               <li key={line.id} className={classes.pickUp}>
-                <span className={`small dim mono ${classes.path}`}>{filesToRecord(line).join(', ')}</span>
+                <span className={`small dim mono wrap-anywhere ${classes.path}`}>{filesToRecord(line).join(', ')}</span>
                 <div className={classes.context}>
                   {line.before && (
                     <p className="small dim">

@@ -239,7 +239,10 @@ export function ScriptPage(): ReactNode {
           <HowRead read={read} onTab={(tab) => change({ tab })} onEncoding={(encoding) => change({ encoding })} />
           <RefusedNamesList refused={read.refused_names} />
           <Rows read={read} />
-          <footer className={classes.bar} aria-label="Import">
+          <footer
+            className={`flex wrap items-center between gap-2-4 bg-raised p-3-4 ${classes.bar}`}
+            aria-label="Import"
+          >
             <div role="status">
               <p className="strong">{isWaiting ? 'Reading the script' : whatWould(read)}</p>
               {read.errors.length > 0 && (

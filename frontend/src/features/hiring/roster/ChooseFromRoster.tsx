@@ -114,7 +114,7 @@ function Choose({ posting, studioId }: { posting: Posting; studioId: string }) {
               )
             })}
           </Rows>
-          <div className={classes.foot}>
+          <div className={`flex wrap items-center gap-3 ${classes.foot}`}>
             <Button icon="mail" disabled={chosen.size === 0} aria-busy={ask.isPending} onClick={send}>
               {chosen.size === 0 ? 'Ask for bids' : `Ask ${plural(chosen.size, 'designer')} for bids`}
             </Button>

@@ -176,7 +176,7 @@ function Sheet({ studioId }: { studioId: string }) {
         <>
           <Columns read={read} onMap={(name, field) => setMapping((now) => mapped(now, name, field))} />
           <Plan read={read} />
-          <div className={classes.foot}>
+          <div className={`flex wrap items-center gap-3 ${classes.foot}`}>
             <span className="grow strong" role="status">
               {isStale
                 ? 'Reading the spreadsheet'
@@ -267,7 +267,9 @@ function Plan({ read }: { read: RosterImport }) {
         keyOf={({ at }) => at}
       />
       {read.rows.length > SHOWN_ROWS && (
-        <p className={`small dim ${classes.foot}`}>{`And ${plural(read.rows.length - SHOWN_ROWS, 'more row')}.`}</p>
+        <p
+          className={`small dim flex wrap items-center gap-3 ${classes.foot}`}
+        >{`And ${plural(read.rows.length - SHOWN_ROWS, 'more row')}.`}</p>
       )}
     </Card>
   )

@@ -130,7 +130,7 @@ function Found({ studioId, search }: { studioId: string; search: RosterSearch })
         <Filters roster={first} search={search} />
         <People people={people} roster={first} search={search} />
         {pages.hasNextPage && (
-          <div className={classes.foot}>
+          <div className={`flex wrap items-center gap-3 ${classes.foot}`}>
             <ShowMore list={pages}>{`Show more, ${first.found - people.length} left`}</ShowMore>
           </div>
         )}

@@ -82,8 +82,12 @@ function Category({ name, cues }: { name: string; cues: number }) {
   const checks = useChecks()
   const differs = differences(tables, name, checks)
   return (
-    <details className={classes.category} open={open} onToggle={({ currentTarget }) => setOpened(currentTarget.open)}>
-      <summary className={`flex wrap items-center hover ${classes.summary}`}>
+    <details
+      className={`border-b ${classes.category}`}
+      open={open}
+      onToggle={({ currentTarget }) => setOpened(currentTarget.open)}
+    >
+      <summary className={`flex wrap items-center hover p-2-inset pointer ${classes.summary}`}>
         <Icon name="right" />
         <span className="strong">{name}</span>
         <span className="small dim nowrap">{cues > 0 ? plural(cues, 'cue') : 'no cue'}</span>

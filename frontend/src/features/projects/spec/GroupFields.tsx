@@ -29,7 +29,7 @@ export function AcceptFields({ base }: { base: readonly string[] }) {
       <Choices place={accept('sample_rates_hz')} label="Sample rate" options={RATES} />
       <Choices place={accept('bit_depths')} label="Bit depth" options={DEPTHS} />
       <Choices place={accept('channels')} label="Channels" options={CHANNELS} />
-      <div className={classes.field}>
+      <div className={`min-w-0 ${classes.field}`}>
         <div className={`grid gap-2 ${classes.pair}`}>
           <NumberField place={[...accept('duration_s'), 'min']} label="Minimum length" unit="s" />
           <NumberField place={[...accept('duration_s'), 'max']} label="Maximum length" unit="s" />

@@ -24,7 +24,7 @@ export function LineDiff({ before, after, label, same = 'The two are identical.'
   return (
     // A long line scrolls, so the keyboard must reach it.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-    <div className={classes.diff} role="region" aria-label={label} tabIndex={0}>
+    <div className={`bg-well overflow-x-auto ${classes.diff}`} role="region" aria-label={label} tabIndex={0}>
       {parts.map((part, index) =>
         part.kind === 'skipped' ? (
           <p key={index} className={classes.skipped}>

@@ -99,7 +99,7 @@ export function SaveCard({ spec, writing, stays = false }: { spec: Spec; writing
         <p className="small dim">Affected versions in review are rechecked. Approved versions stay approved.</p>
       </div>
       {changed && result && theirs !== undefined && (
-        <details className={classes.diff}>
+        <details className={`border-t ${classes.diff}`}>
           <summary>Changes</summary>
           <LineDiff before={theirs} after={mine} label="Changes" />
         </details>

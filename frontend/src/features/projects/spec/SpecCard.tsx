@@ -71,7 +71,7 @@ export function SpecCard({ project }: { project: Project }) {
           </div>
           <Categories spec={spec} projectId={projectId} />
           {spec.warnings.map((warning) => (
-            <p key={warning} className={`row small mid tone-warn ${classes.warning}`}>
+            <p key={warning} className={`row small mid tone-warn border-t p-2-inset ${classes.warning}`}>
               <Icon name="triangle" />
               {warning}
             </p>

@@ -15,7 +15,7 @@ export function TomlEditor({ toml, onChange, trouble }: TomlEditorProps) {
   const count = toml.split('\n').length
   const wrong = trouble && lineOf(toml, trouble.place, trouble.message)
   return (
-    <div className={classes.editor}>
+    <div className={`grid min-w-0 bg-well relative ${classes.editor}`}>
       {wrong !== null && <div className={`tone-bad ${classes.wrong}`} style={{ top: 8 + (wrong - 1) * LINE_PX }} />}
       <pre className={classes.numbers} aria-hidden="true">
         {Array.from({ length: count }, (_, index) => (
@@ -29,7 +29,7 @@ export function TomlEditor({ toml, onChange, trouble }: TomlEditorProps) {
         aria-label="Spec as TOML"
         aria-invalid={trouble !== null}
         aria-describedby={trouble ? 'spec-trouble' : undefined}
-        className={classes.text}
+        className={`min-w-0 w-full ${classes.text}`}
         value={toml}
         rows={count + 1}
         wrap="off"

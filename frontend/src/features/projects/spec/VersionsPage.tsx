@@ -61,7 +61,7 @@ export function VersionsPage() {
               <Row key={entry.version} selected={entry.version === version} className={classes.version}>
                 <button
                   type="button"
-                  className={`grid wrap-anywhere ${classes.pick}`}
+                  className={`grid wrap-anywhere flex-1 pointer ${classes.pick}`}
                   onClick={() => show({ version: entry.version })}
                 >
                   <span className="strong">{`Version ${entry.version}`}</span>
@@ -182,7 +182,12 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
       {view === 'text' && spec && (
         // A long line scrolls, so the keyboard must reach it.
         // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-        <pre className={classes.text} tabIndex={0} role="region" aria-label={`Text of version ${version}`}>
+        <pre
+          className={`bg-well overflow-x-auto p-3-4 ${classes.text}`}
+          tabIndex={0}
+          role="region"
+          aria-label={`Text of version ${version}`}
+        >
           {spec.toml}
         </pre>
       )}

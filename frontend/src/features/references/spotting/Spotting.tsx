@@ -188,7 +188,7 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
               />
             ))}
           </ol>
-          <div className={classes.foot}>
+          <div className="flex wrap items-center justify-end gap-3 p-3-4">
             <Refusal error={making.problem} />
             <Button
               variant="primary"

@@ -59,7 +59,11 @@ export function Timeline({
   return (
     <div className="grid gap-1">
       {/* The slider in it does the same by keyboard. */}
-      <div ref={line} className={classes.line} onPointerDown={(event) => onSeek(secondsAt(event.clientX))}>
+      <div
+        ref={line}
+        className={`bg-well relative ${classes.line}`}
+        onPointerDown={(event) => onSeek(secondsAt(event.clientX))}
+      >
         {marks.map((mark, at) => (
           <button
             key={mark.id}

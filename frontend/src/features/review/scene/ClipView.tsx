@@ -30,7 +30,7 @@ export function ClipView({ clips, projectId, player }: ClipViewProps) {
     )
   }
   return (
-    <div className={`grid gap-2 ${classes.clip}`}>
+    <div className={`grid gap-2 relative ${classes.clip}`}>
       <Picture key={clip.reference_version_id} clip={clip} player={player} />
       {clips.length > 1 && (
         <Select aria-label="Clip" value={at} onChange={(event) => setAt(Number(event.currentTarget.value))}>

@@ -27,11 +27,11 @@ export function LaneRow({ lane, lengthS, now, hasSpots, onLevel, onRest, onRemov
   const title = lane.bed ? `${ROLES[lane.bed.role]}, ${lane.name}` : lane.name
   return (
     <li className={classes.lane} data-own={lane.id === SOUND || undefined} data-off={!now.isOn || undefined}>
-      <span className={classes.laneName}>
+      <span className={`grid min-w-0 ${classes.laneName}`}>
         <span className="strong cut-text">{title}</span>
         <span className="small dim cut-text">{detailOf(lane, hasSpots)}</span>
       </span>
-      <span className={classes.track} aria-hidden="true">
+      <span className={`bg-well ${classes.track}`} aria-hidden="true">
         {lane.duration_s !== null &&
           playsAt(lane, lengthS).map((startS) => (
             <span
@@ -103,7 +103,7 @@ export function LaneAxis({ lengthS, player }: { lengthS: number; player: Player 
   return (
     <div
       ref={ref}
-      className={classes.axis}
+      className={`pointer ${classes.axis}`}
       role="presentation"
       onPointerDown={(event) => {
         const box = event.currentTarget.getBoundingClientRect()

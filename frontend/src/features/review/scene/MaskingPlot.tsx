@@ -21,8 +21,8 @@ export function MaskingPlot({ masking, names, name }: MaskingPlotProps) {
   const topDb = Math.ceil(Math.max(-RANGE_DB, ...levels) / 10) * 10
   const share = (db: number | null) => (db === null ? 0 : Math.min(1, Math.max(0, (db - topDb + RANGE_DB) / RANGE_DB)))
   return (
-    <figure className={`grid gap-1 ${classes.masking}`}>
-      <div className={classes.bands} role="img" aria-label={masking.in_words}>
+    <figure className="grid gap-1">
+      <div className={`flex bg-well overflow-hidden ${classes.bands}`} role="img" aria-label={masking.in_words}>
         {bands.map((band) => (
           <Band key={band.hz} band={band} share={share} />
         ))}
@@ -63,7 +63,7 @@ function Band({ band, share }: { band: MaskedBand; share: (db: number | null) =>
   const cover = share(band.cover_db)
   const sound = band.is_part ? share(band.sound_db) : 0
   return (
-    <span className={classes.band}>
+    <span className={`flex-1 relative ${classes.band}`}>
       <i data-is="cover" style={{ height: `${cover * 100}%` }} />
       {band.is_part && !band.is_heard && <i data-is="covered" style={{ height: `${sound * 100}%` }} />}
       {band.is_heard && (

@@ -58,7 +58,7 @@ export function SceneStage(props: SceneStageProps) {
         <WillItBeHeard scene={scene} moved={moved} />
       </div>
       <Lanes scene={scene} moved={moved} onMoved={setMoved} projectId={projectId} player={player} />
-      <div className={classes.under}>
+      <div className={`flex wrap items-center gap-2-4 ${classes.under}`}>
         {scene.may_change &&
           (isAdding ? (
             <AddBed projectId={projectId} category={scene.category} onDone={() => setAdding(false)} />

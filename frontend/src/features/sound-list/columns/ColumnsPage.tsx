@@ -144,7 +144,7 @@ function ColumnsForm({ projectId, columns, edition }: ColumnsFormProps) {
         }}
       >
         <DraftNote draft={draft} />
-        <ol className={classes.columns}>
+        <ol className={`grid w-full ${classes.columns}`}>
           {typed.map((column, at) => (
             <li key={column.id ?? `new ${at}`}>
               <ColumnFields
@@ -219,7 +219,7 @@ function ColumnFields({ column, place, faults: [nameFault, kindFault], onChange 
   const id = `column-${place}`
   return (
     <span className={`grid gap-2-3 ${classes.fields}`}>
-      <label className={`grid gap-2px ${classes.field}`}>
+      <label className={`grid gap-2px content-start ${classes.field}`}>
         <span className="small mid">Name</span>
         <input
           value={column.name}
@@ -247,7 +247,7 @@ function ColumnFields({ column, place, faults: [nameFault, kindFault], onChange 
         {kindFault && <FieldError id={`${id}-kind`}>{kindFault}</FieldError>}
       </span>
       {column.kind === 'choice' && (
-        <label className={`grid gap-2px ${classes.field}`}>
+        <label className={`grid gap-2px content-start ${classes.field}`}>
           <span className="small mid">Choices, one a line</span>
           <textarea
             rows={3}

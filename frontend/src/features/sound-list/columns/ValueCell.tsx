@@ -42,7 +42,7 @@ export function ValueCell({ cue, column, projectId, mayEdit }: ValueCellProps) {
     <button
       ref={button}
       type="button"
-      className={classes.value}
+      className={`block min-h-24px nowrap overflow-hidden w-full ${classes.value}`}
       aria-label={`${column.name} of ${cue.name}: ${shown || 'empty'}`}
       title={shown}
       onClick={(event) => {

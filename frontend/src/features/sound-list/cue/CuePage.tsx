@@ -125,8 +125,8 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const answered = cue.questions.filter(({ answer }) => answer !== null).toReversed()
   return (
     <div className={`page grid grid-cols-1 gap-3 ${classes.page}`}>
-      <header className={classes.top}>
-        <div className={classes.title}>
+      <header className="flex wrap top between gap-2-4">
+        <div className={`min-w-0 ${classes.title}`}>
           <p className="row small dim">
             <Link className="link" to="/projects/$projectId/sound-list" params={{ projectId }}>
               Sound list
@@ -286,7 +286,7 @@ function Facts({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   return (
     <div className="grid gap-3 p-3-inset-4">
       {cue.description && (
-        <div className={classes.description}>
+        <div className={`pre-line wrap-anywhere ${classes.description}`}>
           <WordText projectId={projectId} text={cue.description} />
         </div>
       )}

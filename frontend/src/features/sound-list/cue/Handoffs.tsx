@@ -79,7 +79,7 @@ function HandoffLine({ handoff, projectId, mayName }: HandoffLineProps) {
           {written_by.id !== maker.id && `, written by ${written_by.name}`}
         </span>
       </p>
-      <p className={classes.description}>Missing: {missing}</p>
+      <p className={`pre-line wrap-anywhere ${classes.description}`}>Missing: {missing}</p>
       <p className="small mid">
         {next_maker
           ? `${next_maker.name} continues it.`
@@ -123,7 +123,7 @@ function HandoffLine({ handoff, projectId, mayName }: HandoffLineProps) {
               </p>
             ))}
             {take.plug_ins.length > 0 && <p className="small mid">Plug-ins: {take.plug_ins.join(', ')}</p>}
-            {take.recipe && <p className={`small mid ${classes.recipe}`}>{take.recipe}</p>}
+            {take.recipe && <p className="small mid pre-line">{take.recipe}</p>}
           </li>
         ))}
       </ul>

@@ -64,7 +64,7 @@ export function QuestionLine({
             )}{' '}
             answered {question.answered_at && ago(question.answered_at)}
           </p>
-          <p className={classes.quote}>{question.answer}</p>
+          <p className={`pre-line wrap-anywhere ${classes.quote}`}>{question.answer}</p>
         </>
       )}
       {question.answer === null && mayAnswer && <AnswerForm question={question} projectId={projectId} opens={opens} />}

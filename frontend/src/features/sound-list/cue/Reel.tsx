@@ -119,14 +119,7 @@ function Player({ reel, fileUrl, cueName }: { reel: Made; fileUrl: string; cueNa
   return (
     <>
       {/* eslint-disable-next-line jsx-a11y/media-has-caption -- all that is said in it are numbers, which are on the page */}
-      <audio
-        ref={audio}
-        className={classes.reel}
-        src={fileUrl}
-        controls
-        autoPlay
-        aria-label={`All versions of ${cueName}`}
-      />
+      <audio ref={audio} className="w-full" src={fileUrl} controls autoPlay aria-label={`All versions of ${cueName}`} />
       <ol className="row wrap" aria-label="Versions in the reel">
         {reel.takes.map(({ take_id, variation, number, start_s }) => (
           <li key={take_id}>

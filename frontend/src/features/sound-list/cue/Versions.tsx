@@ -44,7 +44,7 @@ export function Versions({ cue, projectId, versions, unheardIds, error, playingI
       {versions?.length === 0 && <p className="small dim grid gap-3 p-3-inset-4">No versions yet.</p>}
       <ul>
         {versions?.map((version) => (
-          <li key={version.take.id} className={`grid gap-6px ${classes.version}`}>
+          <li key={version.take.id} className={`grid gap-6px border-b p-3-inset ${classes.version}`}>
             <Line
               cue={cue}
               projectId={projectId}
@@ -103,7 +103,7 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
       ) : (
         <button
           type="button"
-          className={classes.wave}
+          className={`block pointer ${classes.wave}`}
           aria-label={`${playing ? 'Pause' : 'Play'} ${name}`}
           onClick={() => onPlay(version)}
         >

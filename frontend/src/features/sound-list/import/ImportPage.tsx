@@ -293,7 +293,7 @@ export function ImportPage(): ReactNode {
             onEdit={edit}
             onFillDown={fillDown}
           />
-          <footer className={classes.bar} aria-label="Import">
+          <footer className={`flex wrap items-center gap-2-4 ${classes.bar}`} aria-label="Import">
             <div className={classes.says} role="status">
               <p className="strong">{isStale ? 'Reading the spreadsheet' : whatWould(read)}</p>
               {read.errors.length > 0 && (

@@ -226,7 +226,7 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
           })}
         </table>
       </Card>
-      <div className={classes.foot}>
+      <div className={`flex wrap items-center gap-3 ${classes.foot}`}>
         <Refusal error={add.error} />
         <span className="wide-only">
           <KeysLine

@@ -213,7 +213,7 @@ export function CueTable(props: CueTableProps) {
       </tbody>
     </table>
   )
-  return scrolls ? <div className={classes.scrolls}>{drawnTable}</div> : drawnTable
+  return scrolls ? <div className={`overflow-x-auto ${classes.scrolls}`}>{drawnTable}</div> : drawnTable
 }
 
 function Gap({ heightPx, columns }: { heightPx: number; columns: number }) {
@@ -364,7 +364,7 @@ function StateCells({ row, selected, playing, onSelect, onPlay, onClarify }: Sta
         {row.previewUrl && row.status !== 'cut' ? (
           <button
             type="button"
-            className={classes.play}
+            className={`block min-h-24px pointer ${classes.play}`}
             aria-label={`${playing ? 'Pause' : 'Play'} ${cue.name}`}
             onClick={(event) => {
               event.stopPropagation()
@@ -385,7 +385,7 @@ function StateCells({ row, selected, playing, onSelect, onPlay, onClarify }: Sta
         {onClarify && row.unclear.length > 0 ? (
           <button
             type="button"
-            className={classes.remark}
+            className={`nowrap pointer overflow-hidden relative ${classes.remark}`}
             aria-label={`Answer what is unclear about ${cue.name}`}
             onClick={(event) => {
               event.stopPropagation()

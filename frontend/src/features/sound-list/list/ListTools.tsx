@@ -76,7 +76,7 @@ export function ListTools({
   return (
     <>
       <div className={`row ${classes.tools}`}>
-        <label className={`inline-flex items-center gap-6px ${classes.find}`}>
+        <label className={`inline-flex items-center gap-6px bg-raised mid ${classes.find}`}>
           <Icon name="search" />
           <span className="visually-hidden">Search the list</span>
           <input
@@ -110,7 +110,12 @@ export function ListTools({
       </div>
       {shown === 'filter' && (
         <div className={`row ${classes.tools}`} role="group" aria-label="Filter">
-          <div className={classes.chips} role="group" aria-label="Filter by state" ref={chips}>
+          <div
+            className={`flex flex-1 min-w-0 overflow-x-auto ${classes.chips}`}
+            role="group"
+            aria-label="Filter by state"
+            ref={chips}
+          >
             <FilterChip
               count={rows.length}
               pressed={search.state === undefined}
@@ -149,8 +154,8 @@ export function ListTools({
               </FilterChip>
             )}
           </div>
-          <div className={`row ${classes.ends}`}>
-            <span className={`inline-flex items-center ${classes.select}`}>
+          <div className={`row flex-none ${classes.ends}`}>
+            <span className={`inline-flex items-center relative ${classes.select}`}>
               <select
                 aria-label="Category"
                 value={search.category ?? ''}
@@ -165,7 +170,7 @@ export function ListTools({
               </select>
               <Icon name="chevron" />
             </span>
-            <span className={`inline-flex items-center ${classes.select}`}>
+            <span className={`inline-flex items-center relative ${classes.select}`}>
               <select
                 aria-label="Need"
                 value={search.need ?? ''}
@@ -183,7 +188,7 @@ export function ListTools({
               <Icon name="chevron" />
             </span>
             {(search.phase !== undefined || rows.some(({ cue }) => cue.phase !== null)) && (
-              <span className={classes.select}>
+              <span className={`relative ${classes.select}`}>
                 <select
                   aria-label="Phase"
                   value={search.phase ?? ''}
@@ -203,7 +208,7 @@ export function ListTools({
             )}
             {(search.person !== undefined ||
               rows.some(({ cue }) => cue.implementer_id !== null || cue.recorder_id !== null)) && (
-              <span className={`inline-flex items-center ${classes.select}`}>
+              <span className={`inline-flex items-center relative ${classes.select}`}>
                 <select
                   aria-label="Person"
                   value={search.person ?? ''}
@@ -238,7 +243,7 @@ export function ListTools({
               { value: 'content', label: 'Content' },
             ]}
           />
-          <span className={`inline-flex items-center ${classes.select}`}>
+          <span className={`inline-flex items-center relative ${classes.select}`}>
             <select
               aria-label="Group by"
               value={search.by ?? 'list'}

@@ -80,7 +80,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           </datalist>
           <Button type="submit">Set category</Button>
         </form>
-        <span className={`inline-flex items-center ${classes.select}`}>
+        <span className={`inline-flex items-center relative ${classes.select}`}>
           <select
             aria-label="Design status of the selected cues"
             value=""
@@ -97,7 +97,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           </select>
           <Icon name="chevron" />
         </span>
-        <span className={`inline-flex items-center ${classes.select}`}>
+        <span className={`inline-flex items-center relative ${classes.select}`}>
           <select
             aria-label="Need of the selected cues"
             value=""
@@ -115,7 +115,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           <Icon name="chevron" />
         </span>
         {TASKS.map(({ task, label }) => (
-          <span key={task} className={`inline-flex items-center ${classes.select}`}>
+          <span key={task} className={`inline-flex items-center relative ${classes.select}`}>
             <select
               aria-label={`${label}, of the selected cues`}
               value=""
