@@ -63,3 +63,17 @@ export const opened = async () => {
   await screen.findAllByRole('button', { name: /^Approve / })
   return drawn
 }
+
+/** One that waits for an answer. */
+export const question = {
+  id: 'question-1',
+  cue: { id: 'coolant', label: 'SW-010', name: 'coolant_splash' },
+  text: 'What falls in: a drop, a tool, a person?',
+  asked_by: { id: 'designer', name: 'Sound designer' },
+  asked_at: '2026-11-15T10:00:00Z',
+  answer: null,
+  answered_at: null,
+  owner: null,
+  due_on: null,
+  blocks: false,
+}

@@ -1,5 +1,3 @@
-import { Select } from '@mantine/core'
-
 import { Button } from '@/ui/Button'
 import { Card, CardHead } from '@/ui/Card'
 import { Field, Form, Submit } from '@/ui/Form'
@@ -9,6 +7,7 @@ import { Row, Rows } from '@/ui/Rows'
 import { type StudioCalendar, useSaveStudioCalendar, useStudioCalendar } from './api'
 import { CardProblem } from './CardProblem'
 import classes from './Studio.module.css'
+import { TimeZoneSelect } from './TimeZoneSelect'
 
 /** When the studio works: its contracts' clauses on silence count days by it. */
 export function CalendarCard({ studioId }: { studioId: string }) {
@@ -36,22 +35,12 @@ interface FieldsProps {
   onSave: (calendar: StudioCalendar) => void
 }
 
-const ZONES = ['UTC', ...Intl.supportedValuesOf('timeZone').filter((zone) => zone !== 'UTC')]
-
 function Fields({ studioId, calendar: { time_zone: zone, holidays }, isPending, onSave }: FieldsProps) {
   const add = useSaveStudioCalendar(studioId)
   return (
     <>
       <div className="p-3-inset">
-        <Select
-          label="Time zone"
-          searchable
-          data={ZONES.includes(zone) ? ZONES : [zone, ...ZONES]}
-          value={zone}
-          limit={50}
-          allowDeselect={false}
-          onChange={(chosen) => chosen && onSave({ time_zone: chosen, holidays })}
-        />
+        <TimeZoneSelect zone={zone} onChoose={(chosen) => onSave({ time_zone: chosen, holidays })} />
       </div>
       {holidays.length > 0 && (
         <Rows aria-label="Holidays">

@@ -1,4 +1,4 @@
-import { Select as SearchableSelect, TextInput } from '@mantine/core'
+import { TextInput } from '@mantine/core'
 import { useQuery } from '@tanstack/react-query'
 import { useState } from 'react'
 
@@ -11,8 +11,8 @@ import classes from './Account.module.css'
 import { type Cadence, type MailPreferences, mailPreferencesQuery, type News, useSaveMailPreferences } from './api'
 import { CADENCE_WORDS, cadencesOf, NEWS_WORDS } from './mailWords'
 import { CardProblem } from './CardProblem'
+import { TimeZoneSelect, ZONES } from './TimeZoneSelect'
 
-const ZONES = ['UTC', ...Intl.supportedValuesOf('timeZone').filter((zone) => zone !== 'UTC')]
 const KINDS = Object.keys(NEWS_WORDS) as News[]
 
 /** What the person is mailed, how often, and when nothing is sent. */
@@ -62,15 +62,7 @@ function Fields({ wishes, onSave }: FieldsProps) {
         ))}
       </Rows>
       <div className="flex wrap items-end gap-3 p-3-inset">
-        <SearchableSelect
-          label="Time zone"
-          searchable
-          data={ZONES.includes(zone) ? ZONES : [zone, ...ZONES]}
-          value={zone}
-          limit={50}
-          allowDeselect={false}
-          onChange={(chosen) => chosen && onSave({ time_zone: chosen })}
-        />
+        <TimeZoneSelect zone={zone} onChoose={(chosen) => onSave({ time_zone: chosen })} />
         {zone !== ownZone && ZONES.includes(ownZone) && (
           <Button onClick={() => onSave({ time_zone: ownZone })}>Use {ownZone}</Button>
         )}

@@ -25,6 +25,13 @@ const ROUND = {
   dismissed: { party: 'studio', by: 'Producer', at: '2026-11-17T09:00:00Z', reason: 'It was our mistake' },
 }
 const OFFERED = { ...ORDERS, orders: [], offers: [DESCRIBED, ROUND] }
+const opened = () => {
+  const served = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
+  served.answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
+  served.answers['POST /v1/contracts/c1/change-orders'] = ORDERS
+  openApp('/projects/p1/contracts/c1/changes')
+  return served
+}
 const offerOf = async (text: string) => {
   const card = await screen.findByRole('region', { name: 'Something changed since you signed' })
   const found = within(card)
@@ -38,10 +45,7 @@ test(
   'what changed since the signature begins a change order, which names the price that is asked',
   { tags: ['slow'] },
   async () => {
-    const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
-    answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
-    answers['POST /v1/contracts/c1/change-orders'] = ORDERS
-    openApp('/projects/p1/contracts/c1/changes')
+    const { asked } = opened()
     const offer = await offerOf('changed after work')
     expect(offer).toHaveTextContent('Producer')
     expect((await axe.run(document.body)).violations.map(({ id }) => id)).toEqual([])
@@ -68,10 +72,7 @@ test(
   'an offer that says all is looked at at once; what was typed stays, and a removed change takes its offer along',
   { tags: ['slow'] },
   async () => {
-    const { asked, answers } = serve(amendmentAnswers({ 'GET /v1/contracts/c1/change-orders': OFFERED }))
-    answers['POST /v1/contracts/c1/change-order-preview'] = { difference: DIFFERENCE, problems: [] }
-    answers['POST /v1/contracts/c1/change-orders'] = ORDERS
-    openApp('/projects/p1/contracts/c1/changes')
+    const { asked } = opened()
     await userEvent.type(await screen.findByLabelText('Reason'), 'As we said.')
     const offer = await offerOf('Round 3')
     expect(offer).toHaveTextContent('Producer, for the studio, wants no change order for it')

@@ -6,23 +6,21 @@ import { beforeAll, describe, expect, test } from 'vitest'
 import { aMe, anItem, aTake, PROJECT } from '@/test/review'
 import { openApp } from '@/test/openApp'
 import { type Asked, refusal } from '@/test/server'
-import { alternates, day, open, opened, queueIs, server, serveTodayPage, single, TODAY } from '@/test/todayPage'
+import {
+  alternates,
+  day,
+  open,
+  opened,
+  question,
+  queueIs,
+  server,
+  serveTodayPage,
+  single,
+  TODAY,
+} from '@/test/todayPage'
 
 beforeAll(() => import('./TodayPage'))
 serveTodayPage()
-
-const question = {
-  id: 'question-1',
-  cue: { id: 'coolant', label: 'SW-010', name: 'coolant_splash' },
-  text: 'What falls in: a drop, a tool, a person?',
-  asked_by: { id: 'designer', name: 'Sound designer' },
-  asked_at: '2026-11-15T10:00:00Z',
-  answer: null,
-  answered_at: null,
-  owner: null,
-  due_on: null,
-  blocks: false,
-}
 
 describe('what waits', () => {
   test('the head counts it, the first stands open, the rest in order of age', async () => {

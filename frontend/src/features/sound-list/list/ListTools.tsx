@@ -13,8 +13,16 @@ import type { CueStatus } from '../api'
 import { type CuePerson, readPersonFilter, TASKS } from '../people'
 import { type CueRow, type Grouping, kindOf, type ListSearch } from '../rows'
 import classes from './SoundList.module.css'
+import { ToolSelect } from './ToolSelect'
 import { PHASES } from '@/phases'
 import { NEEDS, STATUS_ORDER, STATUS_WORDS } from '../words'
+
+const GROUPINGS: readonly { value: Grouping; label: string }[] = [
+  { value: 'list', label: 'List order' },
+  { value: 'category', label: 'By category' },
+  { value: 'state', label: 'By state' },
+  { value: 'priority', label: 'By playback priority' },
+]
 
 export type ToolsPanel = 'filter' | 'display' | 'more'
 
@@ -155,79 +163,48 @@ export function ListTools({
             )}
           </div>
           <div className={`row flex-none ${classes.ends}`}>
-            <span className={`inline-flex items-center relative ${classes.select}`}>
-              <select
-                aria-label="Category"
-                value={search.category ?? ''}
-                onChange={(event) => onSearch({ category: event.currentTarget.value || undefined })}
-              >
-                <option value="">All categories</option>
-                {categories.map((category) => (
-                  <option key={category} value={category}>
-                    {category}
-                  </option>
-                ))}
-              </select>
-              <Icon name="chevron" />
-            </span>
-            <span className={`inline-flex items-center relative ${classes.select}`}>
-              <select
-                aria-label="Need"
-                value={search.need ?? ''}
-                onChange={(event) =>
-                  onSearch({ need: NEEDS.find(({ value }) => value === event.currentTarget.value)?.value })
-                }
-              >
-                <option value="">Any need</option>
-                {NEEDS.map(({ value, label }) => (
-                  <option key={value} value={value}>
-                    {label}
-                  </option>
-                ))}
-              </select>
-              <Icon name="chevron" />
-            </span>
+            <ToolSelect
+              label="Category"
+              value={search.category ?? ''}
+              blank="All categories"
+              options={categories.map((category) => ({ value: category, label: category }))}
+              onChoose={(value) => onSearch({ category: value || undefined })}
+            />
+            <ToolSelect
+              label="Need"
+              value={search.need ?? ''}
+              blank="Any need"
+              options={NEEDS}
+              onChoose={(chosen) => onSearch({ need: NEEDS.find(({ value }) => value === chosen)?.value })}
+            />
             {(search.phase !== undefined || rows.some(({ cue }) => cue.phase !== null)) && (
-              <span className={`relative ${classes.select}`}>
-                <select
-                  aria-label="Phase"
-                  value={search.phase ?? ''}
-                  onChange={(event) =>
-                    onSearch({ phase: PHASES.find(({ value }) => value === event.currentTarget.value)?.value })
-                  }
-                >
-                  <option value="">Any phase</option>
-                  {PHASES.map(({ value, label }) => (
-                    <option key={value} value={value}>
-                      {label}
-                    </option>
-                  ))}
-                </select>
-                <Icon name="chevron" />
-              </span>
+              <ToolSelect
+                label="Phase"
+                value={search.phase ?? ''}
+                blank="Any phase"
+                options={PHASES}
+                onChoose={(chosen) => onSearch({ phase: PHASES.find(({ value }) => value === chosen)?.value })}
+              />
             )}
             {(search.person !== undefined ||
               rows.some(({ cue }) => cue.implementer_id !== null || cue.recorder_id !== null)) && (
-              <span className={`inline-flex items-center relative ${classes.select}`}>
-                <select
-                  aria-label="Person"
-                  value={search.person ?? ''}
-                  onChange={(event) => onSearch({ person: readPersonFilter(event.currentTarget.value) })}
-                >
-                  <option value="">Any person</option>
-                  {TASKS.map(({ task, label }) => (
-                    <optgroup key={task} label={label}>
-                      {people.map(({ id, name }) => (
-                        <option key={id} value={`${task}:${id}`}>
-                          {name}
-                        </option>
-                      ))}
-                      <option value={`${task}:none`}>No one</option>
-                    </optgroup>
-                  ))}
-                </select>
-                <Icon name="chevron" />
-              </span>
+              <ToolSelect
+                label="Person"
+                value={search.person ?? ''}
+                blank="Any person"
+                onChoose={(value) => onSearch({ person: readPersonFilter(value) })}
+              >
+                {TASKS.map(({ task, label }) => (
+                  <optgroup key={task} label={label}>
+                    {people.map(({ id, name }) => (
+                      <option key={id} value={`${task}:${id}`}>
+                        {name}
+                      </option>
+                    ))}
+                    <option value={`${task}:none`}>No one</option>
+                  </optgroup>
+                ))}
+              </ToolSelect>
             )}
           </div>
         </div>
@@ -243,22 +220,12 @@ export function ListTools({
               { value: 'content', label: 'Content' },
             ]}
           />
-          <span className={`inline-flex items-center relative ${classes.select}`}>
-            <select
-              aria-label="Group by"
-              value={search.by ?? 'list'}
-              onChange={(event) => {
-                const by = event.currentTarget.value as Grouping
-                onSearch({ by: by === 'list' ? undefined : by })
-              }}
-            >
-              <option value="list">List order</option>
-              <option value="category">By category</option>
-              <option value="state">By state</option>
-              <option value="priority">By playback priority</option>
-            </select>
-            <Icon name="chevron" />
-          </span>
+          <ToolSelect
+            label="Group by"
+            value={search.by ?? 'list'}
+            options={GROUPINGS}
+            onChoose={(value) => onSearch({ by: value === 'list' ? undefined : (value as Grouping) })}
+          />
           <Views projectId={projectId} search={search} onOpen={(view) => onView(view)} />
           {mayEdit && (
             <ButtonLink component={Link} to={`${list}/columns`}>

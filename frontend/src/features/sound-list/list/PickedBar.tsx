@@ -4,12 +4,12 @@ import { showToast } from '@/app/toast'
 import { Button } from '@/ui/Button'
 import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
-import { Icon } from '@/ui/Icon'
 
 import { type Cue } from '../api'
 import { type SharedField, useSetForSeveral } from '../import/api'
 import { type CuePerson, TASKS } from '../people'
 import classes from './SoundList.module.css'
+import { ToolSelect } from './ToolSelect'
 import { NEEDS, SETTLED } from '../words'
 
 interface PickedBarProps {
@@ -80,63 +80,38 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           </datalist>
           <Button type="submit">Set category</Button>
         </form>
-        <span className={`inline-flex items-center relative ${classes.select}`}>
-          <select
-            aria-label="Design status of the selected cues"
-            value=""
-            onChange={(event) => put('state', event.currentTarget.value, `set to ${event.currentTarget.value}`)}
-          >
-            <option value="" disabled>
-              Design status
-            </option>
-            {SETTLED.map(({ value, label }) => (
-              <option key={value} value={value}>
-                {label}
-              </option>
-            ))}
-          </select>
-          <Icon name="chevron" />
-        </span>
-        <span className={`inline-flex items-center relative ${classes.select}`}>
-          <select
-            aria-label="Need of the selected cues"
-            value=""
-            onChange={(event) => put('need', event.currentTarget.value, `set to ${event.currentTarget.value}`)}
-          >
-            <option value="" disabled>
-              Need
-            </option>
-            {NEEDS.map(({ value, label }) => (
-              <option key={value} value={value}>
-                {label}
-              </option>
-            ))}
-          </select>
-          <Icon name="chevron" />
-        </span>
+        <ToolSelect
+          label="Design status of the selected cues"
+          value=""
+          blank="Design status"
+          isBlankDisabled
+          options={SETTLED}
+          onChoose={(value) => put('state', value, `set to ${value}`)}
+        />
+        <ToolSelect
+          label="Need of the selected cues"
+          value=""
+          blank="Need"
+          isBlankDisabled
+          options={NEEDS}
+          onChoose={(value) => put('need', value, `set to ${value}`)}
+        />
         {TASKS.map(({ task, label }) => (
-          <span key={task} className={`inline-flex items-center relative ${classes.select}`}>
-            <select
-              aria-label={`${label}, of the selected cues`}
-              value=""
-              onChange={(event) => {
-                const id = event.currentTarget.value === 'none' ? '' : event.currentTarget.value
-                const name = people.find((person) => person.id === id)?.name
-                put(task, id, name === undefined ? 'set to no one' : `set to ${name}`)
-              }}
-            >
-              <option value="" disabled>
-                {label}
-              </option>
-              {people.map(({ id, name }) => (
-                <option key={id} value={id}>
-                  {name}
-                </option>
-              ))}
-              <option value="none">No one</option>
-            </select>
-            <Icon name="chevron" />
-          </span>
+          <ToolSelect
+            key={task}
+            label={`${label}, of the selected cues`}
+            value=""
+            blank={label}
+            isBlankDisabled
+            options={people.map(({ id, name }) => ({ value: id, label: name }))}
+            onChoose={(value) => {
+              const id = value === 'none' ? '' : value
+              const name = people.find((person) => person.id === id)?.name
+              put(task, id, name === undefined ? 'set to no one' : `set to ${name}`)
+            }}
+          >
+            <option value="none">No one</option>
+          </ToolSelect>
         ))}
         <Button
           icon="dashedSquare"
