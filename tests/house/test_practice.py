@@ -37,7 +37,7 @@ def test_every_practice_names_a_test_that_there_is():
     [
         "| a practice | `tests/house/test_practice.py::test_of_nothing` |",
         "| a practice | `tests/house/test_nowhere.py::test_every_practice_names_a_test_that_there_is` |",
-        '| a practice | `frontend/src/judging/hearing.test.ts::"of nothing"` |',
+        '| a practice | `frontend/src/verdicts/hearing.test.ts::"of nothing"` |',
         "| a practice without a test | |",
     ],
 )

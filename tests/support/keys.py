@@ -19,7 +19,7 @@ AREAS = {  # by the folder of a source, in the order of the page
     "fixing/": "A fix, on the desk and on a version's page",
     "features/take/": "A version",
     "features/review/": "Review",
-    "judging/": "Review and Today",
+    "verdicts/": "Review and Today",
     "heard/": "Review and Today",
     "features/shares/": "Playlists and sessions",
     "features/builds/": "Builds and in-game listening",
