@@ -5,8 +5,6 @@ import { ciQuery } from '@/api/project'
 import { Card, CardHead } from '@/ui/Card'
 import { CopyButton } from '@/ui/CopyButton'
 
-import classes from './Drift.module.css'
-
 /** The command by which a build audits its sounds and posts what it found. */
 export function CiCommands({ projectId }: { projectId: string }) {
   const { data } = useQuery(ciQuery(projectId))
@@ -21,12 +19,7 @@ export function CiCommands({ projectId }: { projectId: string }) {
       />
       {/* A long line scrolls, so the keyboard must reach it. */}
       {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-      <pre
-        className={`border-b overflow-x-auto bg-well p-3-4 ${classes.script}`}
-        tabIndex={0}
-        role="region"
-        aria-label="Command to copy"
-      >
+      <pre className="code-lines border-b" tabIndex={0} role="region" aria-label="Command to copy">
         {text}
       </pre>
       <p className="small mid p-2-inset-3">

@@ -29,12 +29,7 @@ export function CiCard({ projectId }: { projectId: string }) {
         <>
           {/* A long line scrolls, so the keyboard must reach it. */}
           {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-          <pre
-            className={`border-b overflow-x-auto bg-well p-3-4 ${classes.script}`}
-            tabIndex={0}
-            role="region"
-            aria-label="Command to copy"
-          >
+          <pre className="code-lines border-b" tabIndex={0} role="region" aria-label="Command to copy">
             {data.command}
           </pre>
           <p className={`small mid border-b p-3-4 ${classes.steps}`}>
@@ -45,12 +40,7 @@ export function CiCard({ projectId }: { projectId: string }) {
             <summary className="small">The same steps with curl</summary>
             <CopyLines lines={data.lines} label="Copy all steps" />
             {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-            <pre
-              className={`border-b overflow-x-auto bg-well p-3-4 ${classes.script}`}
-              tabIndex={0}
-              role="region"
-              aria-label="Steps to copy"
-            >
+            <pre className="code-lines border-b" tabIndex={0} role="region" aria-label="Steps to copy">
               {data.lines.join('\n')}
             </pre>
           </details>

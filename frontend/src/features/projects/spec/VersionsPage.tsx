@@ -182,12 +182,7 @@ function OneVersion({ projectId, version, against, newest, numbers, onAgainst, o
       {view === 'text' && spec && (
         // A long line scrolls, so the keyboard must reach it.
         // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
-        <pre
-          className={`bg-well overflow-x-auto p-3-4 ${classes.text}`}
-          tabIndex={0}
-          role="region"
-          aria-label={`Text of version ${version}`}
-        >
+        <pre className="code-lines" tabIndex={0} role="region" aria-label={`Text of version ${version}`}>
           {spec.toml}
         </pre>
       )}
