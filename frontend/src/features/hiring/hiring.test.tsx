@@ -518,7 +518,7 @@ test('each person who is asked has the state of their email beside them, and the
   expect(row('eve')).not.toHaveTextContent('Email')
   server.answers['POST /v1/mails/m-cy/link'] = refusal(403, 'producer-needed', 'only a producer can do this')
   await user.click(rows.getByRole('button', { name: 'Show link for cy@tones.example' }))
-  expect(await rows.findByRole('alert')).toHaveTextContent('only a producer can do this')
+  expect(await rows.findByRole('alert')).toHaveTextContent('Only a producer can do this.')
   await user.click(rows.getByRole('button', { name: 'Copy link for ada@tones.example' }))
   expect(await navigator.clipboard.readText()).toBe('http://x/posting/ada')
 })

@@ -254,7 +254,7 @@ test('a file goes as its bytes, and a sheet that cannot be read says why and sta
   await screen.findByRole('textbox', { name: 'Pasted rows' })
   const picker = document.querySelector<HTMLInputElement>('input[type=file]')
   await userEvent.upload(picker as HTMLInputElement, new File(['PK'], 'sounds.xlsx'))
-  expect(await screen.findByRole('alert')).toHaveTextContent('this is a ZIP file, and no XLSX workbook')
+  expect(await screen.findByRole('alert')).toHaveTextContent('This is a ZIP file, and no XLSX workbook.')
   expect(sent()[0]).toMatchObject({ format: 'xlsx', content_base64: btoa('PK') })
   expect(screen.getByText('sounds.xlsx')).toBeInTheDocument()
 })

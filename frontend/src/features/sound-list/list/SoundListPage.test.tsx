@@ -101,7 +101,7 @@ describe('reading', () => {
     const list = server.answers[`GET ${server.at}/sound-list`]
     server.answers[`GET ${server.at}/sound-list`] = refusal(404, 'project-not-found', 'no project of that id')
     openApp(server.path)
-    expect(await screen.findByRole('alert')).toHaveTextContent('no project of that id')
+    expect(await screen.findByRole('alert')).toHaveTextContent('No project of that id.')
     server.answers[`GET ${server.at}/sound-list`] = list
     await userEvent.click(screen.getByRole('button', { name: 'Try again' }))
     expect(await row('shield_hit')).toBeInTheDocument()
