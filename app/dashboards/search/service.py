@@ -9,7 +9,7 @@ from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.agreements.queries import contracts_in
 from app.core.web.http import number_in
-from app.dashboards.search import comment_queries as said_queries
+from app.dashboards.search import comment_queries
 from app.dashboards.search import queries, schemas
 from app.dashboards.search.comment_queries import Elsewhere, FoundLabel, FoundReason, InProject
 from app.dashboards.steps.questions import brief
@@ -125,8 +125,8 @@ def _contracts(session: Session, access: ProjectAccess, phrase: str) -> list[sch
 def _reasons_and_labels(
     session: Session, reach: InProject | Elsewhere, words: Sequence[str]
 ) -> list[tuple[Project, schemas.Found]]:
-    reasons = said_queries.find_reasons(session, reach, words, limit=OF_A_KIND)
-    labels = said_queries.find_labels(session, reach, words, limit=OF_A_KIND)
+    reasons = comment_queries.find_reasons(session, reach, words, limit=OF_A_KIND)
+    labels = comment_queries.find_labels(session, reach, words, limit=OF_A_KIND)
     return [
         *((reason.project, _reason(reason)) for reason in reasons),
         *((label.project, _label(label)) for label in labels),

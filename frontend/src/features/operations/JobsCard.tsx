@@ -14,7 +14,7 @@ import { StatusBadge } from '@/ui/StatusBadge'
 
 import { type Job, jobsQuery, type JobState, operationsQuery, type Scope, useRetry } from './api'
 import classes from './Operations.module.css'
-import { jobsIn, jobWords, NOBODYS, STATE_FACES, STATES_SHOWN } from './words'
+import { jobsIn, jobWords, SERVER_ITSELF, STATE_FACES, STATES_SHOWN } from './words'
 
 /** The jobs that are not done, the oldest first; one that gave up can be tried again. */
 export function JobsCard({ scope }: { scope: Scope }) {
@@ -74,7 +74,7 @@ export function JobsCard({ scope }: { scope: Scope }) {
 
 function JobRow({ job, scope, busy, onRetry }: { job: Job; scope: Scope; busy: boolean; onRetry: () => void }) {
   const { kind, word } = STATE_FACES[job.state]
-  const whose = scope === 'server' ? (job.studio_name ?? NOBODYS) : null
+  const whose = scope === 'server' ? (job.studio_name ?? SERVER_ITSELF) : null
   return (
     <Row className={classes.job}>
       <span className="grow">

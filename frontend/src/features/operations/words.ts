@@ -91,7 +91,7 @@ export const jobsIn = (counts: readonly JobCount[], state: JobState): number =>
   counts.filter((count) => count.state === state).reduce((sum, { jobs }) => sum + jobs, 0)
 
 /** Jobs without a studio are the server's own. */
-export const NOBODYS = 'the server'
+export const SERVER_ITSELF = 'the server'
 
 const URGENCIES: Record<Lane['urgency'], string> = {
   urgent: 'interactive',
@@ -103,7 +103,7 @@ export const laneKey = ({ studio_id, urgency }: Lane): string => `${studio_id ??
 
 export const laneWords = ({ studio_name, urgency }: Lane, scope: Scope): string => {
   const how = URGENCIES[urgency]
-  return scope === 'server' ? `${studio_name ?? NOBODYS}, ${how}` : how.charAt(0).toUpperCase() + how.slice(1)
+  return scope === 'server' ? `${studio_name ?? SERVER_ITSELF}, ${how}` : how.charAt(0).toUpperCase() + how.slice(1)
 }
 
 /** "2 run, 40 wait, the oldest for 5 min, 1 later". */
