@@ -68,6 +68,9 @@ def create_app(runtime: Runtime) -> FastAPI:
         caller_key=caller_key,
         authenticate=authenticate,
     )
+    assets = runtime.settings.frontend_dir / "assets"
+    if assets.is_dir():  # before the 600 routes of the API, each of which would be compared with its address
+        app.mount("/assets", PrecompressedFiles(directory=assets), name="assets")
     for router in ROUTERS if runtime.settings.commercial else BASE_ROUTERS:
         app.include_router(router)
     app.include_router(health.router)
@@ -99,9 +102,6 @@ async def _sweep(runtime: Runtime) -> None:
 
 
 def _serve_frontend(app: FastAPI, folder: Path) -> None:
-    if (folder / "assets").is_dir():
-        app.mount("/assets", PrecompressedFiles(directory=folder / "assets"), name="assets")
-
     @app.get("/help", include_in_schema=False)
     def help_() -> Response:
         """Answer with the address of the guides, whose links start from their folder."""

@@ -9,8 +9,7 @@ from app.accounts.rules import Actor
 from app.accounts.schemas import PersonBrief
 from app.agreements.queries import contracts_in
 from app.core.web.http import number_in
-from app.dashboards.search import comment_queries
-from app.dashboards.search import queries, schemas
+from app.dashboards.search import comment_queries, queries, schemas
 from app.dashboards.search.comment_queries import Elsewhere, FoundLabel, FoundReason, InProject
 from app.dashboards.steps.questions import brief
 from app.deliveries.models import Take
