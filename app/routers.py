@@ -92,6 +92,7 @@ from app.voice_lines.release_endpoints import router as voice_releases
 from app.webhooks.endpoints import router as webhooks
 
 BASE_ROUTERS: tuple[APIRouter, ...] = (
+    deliveries,  # the first that a request is compared with: an upload is the most frequent
     accounts,
     sign_up,
     me,
@@ -123,7 +124,6 @@ BASE_ROUTERS: tuple[APIRouter, ...] = (
     cue_people,
     references,
     spotting,
-    deliveries,
     conformance,
     renders,
     reviews,
