@@ -318,12 +318,12 @@ CLONES void gather_faded(double *RESTRICT x, const double *const *window, const 
     }
 }
 
-PyObject *hush(PyObject *module, PyObject *const *args, Py_ssize_t count) {
+PyObject *restore_silence(PyObject *module, PyObject *const *args, Py_ssize_t count) {
     (void)module;
     holding held = {.count = 0};
     planar stream, out;
     const int64_t *from, *until;
-    if (arguments("hush", count, 4) < 0) return NULL;
+    if (arguments("restore_silence", count, 4) < 0) return NULL;
     if (take_planar(&held, args[0], &stream, 0) < 0 || take_planar(&held, args[1], &out, 1) < 0 ||
         !(from = take_row(&held, args[2], out.frames, sizeof(int64_t), 0)) ||
         !(until = take_row(&held, args[3], out.frames, sizeof(int64_t), 0))) {

@@ -187,7 +187,7 @@ Py_ssize_t first_reaching(const double *samples, Py_ssize_t count, double size);
     EACH(hashes_two, "Return whether this processor hashes two streams faster than one after the other.") \
     EACH(highest, "Return the highest magnitude of all samples.") \
     EACH(hop_energies, "Add up the power of K-weighted samples by hops of 10 ms; return how many hops ended.") \
-    EACH(hush, "Set to zero what came of zeros alone.") \
+    EACH(restore_silence, "Set to zero what came of zeros alone.") \
     EACH(loud_frames, "Find the first and the last frame above a level; both -1 where there is none.") \
     EACH(low_runs, "Find runs of cells whose figures are low; return how many there are.") \
     EACH(lulls, "Find where a sound falls at once to something faint and level, and comes back; return how many there are.") \

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from audio_checks.errors import RenderRefused
-from audio_checks.kernel import convert, fourier, hush
+from audio_checks.kernel import convert, fourier, restore_silence
 from audio_checks.render.resample_plan import WINDOWS, Plan, plan_for
 from audio_checks.render.twiddles import cos_sin_pi, twiddle_factors
 
@@ -167,7 +167,7 @@ def _on_grid(plan: Plan, reader: "_Reader", frames_out: int, at_once: int) -> It
         converted = np.empty((len(stream), blocks * plan.hop_out))
         convert(stream, converted, plan.response, turns_in, turns_out, plan.hop_in, plan.hop_out, plan.edge_out)
         frames = converted.shape[1]
-        hush(stream, converted, heard_from[:frames], heard_until[:frames])
+        restore_silence(stream, converted, heard_from[:frames], heard_until[:frames])
         yield converted[:, :block_frames].T
 
 
@@ -254,7 +254,7 @@ def _moved_block(plan: Plan, window: NDArray[np.float64], count: int, late: floa
         converted = converted + _moved(plan, real, imaginary, offsets, span)
     centre = plan.edge_in + late + np.arange(count) * (plan.down / plan.up + drift)
     before, after = np.floor(centre).astype(np.int64), np.ceil(centre).astype(np.int64)
-    hush(window, converted, before - plan.reach, after + plan.reach)
+    restore_silence(window, converted, before - plan.reach, after + plan.reach)
     return converted.T
 
 

@@ -135,7 +135,12 @@ def test_a_render_is_the_same_to_the_last_bit(other, monkeypatch):
     noise[9_000:15_000, 1] = 0.0
     pairs = [(96_000, 44_100), (48_000, 32_000), (44_100, 16_000), (8_192, 8_009)]
     wanted = [resample.resample(noise, high, low, loop=loop) for high, low in pairs for loop in (False, True)]
-    for module, name in ((resample, "convert"), (resample, "fourier"), (resample, "hush"), (resample_plan, "fourier")):
+    for module, name in (
+        (resample, "convert"),
+        (resample, "fourier"),
+        (resample, "restore_silence"),
+        (resample_plan, "fourier"),
+    ):
         monkeypatch.setattr(module, name, getattr(other, name))
     resample_plan._laid_plan.cache_clear()
     got = [resample.resample(noise, high, low, loop=loop) for high, low in pairs for loop in (False, True)]
