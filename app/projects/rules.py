@@ -100,7 +100,7 @@ class ApprovalRights:
 def audio_leads_warning(count: int) -> str | None:
     """Return the warning against none or so many audio leads; None for one or two."""
     if count == 0:
-        return "no audio lead speaks for the team; name one or two, so that designers know whom to ask"
+        return "No audio lead speaks for the team; name one or two, so that designers know whom to ask"
     if count <= USUAL_AUDIO_LEADS:
         return None
     return (

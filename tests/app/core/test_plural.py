@@ -97,7 +97,7 @@ def adopted(count: int, capsys: pytest.CaptureFixture[str]) -> str:
         (heard_bands, ["The sound is silent", "Heard in 1 of 1 band", "Heard in 2 of 2 bands"]),
         (
             audio_leads_warning,
-            ["no audio lead speaks for the team; name one or two, so that designers know whom to ask", None, None],
+            ["No audio lead speaks for the team; name one or two, so that designers know whom to ask", None, None],
         ),
     ],
 )

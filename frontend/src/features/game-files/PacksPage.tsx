@@ -51,6 +51,10 @@ export function PacksPage() {
           Project
         </Link>
         {' · '}
+        <Link className="link" to="/projects/$projectId/game-files" params={{ projectId }}>
+          Targets, memory and batches
+        </Link>
+        {' · '}
         <Link className="link" to="/projects/$projectId/libraries" params={{ projectId }}>
           Sound libraries
         </Link>
