@@ -1,5 +1,7 @@
 import type { ReactNode } from 'react'
 
+import { ApiProblem } from '@/api/problem'
+
 import { Refusal } from './Refusal'
 
 interface PageWaitProps {
@@ -14,10 +16,11 @@ interface PageWaitProps {
 
 /** A page whose first answer is not here: it waits, or says why there is none. */
 export function PageWait({ title, error, isNamed = false, action }: PageWaitProps) {
+  const isMissing = error instanceof ApiProblem && error.status === 404
   return (
     <div className="page stack" aria-busy={error === null}>
       <h1 className={isNamed && !error ? 'visually-hidden' : undefined}>
-        {isNamed && error ? `${title} not found` : title}
+        {isNamed && isMissing ? `${title} not found` : title}
       </h1>
       <Refusal error={error} action={action} />
     </div>

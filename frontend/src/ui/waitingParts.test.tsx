@@ -7,6 +7,7 @@ import { draw } from '@/test/draw'
 
 import { ConfirmInline } from './ConfirmInline'
 import { PageHead } from './PageHead'
+import { PageWait } from './PageWait'
 import { Refusal } from './Refusal'
 import { SaveStatus } from './SaveStatus'
 import { SecretOnce } from './SecretOnce'
@@ -35,6 +36,14 @@ test('what broke in the page is no refusal, and is said too', () => {
 test.each([null, undefined])('where nothing was refused (%s), nothing stands', (error) => {
   draw(<Refusal error={error} />)
   expect(screen.queryByRole('alert')).toBeNull()
+})
+
+test.each([
+  [404, 'Version not found'],
+  [503, 'Version'],
+])('a page that was answered %i is headed "%s"', (status, heading) => {
+  draw(<PageWait isNamed title="Version" error={new ApiProblem(status, { code: 'x', detail: 'it is away' })} />)
+  expect(screen.getByRole('heading', { name: heading })).not.toHaveClass('visually-hidden')
 })
 
 test('what cannot be undone is asked in place: the way back has the focus, Escape goes it', async () => {
