@@ -106,6 +106,7 @@ enum { ROW = 32 };                            /* samples of which the highest ma
 enum { K_SEEN = 6, K_LANES = 8, K_NUMBERS = K_SEEN * K_LANES }; /* what the K-weighting remembers, and its streams */
 
 enum { MIDDLES = 8 }; /* found at once */
+enum { TAPS = 24, PHASES = 8 }; /* of the curve between samples as it is drawn first */
 enum { PART = 4, PARTS = ROW / PART, SPAN = 6 }; /* of a row's intervals; the 24 taps of a part touch SPAN parts */
 enum { SCREENED = 64, TOWERED = 4 }; /* cells asked at once, and how many on either side each is compared with */
 
@@ -117,9 +118,11 @@ typedef struct {
     void (*maxima_and_sums)(const double *samples, Py_ssize_t rows, double *maxima, double *figures);
     /* the middles of so many intervals; the first takes samples[0 .. 2 * pairs - 1] */
     void (*middles)(const double *samples, const double *taps, Py_ssize_t pairs, double *middles);
-    /* of each part of a row of which `touched` is what its taps touch: the largest second and fourth difference among these,
-     * and the highest sample beside its intervals */
-    void (*excursions)(const double *touched, double *bends, double *kinks, double *beside);
+    /* the parts of a row where the curve may be higher than `best`, as bits; `touched` is what the taps of the row touch. Of
+     * each part by how much the curve may exceed the samples beside it, and the largest fourth difference */
+    unsigned (*excursions)(const double *touched, double bend, double kink, double best, double *excesses, double *kinks);
+    /* the highest of the phases in each interval of a part, of which samples[0] is the first that is touched, and of all */
+    double (*near_curves)(const double *samples, const double *taps, double *highest);
     double (*product)(const double *one, const double *other, Py_ssize_t count);
     void (*stereo)(const double *left, const double *right, Py_ssize_t count, double *figures); /* adds four */
     void (*cells)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);

@@ -22,8 +22,10 @@
 #define ALL(number) BOTH(number, number)
 #define GATHERED(streams, first, at) BOTH((streams)[first][at], (streams)[(first) + 1][at])
 #define ACROSS(streams, at, next) across_two(streams, at, next)
+#define LARGEST_OF_EACH(registers) largest_of_each_of_two(registers)
 #else
 #define ALL(number) (number)
+#define LARGEST_OF_EACH(registers) ((registers)[0])
 #define GATHERED(streams, first, at) ((streams)[first][at])
 #define ACROSS(streams, at, next) ((next)[0] = (streams)[0][at])
 #endif
@@ -32,6 +34,11 @@
 /* The next samples of two streams, one of each in a register. */
 ALWAYS void across_two(const double *const *streams, Py_ssize_t at, together *next) {
     for (int which = 0; which < TOGETHER; which++) next[which] = BOTH(streams[0][at + which], streams[1][at + which]);
+}
+
+/* The largest lane of as many registers as one has lanes, side by side. */
+ALWAYS together largest_of_each_of_two(const together *registers) {
+    return BOTH(largest(registers[0]), largest(registers[1]));
 }
 #endif
 
@@ -47,8 +54,8 @@ ALWAYS together kept_by_two(together these, Py_ssize_t over) {
 #include "weighing.h"
 
 #define LOOPS(by, weigh) \
-    {highest_##by, maxima_##by, sums_##by, maxima_and_sums_##by, middles_##by, excursions_##by, product_##by, stereo_##by, \
-     cells_##by, cell_sums_##by, towering_##by, lagged_##by, foretell_##by, weigh}
+    {highest_##by, maxima_##by, sums_##by, maxima_and_sums_##by, middles_##by, excursions_##by, near_curves_##by, product_##by, \
+     stereo_##by, cells_##by, cell_sums_##by, towering_##by, lagged_##by, foretell_##by, weigh}
 static const loops loops_by_two = LOOPS(by_two, weigh_by_two);
 
 #if WIDER_REGISTERS
@@ -65,6 +72,7 @@ static const loops loops_by_two = LOOPS(by_two, weigh_by_two);
 #undef LARGER
 #undef SIZES
 #undef LARGEST
+#undef LARGEST_OF_EACH
 #undef ABOVE
 #undef KEPT
 
@@ -84,6 +92,7 @@ typedef double quartet __attribute__((vector_size(32)));
 #define LARGER(one, other) ((quartet)_mm256_max_pd((__m256d)(one), (__m256d)(other)))
 #define SIZES(samples) ((quartet)_mm256_andnot_pd(_mm256_set1_pd(-0.0), (__m256d)(samples)))
 #define LARGEST(each) largest_of_four(each)
+#define LARGEST_OF_EACH(registers) largest_of_each_of_four(registers)
 #define ABOVE(one, other) _mm256_movemask_pd(_mm256_cmp_pd((__m256d)(one), (__m256d)(other), _CMP_GT_OQ))
 #define KEPT(these, over, which) kept_of_four(these, over)
 
@@ -100,6 +109,13 @@ WIDE ALWAYS void across_four(const double *const *streams, Py_ssize_t at, quarte
 WIDE ALWAYS double largest_of_four(quartet each) {
     const __m128d half = _mm_max_pd(_mm256_extractf128_pd((__m256d)each, 1), _mm256_castpd256_pd128((__m256d)each));
     return _mm_cvtsd_f64(_mm_max_sd(_mm_unpackhi_pd(half, half), half));
+}
+
+WIDE ALWAYS quartet largest_of_each_of_four(const quartet *registers) {
+    const __m256d a = (__m256d)registers[0], b = (__m256d)registers[1], c = (__m256d)registers[2], d = (__m256d)registers[3];
+    const __m256d ab = _mm256_max_pd(_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b)); /* of either half */
+    const __m256d cd = _mm256_max_pd(_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+    return (quartet)_mm256_max_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31));
 }
 
 WIDE ALWAYS quartet kept_of_four(quartet these, Py_ssize_t over) {

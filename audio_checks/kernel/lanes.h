@@ -1,7 +1,7 @@
 /* Loops over samples in lanes, written once for registers of any width.
  *
  * The including file defines how many numbers a register takes (WIDTH), what a loop is called by that width (NAMED),
- * and the operations on a whole register: AT, ALL, GATHERED, LARGER, SIZES, LARGEST, ABOVE, KEPT. How many lanes a sum has is
+ * and the operations on a whole register: AT, ALL, GATHERED, LARGER, SIZES, LARGEST, LARGEST_OF_EACH, ABOVE, KEPT. How many lanes a sum has is
  * written here and no matter of the width, so every width gives the same bits.
  */
 enum { NAMED(EIGHT) = 8 / WIDTH, NAMED(FOUR) = 4 / WIDTH }; /* registers of as many lanes */
@@ -98,9 +98,10 @@ LOOP void NAMED(middles)(const double *RESTRICT samples, const double *RESTRICT 
     memcpy(middles, sums, sizeof sums);
 }
 
-LOOP void NAMED(excursions)(const double *RESTRICT touched, double *RESTRICT bends, double *RESTRICT kinks,
-                            double *RESTRICT beside) {
+LOOP unsigned NAMED(excursions)(const double *RESTRICT touched, double bend, double kink, double best,
+                                double *RESTRICT excesses, double *RESTRICT kinks) {
     VECTOR seconds[PARTS + SPAN - 1][NAMED(FOUR)], fourths[PARTS + SPAN - 1][NAMED(FOUR)];
+    unsigned higher = 0;
     for (int part = 0; part < PARTS + SPAN - 1; part++) {
         for (int which = 0; which < NAMED(FOUR); which++) {
             const double *x = touched + part * PART + which * WIDTH;
@@ -117,22 +118,50 @@ LOOP void NAMED(excursions)(const double *RESTRICT touched, double *RESTRICT ben
             fourths[part][which] = LARGER(fourths[part][which], fourths[part + 1][which]);
         }
     }
-    for (int part = 0; part < PARTS; part++) {
-        const double *x = touched + 2 * SPAN - 1 + part * PART;
-        VECTOR bend[NAMED(FOUR)], kink[NAMED(FOUR)], highest[NAMED(FOUR)];
-        for (int which = 0; which < NAMED(FOUR); which++) {
-            const double *here = x + which * WIDTH;
-            bend[which] = seconds[part][which], kink[which] = fourths[part][which];
-            for (int pair = 2; pair < SPAN; pair += 2) {
-                bend[which] = LARGER(bend[which], seconds[part + pair][which]);
-                kink[which] = LARGER(kink[which], fourths[part + pair][which]);
+    for (int part = 0; part < PARTS; part += WIDTH) {
+        VECTOR bent[WIDTH], kinked[WIDTH], highest[WIDTH]; /* of a part each */
+        for (int one = 0; one < WIDTH; one++) {
+            const double *here = touched + 2 * SPAN - 1 + (part + one) * PART;
+            bent[one] = kinked[one] = highest[one] = ALL(0);
+            for (int which = 0; which < NAMED(FOUR); which++, here += WIDTH) {
+                for (int pair = part + one; pair < part + one + SPAN; pair += 2) {
+                    bent[one] = LARGER(seconds[pair][which], bent[one]);
+                    kinked[one] = LARGER(fourths[pair][which], kinked[one]);
+                }
+                highest[one] = LARGER(LARGER(SIZES(AT(here)), SIZES(AT(here + 1))), highest[one]);
             }
-            highest[which] = LARGER(SIZES(AT(here)), SIZES(AT(here + 1)));
         }
-        bends[part] = NAMED(top_of_four)(bend);
-        kinks[part] = NAMED(top_of_four)(kink);
-        beside[part] = NAMED(top_of_four)(highest);
+        const VECTOR kinked_most = LARGEST_OF_EACH(kinked);
+        const VECTOR excess = ALL(bend) * LARGEST_OF_EACH(bent) + ALL(kink) * kinked_most;
+        higher |= (unsigned)ABOVE(LARGEST_OF_EACH(highest) + excess, ALL(best)) << part;
+        memcpy(excesses + part, &excess, sizeof excess);
+        memcpy(kinks + part, &kinked_most, sizeof kinked_most);
     }
+    return higher;
+}
+
+/* Each phase takes its taps in the order of `interpolate` in true_peak.c. */
+LOOP double NAMED(near_curves)(const double *RESTRICT samples, const double *RESTRICT taps, double *RESTRICT highest) {
+    enum { HALF = PHASES / 2 }; /* the odd part of the last of them is 0 */
+    VECTOR tops = ALL(0);
+    for (int which = 0; which < NAMED(FOUR); which++) {
+        const double *left = samples + TAPS / 2 - 1 + which * WIDTH, *right = left + 1;
+        VECTOR evens[HALF] = {ALL(0)}, odds[HALF - 1] = {ALL(0)};
+        for (int pair = 0; pair < TAPS / 2; pair++) {
+            const VECTOR sum = AT(left - pair) + AT(right + pair), difference = AT(left - pair) - AT(right + pair);
+            const double *even = taps + pair * PHASES, *odd = even + HALF;
+            for (int phase = 0; phase < HALF; phase++) evens[phase] += ALL(even[phase]) * sum;
+            for (int phase = 0; phase < HALF - 1; phase++) odds[phase] += ALL(odd[phase]) * difference;
+        }
+        VECTOR top = SIZES(evens[HALF - 1]);
+        for (int phase = 0; phase < HALF - 1; phase++) {
+            top = LARGER(SIZES(evens[phase] + odds[phase]), top);
+            top = LARGER(SIZES(evens[phase] - odds[phase]), top);
+        }
+        tops = LARGER(top, tops);
+        memcpy(highest + which * WIDTH, &top, sizeof top);
+    }
+    return LARGEST(tops);
 }
 
 LOOP double NAMED(product)(const double *RESTRICT one, const double *RESTRICT other, Py_ssize_t count) {

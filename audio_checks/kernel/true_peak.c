@@ -7,14 +7,14 @@
  */
 #include "kernel.h"
 
-enum { TAPS = 24, PHASES = 8, MIDDLE_TAPS = 504, HALF_TAPS = 12, FINE_PHASES = 16 };
+enum { MIDDLE_TAPS = 504, HALF_TAPS = 12, FINE_PHASES = 16 };
 enum { CONTEXT = HALF_TAPS / 4, TOUCHED_BY_FINE = MIDDLE_TAPS + 8 }; /* middles on either side; samples a fine point takes */
 enum { REACH = TOUCHED_BY_FINE - 1 };
 enum { LEAD = TOUCHED_BY_FINE / 2 - 1, NEAR = (TOUCHED_BY_FINE - TAPS) / 2 }; /* taps before an interval's sample; to the first of 24 */
 enum { TOUCHED = (PARTS + SPAN) * PART };
 
 typedef struct {
-    const double *near_taps;   /* (TAPS / 2, PHASES): see interpolate */
+    const double *near_taps;   /* (TAPS / 2, PHASES): see interpolate, and near_curves in lanes.h */
     const double *middle_taps; /* (MIDDLE_TAPS / 2), from the middle outwards */
     const double *half_taps;   /* (HALF_TAPS / 2, PHASES): between a sample and a middle */
     double gain;               /* of the 24 taps at most */
@@ -46,16 +46,6 @@ static inline void interpolate(const double *RESTRICT samples, const double *RES
             odds[which] += neighbours(odd + which * TOGETHER) * difference;
         }
     }
-}
-
-static double near_curve(const double *samples, const double *taps) {
-    together evens[PHASES / 2 / TOGETHER], odds[PHASES / 2 / TOGETHER], highest = BOTH(0, 0);
-    interpolate(samples, taps, TAPS, PHASES / 2, evens, odds);
-    for (int which = 0; which < PHASES / 2 / TOGETHER; which++) {
-        highest = larger(highest, sizes(evens[which] + odds[which]));
-        highest = larger(highest, sizes(evens[which] - odds[which]));
-    }
-    return largest(highest);
 }
 
 /* The middles of a row's intervals and of those beside it, by groups, as they are asked for. */
@@ -108,10 +98,12 @@ static double fine_curve(drawn_row *row, Py_ssize_t interval, const interpolator
 static void search_part(drawn_row *row, Py_ssize_t from, double excess, double missed, const interpolator *by,
                         found *result) {
     const double *samples = row->samples;
-    for (Py_ssize_t interval = from; interval < from + PART && interval < row->count; interval++) {
+    double near[PART];
+    if (in_lanes()->near_curves(samples + from + NEAR, by->near_taps, near) + missed <= result->best) return;
+    for (int one = 0; one < PART && from + one < row->count; one++) {
+        const Py_ssize_t interval = from + one;
         const double left = fabs(samples[interval + LEAD]), right = fabs(samples[interval + LEAD + 1]);
-        if ((left > right ? left : right) + excess <= result->best) continue;
-        if (near_curve(samples + interval + NEAR, by->near_taps) + missed <= result->best) continue;
+        if (near[one] + missed <= result->best || (left > right ? left : right) + excess <= result->best) continue;
         int phase;
         const double fine = fine_curve(row, interval, by, &phase);
         if (fine > result->best) {
@@ -125,17 +117,15 @@ static void search_part(drawn_row *row, Py_ssize_t from, double excess, double m
 static void search_row(const double *samples, Py_ssize_t count, Py_ssize_t first, const interpolator *by, found *result) {
     drawn_row row; /* not set to zero: its middles are many, and written before they are read */
     row.samples = samples, row.first = first, row.count = count, row.known = 0;
-    double copy[TOUCHED], bends[PARTS], kinks[PARTS], beside[PARTS];
+    double copy[TOUCHED], excesses[PARTS], kinks[PARTS];
     const double *touched = samples + NEAR;
     if (count < ROW) {
         memset(copy, 0, sizeof copy);
         touched = memcpy(copy, touched, (size_t)(count + TAPS - 1) * sizeof(double));
     }
-    in_lanes()->excursions(touched, bends, kinks, beside);
-    for (int part = 0; part * PART < count; part++) {
-        const double excess = by->bend * bends[part] + by->kink * kinks[part];
-        if (beside[part] + excess <= result->best) continue;
-        search_part(&row, part * PART, excess, by->missed * kinks[part], by, result);
+    unsigned higher = in_lanes()->excursions(touched, by->bend, by->kink, result->best, excesses, kinks);
+    for (int part = 0; higher && part * PART < count; part++, higher >>= 1) {
+        if (higher & 1) search_part(&row, part * PART, excesses[part], by->missed * kinks[part], by, result);
     }
 }
 
