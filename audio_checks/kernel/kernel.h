@@ -127,6 +127,8 @@ typedef struct {
     void (*stereo)(const double *left, const double *right, Py_ssize_t count, double *figures); /* adds four */
     void (*cells)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
     void (*cell_sums)(const double *samples, Py_ssize_t size, Py_ssize_t count, double *out, Py_ssize_t row);
+    /* the samples of a row that are crests of a side and reach the least, as bits; one on either side of the row is read */
+    uint64_t (*crests)(const double *samples, double sign, double least);
     uint64_t (*towering)(const double *heights, Py_ssize_t nearest, double times);
     void (*lagged)(const double *samples, Py_ssize_t count, Py_ssize_t order, double *products);
     void (*foretell)(const double *samples, const double *coefficients, Py_ssize_t order, Py_ssize_t count, double *rests);

@@ -55,7 +55,7 @@ ALWAYS together kept_by_two(together these, Py_ssize_t over) {
 
 #define LOOPS(by, weigh) \
     {highest_##by, maxima_##by, sums_##by, maxima_and_sums_##by, middles_##by, excursions_##by, near_curves_##by, product_##by, \
-     stereo_##by, cells_##by, cell_sums_##by, towering_##by, lagged_##by, foretell_##by, weigh}
+     stereo_##by, cells_##by, cell_sums_##by, crests_##by, towering_##by, lagged_##by, foretell_##by, weigh}
 static const loops loops_by_two = LOOPS(by_two, weigh_by_two);
 
 #if WIDER_REGISTERS

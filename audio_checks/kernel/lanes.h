@@ -252,6 +252,17 @@ LOOP void NAMED(cell_sums)(const double *RESTRICT samples, Py_ssize_t size, Py_s
     }
 }
 
+LOOP uint64_t NAMED(crests)(const double *samples, double sign, double least) {
+    uint64_t bits = 0;
+    for (int at = 0; at < ROW; at += WIDTH) {
+        const VECTOR here = ALL(sign) * AT(samples + at);
+        const VECTOR before = ALL(sign) * AT(samples + at - 1), after = ALL(sign) * AT(samples + at + 1);
+        const int low = ABOVE(ALL(least), here) | ABOVE(after, here);
+        bits |= (uint64_t)(ABOVE(here, before) & ~low) << at;
+    }
+    return bits;
+}
+
 /* Which of SCREENED heights are `times` as high as the TOWERED ones on either side, the nearest so far away; as bits. */
 LOOP uint64_t NAMED(towering)(const double *heights, Py_ssize_t nearest, double times) {
     uint64_t bits = 0;

@@ -12,11 +12,11 @@ enum { SHAPE = 4, COUNTS = 3, TOP_FIGURES = 3 };
 enum { CREST, STRAIGHT, STEPPED };
 
 /* A corner is so many times what bends inside: of one bend, of two, of more, they are as unlikely by chance. */
-static const double SHARP[] = {4096, 64, 16};
+enum { MANY = 2 };
+static const double SHARP[MANY + 1] = {4096, 64, 16};
 /* The same of a top with the ripples of a converter of sample rates, looked at over two samples; the ripples bend so
- * many times as much as the top without them. */
-static const double SHARP_RIPPLED = 10, RIPPLES = 2;
-static const int FEWEST_RIPPLED = 3;
+ * many times as much as the top without them. One or two bends are none. */
+static const double SHARP_RIPPLED[MANY + 1] = {INFINITY, INFINITY, 10}, RIPPLES = 2;
 static const double LOWER_END = 0.25; /* of a top that leans, of its height: what falls further is a saw */
 
 typedef struct {
@@ -47,32 +47,49 @@ static double turn(const side *of, Py_ssize_t at, int way, Py_ssize_t reach, int
     return most;
 }
 
-/* The straight stretch that a crest at `at` is an end of, or lies in; 0 where there is none with corners at its ends. */
-static int straight_at(const side *of, Py_ssize_t at, Py_ssize_t reach, double sharpest, top *found) {
-    const int smeared = reach == 1 ? 2 : 5; /* samples that a corner takes */
-    Py_ssize_t from = at;
+/* Whether the wave bends so little within `reach` samples of a place, beside what it bends near by, that a straight stretch
+ * between corners may lie there. */
+static int may_be_straight(const side *of, Py_ssize_t at, Py_ssize_t reach, double sharpest) {
     double least = INFINITY, most = 0;
-    for (Py_ssize_t near = at - 3 * reach; near <= at + 3 * reach; near++) {
+    for (Py_ssize_t near = at - reach; near <= at + reach; near++) {
         const double bent = fabs(bend(of, near, reach));
+        least = bent < least ? bent : least;
         most = larger_of(bent, most);
-        if (near >= at - reach && near <= at + reach && bent < least) {
-            least = bent;
-            from = near;
-        }
     }
-    if (least > of->grain && sharpest * least > most) return 0;
+    for (Py_ssize_t off = reach + 1; off <= 3 * reach; off++) {
+        most = larger_of(fabs(bend(of, at - off, reach)), most);
+        most = larger_of(fabs(bend(of, at + off, reach)), most);
+    }
+    return least <= of->grain || sharpest * least <= most;
+}
+
+/* The straight stretch that a crest at `at` is an end of, or lies in; 0 where there is none with corners at its ends. */
+static int straight_at(const side *of, Py_ssize_t at, Py_ssize_t reach, const double *sharp, top *found) {
+    const int smeared = reach == 1 ? 2 : 5; /* samples that a corner takes */
+    if (!may_be_straight(of, at, reach, sharp[MANY])) return 0;
+    Py_ssize_t from = at;
+    double least = INFINITY;
+    for (Py_ssize_t near = at - reach; near <= at + reach; near++) {
+        const double bent = fabs(bend(of, near, reach));
+        if (bent < least) least = bent, from = near;
+    }
     const double within = larger_of(4 * least, of->grain);
     Py_ssize_t to = from;
     double bent = least;
     while (from > EDGE && at - from < LONGEST && fabs(bend(of, from - 1, reach)) <= within) from--;
     while (to < of->frames - EDGE && to - at < LONGEST && fabs(bend(of, to + 1, reach)) <= within) to++;
     for (Py_ssize_t inside = from; inside <= to; inside++) bent = larger_of(fabs(bend(of, inside, reach)), bent);
-    const double before = turn(of, from - 1, -1, reach, smeared), after = turn(of, to + 1, 1, reach, smeared);
+    bent = larger_of(bent, of->step);
+    const double sharpest = sharp[to - from < MANY ? to - from : MANY] * bent;
+    const double before = turn(of, from - 1, -1, reach, smeared);
+    if (before < sharpest) return 0;
+    const double after = turn(of, to + 1, 1, reach, smeared);
+    if (after < sharpest) return 0;
     found->from = from;
     found->to = to;
     found->until = to + smeared;
     found->corner = before < after ? before : after;
-    found->bent = larger_of(bent, of->step);
+    found->bent = bent;
     const double lean = fabs(height(of, to + 1) - height(of, from - 1)) / (double)(to - from + 2);
     const double lower = height(of, to + 1) < height(of, from - 1) ? height(of, to + 1) : height(of, from - 1);
     const double turned = height(of, to + reach) - height(of, to) - height(of, from) + height(of, from - reach);
@@ -151,8 +168,7 @@ static int is_stepped(const side *of, const top *found) {
 }
 
 static int is_rippled(const side *of, Py_ssize_t at, top *found) {
-    if (!straight_at(of, at, 2, SHARP_RIPPLED, found) || found->to - found->from + 1 < FEWEST_RIPPLED) return 0;
-    if (found->corner < SHARP_RIPPLED * found->bent || found->bent <= of->grain || is_square(of, found)) return 0;
+    if (!straight_at(of, at, 2, SHARP_RIPPLED, found) || found->bent <= of->grain || is_square(of, found)) return 0;
     double ripples = 0;
     for (Py_ssize_t inside = found->from; inside <= found->to; inside++)
         ripples = larger_of(fabs(bend(of, inside, 1)), ripples);
@@ -162,11 +178,7 @@ static int is_rippled(const side *of, Py_ssize_t at, top *found) {
 /* What the crest at `at` is; where it is more than a crest, `found` describes its top. */
 static int kind_of(const side *of, Py_ssize_t at, top *found) {
     int kind = CREST;
-    if (straight_at(of, at, 1, SHARP[2], found)) {
-        const Py_ssize_t inside = found->to - found->from + 1;
-        if (found->corner >= SHARP[inside < 3 ? inside - 1 : 2] * found->bent)
-            kind = is_stepped(of, found) ? STEPPED : STRAIGHT;
-    }
+    if (straight_at(of, at, 1, SHARP, found)) kind = is_stepped(of, found) ? STEPPED : STRAIGHT;
     top rippled;
     if (kind != STRAIGHT && is_rippled(of, at, &rippled)) {
         *found = rippled;
@@ -231,10 +243,14 @@ static void look_at_row(looking *on, Py_ssize_t row, Py_ssize_t patience, findin
         on->window = row * ROW / WINDOW;
     }
     if (on->looked_at < row * ROW) on->looked_at = row * ROW;
-    for (; on->looked_at < until && found->number < found->most; on->looked_at++) {
-        const Py_ssize_t at = on->looked_at;
+    if (on->looked_at >= until) return;
+    uint64_t crests = in_lanes()->crests(of->samples + row * ROW, of->sign, of->least);
+    for (; crests && found->number < found->most; crests &= crests - 1) {
+        const Py_ssize_t at = row * ROW + lowest_bit(crests);
+        if (at < on->looked_at) continue;
+        if (at >= until) break;
         const double high = height(of, at);
-        if (high < of->least || high <= height(of, at - 1) || high < height(of, at + 1)) continue;
+        on->looked_at = at + 1;
         top one;
         const int kind = kind_of(of, at, &one);
         if (kind != CREST) {
@@ -243,7 +259,7 @@ static void look_at_row(looking *on, Py_ssize_t row, Py_ssize_t patience, findin
             while (near->number && near->places[near->number - 1] >= one.from - 5 && near->kinds[near->number - 1] == CREST)
                 near->number--;
             on->known = one.to;
-            if (one.until > at) on->looked_at = one.until;
+            if (one.until > at) on->looked_at = one.until + 1;
         }
         remember(&on->near, at, high, kind);
         found->counts[2] += kind == STEPPED;
