@@ -172,6 +172,8 @@ def _longest_held(steps: NDArray[np.float64], runs: NDArray[np.int64], grain: fl
 
     Runs, shape (runs, 2), are in order and apart.
     """
+    if not len(runs):
+        return {}
     turns = np.flatnonzero(np.diff(np.concatenate(([False], steps == 0.0, [False]))))
     stretches = turns.reshape(-1, 2)
     lengths = np.diff(stretches).ravel()

@@ -18,6 +18,14 @@ LEAD = (30, 80)  # cells, 15 to 40 ms, before a click: where these are silent, t
 TAIL = 30  # cells of the sound that begins there
 BLOCK = 6  # cells, 3 ms, of which the sharpest counts as one moment
 TINY = 1e-24
+# From one cell, counted from a click, to another: close before and after it, and of each span after and before.
+_STRETCHES = np.array(
+    [
+        (1 - CLOSE - BEYOND, 1 - BEYOND),
+        (BEYOND, CLOSE + BEYOND),
+        *(stretch for span in SPANS for stretch in ((LATE, LATE + span), (-span - BEYOND, -BEYOND))),
+    ]
+)
 
 ISOLATED_DB = 35.0  # a click that stands out so far of both sides is one, wherever it is in a sound,
 FIRST_DB = 50.0  # and so far where the sound begins at it
@@ -63,12 +71,12 @@ class Heights:
         channels, count = sharpness.shape
         if not len(self._counts):
             self._counts = np.zeros((channels, self.COUNT), np.int64)
-        for channel, row in enumerate(sharpness):
-            blocks = np.maximum.reduceat(row, np.arange(0, count, BLOCK)) if count else row
-            levels = _decibels(np.square(blocks)) - self.LOWEST_DB
-            self._counts[channel] += np.bincount(
-                np.clip(levels, 0, self.COUNT - 1).astype(np.intp), minlength=self.COUNT
-            )
+        if not count:
+            return
+        levels = _decibels(np.square(_highest_of_blocks(sharpness))) - self.LOWEST_DB
+        steps = np.minimum(np.maximum(levels, 0), self.COUNT - 1).astype(np.intp)
+        for channel, row in enumerate(steps):
+            self._counts[channel] += np.bincount(row, minlength=self.COUNT)
 
     def reaching(self, level_db: float, channel: int) -> int:
         """Return the number of moments of a channel about as sharp as a level, or sharper."""
@@ -110,15 +118,27 @@ def is_isolated(around: Surroundings, heights: Heights, channel: int) -> bool:
     return over_db < TRANSIENT_DB or alike < ALIKE or nearly < NEARLY
 
 
+def _highest_of_blocks(sharpness: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the highest of each BLOCK cells, shape (channels, blocks); the last block may be shorter."""
+    channels, count = sharpness.shape
+    whole = count // BLOCK
+    blocks = np.empty((channels, -(-count // BLOCK)))
+    tops = blocks[:, :whole]
+    tops[:] = sharpness[:, : whole * BLOCK : BLOCK]
+    for place in range(1, BLOCK):  # one place of all blocks at a time: five times as fast as block by block
+        np.maximum(tops, sharpness[:, place : whole * BLOCK : BLOCK], out=tops)
+    if count % BLOCK:
+        blocks[:, whole] = sharpness[:, whole * BLOCK :].max(axis=1)
+    return blocks
+
+
 def _around(cells: Cells, places: NDArray[np.int64], cell_frames: int, channel: int) -> list[Surroundings]:
     edges, powers = cells.edges[channel], cells.squares[channel]
     sums = np.concatenate(([0.0], np.cumsum(edges)))
-
-    def mean(start: int, end: int) -> NDArray[np.float64]:
-        """Return the mean square of the sixth differences from one cell, counted from each click, to another."""
-        first, last = np.clip(places + start, 0, len(edges)), np.clip(places + end, 0, len(edges))
-        means: NDArray[np.float64] = (sums[last] - sums[first]) / ((end - start) * cell_frames)
-        return means
+    # Mean squares of the sixth differences in each stretch.
+    first = np.minimum(np.maximum(places + _STRETCHES[:, :1], 0), len(edges))
+    last = np.minimum(np.maximum(places + _STRETCHES[:, 1:], 0), len(edges))
+    before, after, *beside = (sums[last] - sums[first]) / (np.diff(_STRETCHES) * cell_frames)
 
     def highest(values: NDArray[np.float64], start: int, end: int) -> NDArray[np.float64]:
         """Return the highest value from one cell, counted from each click, to another; 0 where there is none."""
@@ -128,11 +148,11 @@ def _around(cells: Cells, places: NDArray[np.int64], cell_frames: int, channel: 
         return tops
 
     sharpest = np.square(highest(cells.sharpness[channel], -1, 2))
-    louder = [_ratios_db(mean(LATE, LATE + span), mean(-span - BEYOND, -BEYOND)) for span in SPANS]
+    louder = [_ratios_db(later, earlier) for later, earlier in zip(beside[::2], beside[1::2], strict=True)]
     columns = (
         _decibels(sharpest),
-        _ratios_db(sharpest, mean(-CLOSE - BEYOND + 1, -BEYOND + 1)),
-        _ratios_db(sharpest, mean(BEYOND, CLOSE + BEYOND)),
+        _ratios_db(sharpest, before),
+        _ratios_db(sharpest, after),
         np.maximum(*louder),
         _ratios_db(highest(powers, 0, TAIL), highest(powers, -LEAD[1], -LEAD[0])),
     )

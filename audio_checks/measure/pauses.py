@@ -42,9 +42,9 @@ class Pauses:
         if not len(block):
             return
         rows = self._survey.maxima(block).max(axis=0)
-        grains = (self._seen + ROW_FRAMES * np.arange(len(rows))) // self._grain
-        starts = np.flatnonzero(np.diff(grains, prepend=-1))
-        places = grains[starts]
+        first, last = self._seen // self._grain, (self._seen + ROW_FRAMES * (len(rows) - 1)) // self._grain
+        places = np.arange(first, last + 1)
+        starts = np.maximum(-((self._seen - places * self._grain) // ROW_FRAMES), 0)  # the first row of each grain
         self._highest[places] = np.maximum(self._highest[places], np.maximum.reduceat(rows, starts))
         self._seen += len(block)
 
