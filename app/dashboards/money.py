@@ -132,7 +132,7 @@ def milestone_sheet(session: Session, actor: Actor, milestone_id: UUID) -> schem
 
 def _blocking(session: Session, access: ProjectAccess, cue_ids: Collection[UUID]) -> list[schemas.AskedQuestion]:
     """Return the open questions that block cues; a designer sees only their own."""
-    asked = queries.questions(session, access.project.id, only_open=True, asked_by=access.only_designer_id)
+    asked = queries.open_questions(session, access.project.id, asked_by=access.only_designer_id)
     return asked_questions(access.project, [row for row in asked if row[0].blocks and row[0].cue_id in cue_ids])
 
 

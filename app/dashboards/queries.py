@@ -4,8 +4,8 @@ from collections.abc import Collection, Sequence
 from datetime import datetime
 from uuid import UUID
 
-from sqlalchemy import Row, and_, exists, func, or_, select
-from sqlalchemy.orm import Session, aliased, joinedload, selectinload
+from sqlalchemy import Row, Select, and_, exists, func, or_, select
+from sqlalchemy.orm import Session, aliased, joinedload, load_only, selectinload
 
 from app.accounts.models import Membership, Person, Studio
 from app.accounts.rules import LEAD_ROLES, Actor
@@ -26,6 +26,7 @@ from app.sound_lists.rules import CueState
 LATELY = 12
 BUILDS = 24
 WITH_OTHERS = 200  # shown at once; the oldest first
+ANSWERED = 20  # of a designer's questions; earlier answers are with their cues
 
 
 def my_projects(session: Session, person_id: UUID, studio_ids: Collection[UUID]) -> Sequence[Project]:
@@ -98,23 +99,40 @@ def current_runs(session: Session, take_ids: Collection[UUID]) -> dict[UUID, Che
     return {run.take_id: run for run in rows}
 
 
-def questions(
-    session: Session, project_id: UUID, *, asked_by: UUID | None = None, only_open: bool
+def open_questions(
+    session: Session, project_id: UUID, *, asked_by: UUID | None = None
 ) -> Sequence[Row[Question, Cue, Person]]:
-    """Return questions with their cue and asker, the oldest first."""
+    """Return the questions that wait for an answer with their cue and asker, the oldest first."""
+    query = _questions(project_id, asked_by).where(Question.answered_at.is_(None))
+    return session.execute(query).all()
+
+
+def own_questions(session: Session, project_id: UUID, asked_by: UUID) -> Sequence[Row[Question, Cue, Person]]:
+    """Return a person's open questions and those answered last, the oldest first."""
+    answered = (
+        select(Question.id)
+        .where(Question.project_id == project_id, Question.asked_by == asked_by, Question.answered_at.is_not(None))
+        .order_by(Question.answered_at.desc())
+        .limit(ANSWERED)
+    )
+    query = _questions(project_id, asked_by).where(or_(Question.answered_at.is_(None), Question.id.in_(answered)))
+    return session.execute(query).all()
+
+
+def _questions(project_id: UUID, asked_by: UUID | None) -> Select[Question, Cue, Person]:
     query = (
         select(Question, Cue, Person)
         .join(Cue, Cue.id == Question.cue_id)
         .join(Person, Person.id == Question.asked_by)
         .where(Question.project_id == project_id)
-        .options(joinedload(Question.owner))
+        .options(
+            joinedload(Question.owner),
+            load_only(Cue.id, Cue.number, Cue.name),
+            load_only(Person.id, Person.name, Person.picture_sha256),
+        )
         .order_by(Question.asked_at)
     )
-    if only_open:
-        query = query.where(Question.answered_at.is_(None))
-    if asked_by is not None:
-        query = query.where(Question.asked_by == asked_by)
-    return session.execute(query).all()
+    return query if asked_by is None else query.where(Question.asked_by == asked_by)
 
 
 def sent_changes(session: Session, take_ids: Collection[UUID]) -> Sequence[Row[ChangeRequest, int | None]]:

@@ -251,7 +251,7 @@ class Desk(Schema):
     cues: int
     unmatched: int
     checking: int
-    questions: list[AskedQuestion]
+    questions: list[AskedQuestion] = Field(description="The open ones, and the 20 that were answered last.")
 
 
 class Step(Schema):

@@ -94,7 +94,7 @@ def today(session: Session, actor: Actor, project_id: UUID) -> schemas.Today:
     project = access.project
     likes = progress_queries.cue_groups(session, project_id, project.studio_id)
     return schemas.Today(
-        questions=asked_questions(project, queries.questions(session, project_id, only_open=True)),
+        questions=asked_questions(project, queries.open_questions(session, project_id)),
         with_others=_with_others(session, project),
         builds=[_build(build) for build in queries.builds(session, project_id)],
         counts=counted(likes),

@@ -32,7 +32,7 @@ from app.sound_lists.models import Cue
 WAITING = frozenset({CueStatus.TO_REVIEW})
 BACK_CUES = 20  # of which takes that came back are answered at once, each with its findings
 CUES = 50
-STRETCH = 400  # of the list, read at once
+FIRST_STRETCH, STRETCH = 100, 400  # of the list, read at once
 
 
 class Desk:
@@ -52,7 +52,7 @@ class Desk:
         counts = counted(self._likes())
         takes = desk_queries.waiting_counts(session, project_id, designer_id)
         back, to_make, waiting = self.came_back(None), self.to_make(None), self.with_approver(None)
-        asked = queries.questions(session, project_id, only_open=False, asked_by=designer_id)
+        asked = queries.own_questions(session, project_id, designer_id)
         return schemas.Desk(
             came_back=back.items,
             came_back_next=back.next,
@@ -115,15 +115,15 @@ class Desk:
     ) -> tuple[list[ListRow], str | None]:
         """Walk the list from a place in it until a page of cues is found that stand so."""
         walked: list[ListRow] = []
-        after = place_cursor(cursor)
+        after, limit = place_cursor(cursor), FIRST_STRETCH
         while len(walked) <= CUES:
             stretch = progress_queries.list_rows(
-                self._session, self._project.id, self._designer_id, after=after, limit=STRETCH, only=only
+                self._session, self._project.id, self._designer_id, after=after, limit=limit, only=only
             )
             walked += [row for row in stretch if status_of(row) in statuses]
-            if len(stretch) < STRETCH:
+            if len(stretch) < limit:
                 break
-            after = stretch[-1].position, stretch[-1].number
+            after, limit = (stretch[-1].position, stretch[-1].number), STRETCH
         page = walked[:CUES]
         return page, cursor_of(page[-1].position, page[-1].number) if len(walked) > CUES else None
 

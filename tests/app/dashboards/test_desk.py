@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from app.dashboards import queries
 from app.deliveries.rules import TakeState
 from tests.app.reviews.making import Stage
 from tests.support.server import World
@@ -66,3 +67,16 @@ def test_a_bad_cursor_is_refused_and_strangers_see_nothing(world: World, path: s
     assert (answer.status_code, answer.json()["code"]) == (422, "bad-cursor")
     for who, status in ((world.producer, 403), (world.stranger, 404), (world.nobody, 401)):
         assert who.get(f"/v1/projects/{world.project_id}/desk/{path}").status_code == status
+
+
+def test_it_brings_every_open_question_and_the_answers_given_last(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(queries, "ANSWERED", 1)
+    url = f"/v1/cues/{Stage(world).cue('laser_fire')}/questions"
+    asked = [world.designer.post(url, json={"text": text}).json() for text in ("One?", "Two?", "Three?")]
+    for question in (asked[1], asked[0]):
+        world.producer.post(f"/v1/questions/{question['id']}/answer", json={"text": "Yes."})
+    desk = world.designer.get(f"/v1/projects/{world.project_id}/desk").json()
+    found = [(question["text"], question["answer"]) for question in desk["questions"]]
+    assert found == [("One?", "Yes."), ("Three?", None)]

@@ -256,6 +256,9 @@ interface AskedCardProps {
   cueId: string | null
 }
 
+/** Of the answered questions, the desk brings this many, the newest. */
+const ANSWERED = 20
+
 /** What was asked, what was answered, and the way to ask. */
 export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
   const [asking, setAsking] = useState(false)
@@ -301,6 +304,9 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
           </li>
         ))}
       </ul>
+      {newest.length - open >= ANSWERED && (
+        <p className="small dim p-10px-inset">Earlier answers are with their cues.</p>
+      )}
     </Card>
   )
 }

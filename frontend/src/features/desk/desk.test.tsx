@@ -165,6 +165,13 @@ describe('beside it', () => {
   })
 })
 
+test('where as many answers came as the desk brings, it says where the earlier ones are', async () => {
+  const questions = Array.from({ length: 20 }, (_, place) => ({ ...DESK.questions[0], id: `q${place}` }))
+  serve(atDesk({ 'GET /v1/projects/p1/desk': { ...DESK, questions } }))
+  openApp('/projects/p1/desk')
+  expect(await screen.findByText('Earlier answers are with their cues.')).toBeInTheDocument()
+})
+
 test('who is of the team has no desk here', async () => {
   serve(atDesk({ 'GET /v1/projects/p1/desk': refusal(403, 'designer-needed', 'only its designers have a desk') }))
   openApp('/projects/p1/desk')
