@@ -113,35 +113,47 @@ static void search_part(drawn_row *row, Py_ssize_t from, double excess, double m
     }
 }
 
-/* Search the intervals of a row part by part. */
-static void search_row(const double *samples, Py_ssize_t count, Py_ssize_t first, const interpolator *by, found *result) {
-    drawn_row row; /* not set to zero: its middles are many, and written before they are read */
-    row.samples = samples, row.first = first, row.count = count, row.known = 0;
-    double copy[TOUCHED], excesses[PARTS], kinks[PARTS];
+/* The parts of a row of `count` intervals where the curve may be higher than what is known; see `excursions`. */
+static unsigned higher_parts(const double *samples, Py_ssize_t count, const interpolator *by, double best, double *excesses,
+                             double *kinks) {
+    double copy[TOUCHED];
     const double *touched = samples + NEAR;
-    if (count < ROW) {
-        memset(copy, 0, sizeof copy);
-        touched = memcpy(copy, touched, (size_t)(count + TAPS - 1) * sizeof(double));
-    }
-    unsigned higher = in_lanes()->excursions(touched, by->bend, by->kink, result->best, excesses, kinks);
-    for (int part = 0; higher && part * PART < count; part++, higher >>= 1) {
-        if (higher & 1) search_part(&row, part * PART, excesses[part], by->missed * kinks[part], by, result);
-    }
+    if (count >= ROW) return in_lanes()->excursions(touched, by->bend, by->kink, best, excesses, kinks);
+    memset(copy, 0, sizeof copy);
+    memcpy(copy, touched, (size_t)(count + TAPS - 1) * sizeof(double));
+    const unsigned all = (1U << (count + PART - 1) / PART) - 1;
+    return in_lanes()->excursions(copy, by->bend, by->kink, best, excesses, kinks) & all;
 }
 
-/* Search `count` intervals, of which the first touches samples[0 .. REACH]; `maxima` are those of samples' rows. */
+/* Search `count` intervals, of which the first touches samples[0 .. REACH]; `maxima` are those of samples' rows. Many rows
+ * are sieved before the first part is drawn: what a sieve finds is no matter of chance for the processor then. */
 static void search(const double *samples, Py_ssize_t count, const double *maxima, const interpolator *by, found *result) {
     enum { BEFORE = (LEAD + 1) / ROW, AT_ONCE = 64 }; /* the sample after the first interval starts a row */
+    double excesses[AT_ONCE * PARTS], kinks[AT_ONCE * PARTS];
+    int parts[AT_ONCE * PARTS];
+    drawn_row row; /* not set to zero: its middles are many, and written before they are read */
     for (Py_ssize_t from = 0; from < count; from += AT_ONCE * ROW) {
         const Py_ssize_t until = count - from < AT_ONCE * ROW ? count : from + AT_ONCE * ROW;
         const double *around_all = maxima + BEFORE + from / ROW - 1;
         if (in_lanes()->highest(around_all, rows_of(until - from) + 2) * by->gain <= result->best) continue;
-        for (Py_ssize_t first = from, row = BEFORE + from / ROW; first < until; first += ROW, row++) {
-            const double beside = maxima[row - 1] > maxima[row + 1] ? maxima[row - 1] : maxima[row + 1];
-            const double around = maxima[row] > beside ? maxima[row] : beside;
-            if (around * by->gain > result->best) {
-                search_row(samples + first, count - first < ROW ? count - first : ROW, first, by, result);
+        int known = 0, doubtful = 0;
+        for (Py_ssize_t first = from; first < until; first += ROW, around_all++, known += PARTS) {
+            const double beside = around_all[0] > around_all[2] ? around_all[0] : around_all[2];
+            const double around = around_all[1] > beside ? around_all[1] : beside;
+            if (around * by->gain <= result->best) continue;
+            const unsigned higher =
+                higher_parts(samples + first, count - first, by, result->best, excesses + known, kinks + known);
+            for (int part = 0; part < PARTS; part++) parts[doubtful] = known + part, doubtful += higher >> part & 1;
+        }
+        row.first = -1;
+        for (int one = 0; one < doubtful; one++) {
+            const int part = parts[one];
+            const Py_ssize_t first = from + part / PARTS * ROW;
+            if (row.first != first) {
+                row.samples = samples + first, row.first = first, row.known = 0;
+                row.count = count - first < ROW ? count - first : ROW;
             }
+            search_part(&row, part % PARTS * PART, excesses[part], by->missed * kinks[part], by, result);
         }
     }
 }
