@@ -13,6 +13,8 @@ interface FirstListenProps {
   count: number
   target: string
   nameOf: (take: ReviewTake) => string
+  /** What the button that approves says. */
+  button?: string
   /** Why there is nothing to hear; null where there is. */
   silent: string | null
   /** The way around it; left out where a menu has it. */
@@ -20,7 +22,15 @@ interface FirstListenProps {
 }
 
 /** What an approval waits for, as long as a version was not heard; the way around it is named, and recorded. */
-export function FirstListen({ listen, count, target, nameOf, silent, onApproveUnheard }: FirstListenProps) {
+export function FirstListen({
+  listen,
+  count,
+  target,
+  nameOf,
+  button = 'Approve',
+  silent,
+  onApproveUnheard,
+}: FirstListenProps) {
   const { unheard, listening, isOver, stop } = listen
   useHotkeys([
     { keys: 'Escape', label: 'Stop', group: 'Review', unlisted: true, run: stop, disabled: listening === null },
@@ -30,7 +40,7 @@ export function FirstListen({ listen, count, target, nameOf, silent, onApproveUn
       <span aria-live="polite">
         {isOver && (
           <>
-            Heard. Press Approve <Key keys="a" /> again.
+            Heard. Press {button} <Key keys="a" /> again.
           </>
         )}
       </span>
@@ -47,14 +57,14 @@ export function FirstListen({ listen, count, target, nameOf, silent, onApproveUn
                 yet.{' '}
               </>
             )}
-            Press Approve <Key keys="a" /> again once {enoughWords(unheard, target)} played.
+            Press {button} <Key keys="a" /> again once {enoughWords(unheard, target)} played.
           </>
         ) : (
           <>
             {notHeardWords(unheard, count, nameOf)}{' '}
             {silent ?? (
               <>
-                Approve <Key keys="a" /> plays {unheard.length === 1 ? 'it' : 'them'} first.
+                {button} <Key keys="a" /> plays {unheard.length === 1 ? 'it' : 'them'} first.
               </>
             )}
           </>

@@ -602,6 +602,7 @@ export function CueRoom(props: CueRoomProps) {
                 count={toPick.length}
                 target={target}
                 nameOf={blind ? nameOf : realName}
+                button={whole ? 'Accept the set' : undefined}
                 silent={source === null && hand ? whySilent(hand, target) : null}
               />
             }

@@ -256,6 +256,7 @@ function Heard({ item, projectId, mayApprove, player, playing, verdicts, takes, 
             count={meant.length}
             target={MASTER}
             nameOf={(take) => takeName(take, cue, takes)}
+            button={whole ? 'Accept the set' : undefined}
             silent={source === null ? 'The preview is not ready yet.' : null}
             onApproveUnheard={() => approveNow()}
           />
