@@ -329,6 +329,20 @@ test('a sheet is shown row by row, and is not imported while a row has an error'
   })
 })
 
+test('a mapped column that the pasted rows no longer have is named, with those they have', async () => {
+  served({
+    'POST /v1/studios/s1/roster/import': refusal(
+      422,
+      'column-unknown',
+      'the sheet has no column "Shoe size"; it has Name, Mail',
+    ),
+  })
+  openApp('/roster/import')
+  await userEvent.click(await screen.findByRole('textbox', { name: 'Pasted rows' }))
+  await userEvent.paste('Name\tMail\nA\ta@studio.example')
+  expect(await screen.findByRole('alert')).toHaveTextContent('The sheet has no column "Shoe size"; it has Name, Mail.')
+})
+
 test('a designer sees credit, people and playlists of each project', async () => {
   const project = {
     project_id: 'p1',

@@ -259,6 +259,22 @@ test('a file goes as its bytes, and a sheet that cannot be read says why and sta
   expect(screen.getByText('sounds.xlsx')).toBeInTheDocument()
 })
 
+test('a repair of a column that the pasted rows no longer have says which, and which they have', async () => {
+  const { server } = opened(PLAN)
+  await type('Sound\tLen\tMood\ndoor_open\t1.2\tcalm')
+  const mood = await screen.findByRole('combobox', { name: 'Map Mood to' })
+  server.answers[`POST ${server.at}/sound-list/import`] = refusal(
+    422,
+    'column-unknown',
+    'the sheet has no column "Length"; it has Sound, Len, Mood',
+  )
+  await userEvent.selectOptions(mood, 'category')
+  expect(await screen.findByRole('alert')).toHaveTextContent(
+    'The sheet has no column "Length"; it has Sound, Len, Mood.',
+  )
+  expect(screen.getByRole('textbox', { name: 'Pasted rows' })).toHaveValue('Sound\tLen\tMood\ndoor_open\t1.2\tcalm')
+})
+
 test('a file that is too large is not sent', async () => {
   const { sent } = opened(PLAN)
   await screen.findByRole('textbox', { name: 'Pasted rows' })
