@@ -25,7 +25,7 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
             <UnreadDot />
             Your next step{first.since ? `, waiting ${age(first.since)}` : ''}
           </p>
-          <h2 id="next-step" className={classes.head}>
+          <h2 id="next-step" className={`wrap-anywhere ${classes.head}`}>
             {head}
           </h2>
           <p className="mid">{why}</p>
@@ -43,7 +43,7 @@ export function NextCard({ steps, projectId }: { steps: readonly NextStep[]; pro
                 <Link
                   to={words.path as LinkProps['to']}
                   data-stop
-                  className={`grow flex wrap items-baseline ${classes.other}`}
+                  className={`grow flex wrap items-baseline gap-0-3 min-h-24px ${classes.other}`}
                 >
                   <span className="strong">{words.head}</span> <span className="small mid">{words.why}</span>
                 </Link>

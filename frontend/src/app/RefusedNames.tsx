@@ -11,8 +11,6 @@ import { Refusal } from '@/ui/Refusal'
 import { plural } from '@/ui/format'
 import { Icon } from '@/ui/Icon'
 
-import classes from './RefusedNames.module.css'
-
 export type RefusedNames = components['schemas']['RefusedNames']
 
 const SHOWN = 5
@@ -31,7 +29,7 @@ export function RefusedNamesList({ refused, children }: { refused: RefusedNames;
   if (names.length === 0) return null
   const isSingle = names.length === 1
   return (
-    <section className={`grid gap-2 ${classes.note}`} aria-label="File names that the spec refuses">
+    <section className="grid gap-2 p-3-4 border-line-2 rounded-l" aria-label="File names that the spec refuses">
       <p className="row wrap">
         <span className="tone-warn toned">
           <Icon name="triangle" />

@@ -27,7 +27,7 @@ export function useOpenSample(studioId: string) {
 export function SampleOffer({ studioId }: { studioId: string }): ReactNode {
   const open = useOpenSample(studioId)
   return (
-    <aside className={classes.offer} aria-label="Sample project">
+    <aside className={`rounded ${classes.offer}`} aria-label="Sample project">
       <span className="mid">Look first? The sample has 24 sounds, a brief and a delivery to review.</span>
       <Button aria-busy={open.isPending} onClick={() => open.mutate()}>
         Open sample

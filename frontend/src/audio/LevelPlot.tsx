@@ -30,7 +30,7 @@ interface LevelWellProps {
 /** Where levels are drawn, from 0 dB at the top; its lines are named at the right. */
 export function LevelWell({ linesDb, floorDb, tall, children }: LevelWellProps) {
   return (
-    <div className={`bg-well overflow-hidden relative ${classes.well}`} data-tall={tall || undefined}>
+    <div className={`bg-well overflow-hidden relative border rounded ${classes.well}`} data-tall={tall || undefined}>
       {children}
       {linesDb.map((db) => (
         <span key={db} className={classes.db} style={{ top: `${(db / floorDb) * 100}%` }} aria-hidden="true">
@@ -58,7 +58,7 @@ export function LevelPlot({ draw, frequencies, tall = false, children, caption }
         <Drawing draw={draw} />
         {children}
       </LevelWell>
-      <div className={classes.hz} aria-hidden="true">
+      <div className={`relative dim ${classes.hz}`} aria-hidden="true">
         {frequencies.map(({ hz, at, label, wideOnly }) => (
           <span
             key={hz}

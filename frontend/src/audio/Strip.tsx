@@ -28,12 +28,12 @@ function Strip({
   return (
     <div
       ref={ref}
-      className={`bg-well flex-none overflow-hidden relative ${classes.strip}`}
+      className={`bg-well flex-none overflow-hidden relative border rounded ${classes.strip}`}
       style={{ height: heightPx }}
     >
       {children}
-      <span className={classes.playhead} />
-      <span className={classes.name}>{name}</span>
+      <span className={`absolute bottom-0 ${classes.playhead}`} />
+      <span className={`mid ${classes.name}`}>{name}</span>
     </div>
   )
 }
@@ -41,7 +41,7 @@ function Strip({
 function Figure({ share, children }: { share: number; children: string }) {
   const edge = share < 0.12 ? { top: 4 } : share > 0.88 ? { bottom: 4 } : { top: `calc(${share * 100}% - 7px)` }
   return (
-    <span className={classes.figure} style={edge} aria-hidden="true">
+    <span className={`dim ${classes.figure}`} style={edge} aria-hidden="true">
       {children}
     </span>
   )

@@ -39,13 +39,13 @@ export function TakeCard({ letter, keys, peaks, inHand, setAside, blind, facts =
         {letter}
         {keys && <Key keys={keys} />}
       </span>
-      <span className={classes.inside}>
+      <span className={`min-w-0 ${classes.inside}`}>
         {blind ? (
-          <span className={classes.hidden} />
+          <span className={`block ${classes.hidden}`} />
         ) : (
           <WaveThumb peaks={peaks} highlighted={inHand} faded={setAside} heightPx={30} />
         )}
-        <span className={`flex between gap-2 mid nowrap ${classes.facts}`}>
+        <span className={`flex between gap-2 mid nowrap text-small leading-small ${classes.facts}`}>
           {setAside ? (
             <span className="dim">
               <Icon name="turn" size={14} /> set aside

@@ -25,7 +25,7 @@ export function WaveThumb({ peaks, highlighted = false, faded = false, heightPx 
     },
     [peaks, highlighted],
   )
-  if (peaks === null) return <span className={classes.nothing} aria-hidden="true" />
+  if (peaks === null) return <span className={`block rounded-2px ${classes.nothing}`} aria-hidden="true" />
   return (
     <span className="block min-w-0" style={{ height: heightPx, opacity: faded ? 0.55 : undefined }}>
       <Drawing draw={draw} />

@@ -99,11 +99,11 @@ export function Waveform(props: WaveformProps) {
   useAt(rootRef, durationS, playheadS, clock)
 
   return (
-    <div ref={rootRef} className={classes.root} data-fill={heightPx === undefined || undefined}>
+    <div ref={rootRef} className={`min-w-0 ${classes.root}`} data-fill={heightPx === undefined || undefined}>
       {findings.length > 0 && (
         <FindingsLane findings={findings} durationS={durationS} width={width} narrow={narrow} onMark={props.onMark} />
       )}
-      <div className={`bg-well overflow-hidden relative ${classes.well}`} style={{ height: heightPx }}>
+      <div className={`bg-well overflow-hidden relative border rounded ${classes.well}`} style={{ height: heightPx }}>
         <Shape {...props} stepS={plain ? undefined : stepS} />
         {props.selection && <span className={classes.selection} style={spanStyle(props.selection, durationS)} />}
         {findings.map(
@@ -111,7 +111,7 @@ export function Waveform(props: WaveformProps) {
             mark.startS !== undefined && (
               <span
                 key={mark.id}
-                className={`${classes.flag} tone-${SEVERITY_LOOK[mark.severity].tone}`}
+                className={`absolute bottom-0 ${classes.flag} tone-${SEVERITY_LOOK[mark.severity].tone}`}
                 style={spanStyle({ startS: mark.startS, endS: mark.endS ?? mark.startS }, durationS)}
               />
             ),
@@ -121,7 +121,7 @@ export function Waveform(props: WaveformProps) {
         )}
         {!plain && <Scale limitDbfs={props.limitDbfs} />}
         <Slider {...props} label={label} />
-        {!props.still && <span className={classes.playhead} />}
+        {!props.still && <span className={`absolute bottom-0 ${classes.playhead}`} />}
         {comments.length > 0 && (
           <Pins
             comments={comments}
@@ -173,7 +173,7 @@ function Scale({ limitDbfs }: { limitDbfs?: number }) {
       {lines.map((db) => (
         <span
           key={db}
-          className={`wide-only ${classes.scale}`}
+          className={`wide-only absolute rounded-2px bg-well dim ${classes.scale}`}
           style={{ top: `calc(50% - (50% - ${PAD_PX}px) * ${amplitudeOf(db).toFixed(4)} - 7px)` }}
         >
           {figure(db, Number.isInteger(db) ? 0 : 1)}
@@ -186,7 +186,7 @@ function Scale({ limitDbfs }: { limitDbfs?: number }) {
 function Ruler({ durationS, stepS, width }: { durationS: number; stepS: number; width: number }) {
   const ticks = ticksOf(durationS, stepS, width)
   return (
-    <div className={classes.ruler} aria-hidden="true">
+    <div className={`relative dim ${classes.ruler}`} aria-hidden="true">
       {ticks.map(({ atS, text }, index) => (
         <span
           key={text}
@@ -233,20 +233,20 @@ function FindingsLane({
         <button
           type="button"
           key={item.id}
-          className={`inline-flex items-center ${classes.label} tone-${SEVERITY_LOOK[item.severity].tone}`}
+          className={`inline-flex items-center absolute min-h-24px border-0 rounded-s text-small leading-small nowrap pointer ${classes.label} tone-${SEVERITY_LOOK[item.severity].tone}`}
           style={{ left: leftPx, top: lane * 26, maxWidth: width || undefined }}
           onClick={() => onMark?.(spotOf(item.startS ?? 0), item)}
         >
           <Icon name={SEVERITY_LOOK[item.severity].icon} size={14} />
           {item.label}
-          {item.more && <span className={`wide-only ${classes.more}`}>{item.more}</span>}
+          {item.more && <span className={`wide-only dim ${classes.more}`}>{item.more}</span>}
           {item.startS !== undefined && <span className="visually-hidden">, at {placeInWords(item.startS)}</span>}
         </button>
       ))}
       {layout.moreAt && (
         <button
           type="button"
-          className={`inline-flex items-center ${classes.label} ${classes.rest}`}
+          className={`inline-flex items-center absolute min-h-24px border-0 rounded-s text-small leading-small nowrap pointer ${classes.label} ${classes.rest}`}
           style={{ left: layout.moreAt.leftPx, top: layout.moreAt.lane * 26 }}
           onClick={() => setAll(true)}
         >
@@ -285,7 +285,7 @@ function Pins({
         <button
           type="button"
           key={item.id}
-          className={`grid pointer strong ${classes.pin}`}
+          className={`grid pointer strong absolute p-0 bg-raised ink ${classes.pin}`}
           data-range={item.endS !== undefined || undefined}
           aria-pressed={item.id === open}
           aria-label={
@@ -307,7 +307,7 @@ function Pins({
       {layout.moreAt && (
         <button
           type="button"
-          className={`grid pointer strong ${classes.pin}`}
+          className={`grid pointer strong absolute p-0 bg-raised ink ${classes.pin}`}
           style={{ left: layout.moreAt.leftPx, bottom: 4 + layout.moreAt.lane * 27 }}
           aria-label={plural(layout.hidden.length, 'more comment')}
           onClick={() => setAll(true)}

@@ -62,7 +62,7 @@ export function FixPanel(props: FixPanelProps) {
             </Button>
           )}
           {actions}
-          <span className={`small mid ${classes.follows}`}>
+          <span className={`small mid flex-1 num ${classes.follows}`}>
             {isMade && mayUse ? describeNextStep(fix, take.number) : follows}
           </span>
         </div>

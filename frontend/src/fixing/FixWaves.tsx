@@ -41,8 +41,8 @@ export function FixWaves({ before, fix, sound, fixing, player, findings, limitDb
   ].filter(({ startS, endS }) => endS > startS)
   return (
     <div className={`grid gap-6px ${classes.waves}`}>
-      <div className={`grid items-end gap-10px ${classes.line}`}>
-        <p className={classes.side}>
+      <div className={`grid items-end gap-10px narrow-grid-cols-1 ${classes.line}`}>
+        <p className={`grid text-small leading-small ${classes.side}`}>
           Original <span className="dim">{length(before.durationS)}</span>
         </p>
         <Waveform
@@ -61,8 +61,8 @@ export function FixWaves({ before, fix, sound, fixing, player, findings, limitDb
           plain
         />
       </div>
-      <div className={`grid items-end gap-10px ${classes.line}`}>
-        <p className={classes.side}>
+      <div className={`grid items-end gap-10px narrow-grid-cols-1 ${classes.line}`}>
+        <p className={`grid text-small leading-small ${classes.side}`}>
           Fixed <span className="dim">{length(fixedS)}</span>
         </p>
         <div style={{ marginLeft: share(headS, before.durationS), width: share(fixedS, before.durationS) }}>

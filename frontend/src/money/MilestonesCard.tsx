@@ -35,11 +35,11 @@ export function MilestonesCard({ contracts, projectId, side, end = 'by accepted 
       <CardHead id={id} title="Milestones" end={end} />
       <ul aria-labelledby={id}>
         {rows.map(({ milestone, currency, slip }) => (
-          <li key={milestone.id} className={`grid items-center ${classes.milestone}`}>
+          <li key={milestone.id} className={`grid items-center border-b ${classes.milestone}`}>
             <Link className="link strong" to={`/projects/${projectId}/milestones/${milestone.id}` as LinkProps['to']}>
               {milestone.name}
             </Link>
-            <span className={classes.progress} aria-hidden="true">
+            <span className={`overflow-hidden ${classes.progress}`} aria-hidden="true">
               <span style={{ width: `${(100 * milestone.accepted) / Math.max(1, milestone.wanted)}%` }} />
             </span>
             <span className="num">

@@ -38,12 +38,12 @@ export function MoneyLine({ figures, currency, side, wouldOweMinor = 0, projectI
         )}
       </div>
       <div>
-        <div className={`flex gap-2px ${classes.bar}`} aria-hidden="true">
+        <div className={`flex gap-2px overflow-hidden ${classes.bar}`} aria-hidden="true">
           {parts.map(
             ({ name, minor, look }) => minor > 0 && <span key={name} className={look} style={{ flexGrow: minor }} />,
           )}
         </div>
-        <ul className={`small flex wrap ${classes.legend}`}>
+        <ul className={`small flex wrap mt-2 ${classes.legend}`}>
           {parts.map(
             ({ name, minor, look }) =>
               (minor !== 0 || name !== 'Saved by cuts') && (

@@ -58,7 +58,7 @@ function Owed({ contract, projectId }: { contract: ContractMoney; projectId: str
       <div className="grid gap-1 p-3-inset">
         <p className={classes.figure}>{money(figures.due_minor, currency)}</p>
         {sumsOf(contract).map(({ text, minor }) => (
-          <p key={text} className={`grid wrap-anywhere ${classes.sum}`}>
+          <p key={text} className="grid wrap-anywhere grid-cols-1-auto gap-0-3">
             <span className="mid">{text}</span> <span>{amount(minor, currency)}</span>
           </p>
         ))}

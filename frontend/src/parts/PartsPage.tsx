@@ -70,7 +70,7 @@ export function PartsPage() {
 
   return (
     <div className="page">
-      <div className={`flex wrap items-center between gap-2-4 ${classes.top}`}>
+      <div className="flex wrap items-center between gap-2-4 mb-4">
         <h1>Parts</h1>
         <KeysLine
           keys={[
@@ -119,7 +119,7 @@ function Panel({ title, children }: { title: string; children: ReactNode }) {
 function States() {
   return (
     <Panel title="States: icon, word, colour; resting states keep a quiet word">
-      <div className={`grid items-center ${classes.chips}`}>
+      <div className={`grid items-center justify-items-start ${classes.chips}`}>
         {(Object.keys(STATES) as StateKind[]).map((kind) => (
           <StatusBadge
             key={kind}
@@ -287,7 +287,7 @@ function Reasons() {
   )
   return (
     <Panel title="Request a change: one key for the reason">
-      <div className={classes.reasons}>
+      <div className={`grid grid-cols-1fr-1fr ${classes.reasons}`}>
         {REASONS.map((label, index) => (
           <span key={label} className={index === reason ? 'row strong' : 'row'}>
             <Key keys={`${index + 1}`} />

@@ -107,7 +107,7 @@ export function Stage() {
       />
       <SpectrumStrip spectrogram={spectrogram ?? null} durationS={take.durationS} clock={player} />
       <LevelStrip peaks={take.peaks} durationS={take.durationS} clock={player} />
-      <div className={`row ${classes.transport}`}>
+      <div className={`row p-1-0 overflow-x-auto ${classes.transport}`}>
         <Button
           square
           icon={state.status === 'playing' ? 'pause' : 'play'}

@@ -42,7 +42,7 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
   const act = (label: string, run: () => void, inside: ReactNode) => (
     <button
       type="button"
-      className={`grid pointer overflow-hidden relative w-full ${classes.th}`}
+      className={`grid pointer overflow-hidden relative w-full p-0 border-line-2 rounded bg-surface ink font-inherit ${classes.th}`}
       aria-label={`${label} ${title}${excerpt && `: ${excerpt}`}`}
       onClick={run}
     >
@@ -65,7 +65,7 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
         return act(
           'Download',
           download,
-          <span className={`mid wrap-anywhere ${classes.words}`}>
+          <span className="mid wrap-anywhere p-3 text-small leading-small">
             {version.preview === 'pending' ? 'The preview is being made.' : `No preview: ${version.problem}.`}
           </span>,
         )
@@ -81,14 +81,16 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
           return act(
             'Download',
             download,
-            <span className={`mid wrap-anywhere ${classes.words}`}>This browser can’t play it.</span>,
+            <span className="mid wrap-anywhere p-3 text-small leading-small">This browser can’t play it.</span>,
           )
         }
         if (!isPlaying) return act('Play', () => opened(() => setPlaying(true)), sign)
         // What was sent comes as it is, without captions.
         /* eslint-disable jsx-a11y/media-has-caption */
         return (
-          <div className={`grid pointer overflow-hidden relative w-full ${classes.th}`}>
+          <div
+            className={`grid pointer overflow-hidden relative w-full p-0 border-line-2 rounded bg-surface ink font-inherit ${classes.th}`}
+          >
             {version.kind === 'video' ? <video {...played} /> : <audio {...played} />}
           </div>
         )
@@ -96,7 +98,7 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
       case 'link':
         return (
           <a
-            className={`grid pointer overflow-hidden relative w-full ${classes.th}`}
+            className={`grid pointer overflow-hidden relative w-full p-0 border-line-2 rounded bg-surface ink font-inherit ${classes.th}`}
             href={version.url ?? undefined}
             target="_blank"
             rel="noreferrer noopener"
@@ -111,7 +113,7 @@ export function ReferenceTile({ reference, onShow, plays = false, children }: Re
     }
   }
   return (
-    <article className={`grid gap-2 ${classes.tile}`} aria-label={title} data-reference={reference.id}>
+    <article className={`grid gap-2 min-w-0 ${classes.tile}`} aria-label={title} data-reference={reference.id}>
       {shown()}
       <div className="grid content-start gap-2px min-w-0 wrap-anywhere">
         <p className="strong">{title}</p>

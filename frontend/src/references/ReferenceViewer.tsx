@@ -61,7 +61,7 @@ function Text({ reference }: { reference: Reference }) {
     <>
       {/* Focusable, so that a long text can be scrolled without a pointer. */}
       {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-      <div className={classes.text} tabIndex={0} role="region" aria-label="Text">
+      <div className={`pre-wrap wrap-anywhere ${classes.text}`} tabIndex={0} role="region" aria-label="Text">
         {text ?? version.excerpt}
       </div>
       {(version.file_bytes ?? 0) > TEXT_BYTES && <p className="small dim">Only the beginning is shown.</p>}

@@ -68,7 +68,7 @@ function WordButton({ word, reference, heard, onHear }: WordButtonProps) {
   return (
     <button
       type="button"
-      className={` ${classes.word}`}
+      className={`p-0 border-0 bg-none pointer ${classes.word}`}
       aria-expanded={isHeard}
       aria-label={`Hear “${word}”`}
       title={reference.caption}

@@ -12,7 +12,9 @@ interface SourcesTextProps {
 export function SourcesText({ words, openPoints }: SourcesTextProps) {
   return (
     <>
-      <p className={words === null ? 'mid' : classes.words}>{words === null ? 'Not stated yet.' : `${words}.`}</p>
+      <p className={words === null ? 'mid' : `wrap-anywhere ${classes.words}`}>
+        {words === null ? 'Not stated yet.' : `${words}.`}
+      </p>
       {words !== null && openPoints.length > 0 && (
         <ul className="" aria-label="Open points">
           {openPoints.map((point) => (

@@ -23,7 +23,7 @@ export function CardHead({ title, id, count, note, end }: CardHeadProps) {
     <header className={`flex wrap items-center gap-0-2 border-b ${classes.head}`}>
       <h2 id={id}>{title}</h2>
       {count !== undefined && <Count of={count} />}
-      {note && <span className={`min-w-0 nowrap ${classes.note}`}>{note}</span>}
+      {note && <span className={`min-w-0 nowrap overflow-hidden text-ellipsis ${classes.note}`}>{note}</span>}
       {end && <span className={`row end nowrap ${classes.end}`}>{end}</span>}
     </header>
   )

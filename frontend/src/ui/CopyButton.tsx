@@ -46,7 +46,7 @@ export function CopyButton({ text, what, className, ...button }: CopyButtonProps
       {state.kind === 'refused' && (
         <textarea
           ref={field}
-          className={`bg-raised min-w-0 w-full ${classes.field}`}
+          className={`bg-raised min-w-0 w-full font-mono text-small border rounded ${classes.field}`}
           readOnly
           rows={Math.min(4, state.text.split('\n').length)}
           aria-label="Text to copy"

@@ -16,7 +16,7 @@ interface EmptyStateProps {
 export function EmptyState({ head, level = 2, children, action }: EmptyStateProps) {
   const Head = `h${level}` as const
   return (
-    <div className={classes.empty}>
+    <div className={`rounded ${classes.empty}`}>
       <Head className={level === 1 ? 'title' : undefined}>{head}</Head>
       {children && <p className="mid">{children}</p>}
       {action && <div className={`flex wrap items-center gap-2-4 ${classes.action}`}>{action}</div>}

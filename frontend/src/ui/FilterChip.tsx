@@ -24,8 +24,8 @@ export function FilterChip({ kind, children, count, pressed, onPress }: FilterCh
       onClick={onPress}
     >
       {face && <Icon name={face.icon} />}
-      <span className={face && !('resting' in face) ? classes.word : undefined}>{children ?? face?.word}</span>{' '}
-      <span className={classes.count}>{count}</span>
+      <span className={face && !('resting' in face) ? 'toned' : undefined}>{children ?? face?.word}</span>{' '}
+      <span className="ink">{count}</span>
     </button>
   )
 }

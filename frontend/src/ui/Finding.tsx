@@ -22,7 +22,7 @@ export function Finding({ severity, head, where, children, actions }: FindingPro
   return (
     <article className={`${classes.finding} tone-${tone}`} aria-label={head}>
       <header className="flex items-baseline gap-6px">
-        <span className={classes.icon}>
+        <span className={`flex ${classes.icon}`}>
           <Icon name={icon} />
         </span>
         <span className="strong toned">

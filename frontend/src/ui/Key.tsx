@@ -6,7 +6,7 @@ export function Key({ keys }: { keys: string }) {
   return (
     <>
       {capsOf(keys).map((cap, index) => (
-        <kbd key={index} className={`mid nowrap ${classes.key}`} aria-hidden="true">
+        <kbd key={index} className={`mid nowrap flex-none rounded-s ${classes.key}`} aria-hidden="true">
           {cap}
         </kbd>
       ))}

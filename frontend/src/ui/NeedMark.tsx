@@ -8,7 +8,7 @@ export type Need = 'must' | 'should' | 'wish'
 export function NeedMark({ need, children = need }: { need: Need; children?: ReactNode }) {
   return (
     <span className="inline-flex items-center gap-6px">
-      <i className={classes.mark} data-need={need} aria-hidden="true" />
+      <i className={`flex-none rounded-2px ${classes.mark}`} data-need={need} aria-hidden="true" />
       {children}
     </span>
   )

@@ -19,7 +19,7 @@ export function NeedSums({ sums }: { sums: readonly NeedSum[] }) {
         return (
           <li key={need}>
             <NeedMark need={need} />
-            <span className={classes.bar} aria-hidden="true">
+            <span className={`inline-flex ${classes.bar}`} aria-hidden="true">
               <Meter thin label={words} whole={cues} parts={[{ value: accepted, tone: 'ok' }]} />
             </span>
             {words}

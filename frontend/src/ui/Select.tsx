@@ -8,7 +8,9 @@ interface SelectProps extends ComponentProps<'select'> {
 
 /** A choice among few, as the browser opens it. */
 export function Select({ label, ...rest }: SelectProps) {
-  const choice = <select {...rest} className={classes.select} />
+  const choice = (
+    <select {...rest} className={`min-h-28px border-edge rounded bg-raised ink font-inherit ${classes.select}`} />
+  )
   if (label === undefined) return choice
   return (
     <label className={`grid gap-1 ${classes.labelled}`}>

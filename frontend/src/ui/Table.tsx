@@ -99,7 +99,7 @@ interface ListTableProps<T> extends Omit<TableProps<T>, 'rows' | 'rowClass'> {
 /** Dense rows of 26 px with hairlines; two lines a row on a narrow screen. The keys of the page move the selection. */
 export function ListTable<T>({ label, columns, groups, keyOf, selected, onSelect }: ListTableProps<T>) {
   return (
-    <table className={`bg-raised overflow-hidden ${classes.table}`} aria-label={label}>
+    <table className={`bg-raised overflow-hidden border rounded-l ${classes.table}`} aria-label={label}>
       <colgroup>
         {columns.map(({ id, width }, at) => (
           <col key={id ?? at} style={{ width }} />

@@ -2,5 +2,5 @@ import classes from './UnreadDot.module.css'
 
 /** The orange dot before what comes first. */
 export function UnreadDot() {
-  return <span className={classes.dot} aria-hidden="true" />
+  return <span className={`flex-none ${classes.dot}`} aria-hidden="true" />
 }

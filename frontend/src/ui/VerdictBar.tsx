@@ -16,11 +16,11 @@ interface VerdictBarProps {
 /** Where a verdict is given: who decides and what it costs at the left, the actions at the right. */
 export function VerdictBar({ who, follows, children, above }: VerdictBarProps) {
   return (
-    <section aria-label="Verdict" className={classes.bar}>
-      {above && <div className={classes.above}>{above}</div>}
+    <section aria-label="Verdict" className={`bg-surface ${classes.bar}`}>
+      {above && <div className={`border-b narrow-p-3 ${classes.above}`}>{above}</div>}
       {children && (
         <div className={`flex wrap items-center ${classes.line}`}>
-          <div className={`flex wrap items-baseline ${classes.says}`}>
+          <div className={`flex wrap items-baseline min-w-0 ${classes.says}`}>
             <p className="strong">{who}</p>
             {follows && <p className="small mid">{follows}</p>}
           </div>

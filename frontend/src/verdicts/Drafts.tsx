@@ -64,7 +64,7 @@ export function Drafts({ projectId, mayApprove, onAsk }: DraftsProps) {
         ))}
       </ul>
       {mayApprove && drafts.length > 0 && (
-        <div className={`grid gap-2 border-t p-3-4 ${classes.foot}`}>
+        <div className={`grid gap-2 border-t p-3-4 sticky bottom-0 bg-surface ${classes.foot}`}>
           {asking && (
             <>
               <p className="small mid">{roundsOf(drafts)} You can’t undo sending.</p>
@@ -111,7 +111,7 @@ function DraftLine({ draft, heldBack, onDrop }: { draft: ChangeRequest; heldBack
   const where = spot(draft.start_s, draft.end_s)
   const name = nameOf(draft)
   return (
-    <li className={`grid items-start gap-0-2 ${classes.row}`}>
+    <li className={`grid items-start gap-0-2 grid-cols-1-auto p-2-4 border-b ${classes.row}`}>
       <span className="cut-text">
         <span className="strong">{name}</span> <span className="small dim">version {draft.number}</span>
       </span>

@@ -79,7 +79,7 @@ export function MentionList({ takeId, field, text, onText }: MentionsProps) {
       id={listId}
       role="listbox"
       aria-label="People to mention"
-      className={`bg-raised overflow-hidden ${classes.list}`}
+      className={`bg-raised overflow-hidden mt-1 border-edge rounded ${classes.list}`}
     >
       {options.map((person, index) => (
         <div
@@ -87,7 +87,7 @@ export function MentionList({ takeId, field, text, onText }: MentionsProps) {
           id={`${listId}-${index}`}
           role="option"
           aria-selected={index === at}
-          className={`row hover ${classes.option}`}
+          className={`row hover min-h-28px pointer ${classes.option}`}
           onPointerDown={(event) => {
             event.preventDefault() // the field keeps the focus
             choose(person)

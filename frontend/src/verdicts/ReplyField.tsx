@@ -39,7 +39,7 @@ export function ReplyField({ takeId, to, draftKey, onSend, onClose }: ReplyField
   }
   return (
     <div>
-      <div className={`flex gap-2 ${classes.reply}`}>
+      <div className={`flex gap-2 mt-1 ${classes.reply}`}>
         <SendField
           ref={field}
           aria-label={`Reply to ${to}`}

@@ -122,12 +122,12 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
 
   return (
     <>
-      <div className={`row ${classes.field}`}>
+      <div className={`row border-b ${classes.field}`}>
         <Icon name="search" />
         <input
           ref={input}
           data-autofocus
-          className={`flex-1 min-w-0 ${classes.input}`}
+          className={`flex-1 min-w-0 border-0 bg-none ${classes.input}`}
           role="combobox"
           aria-label="Search or run a command"
           aria-expanded={lines.length > 0}
@@ -158,7 +158,7 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
           Esc<span className="visually-hidden"> closes</span>
         </button>
       </div>
-      <div role="listbox" id={listId} aria-label="Results" className={classes.list}>
+      <div role="listbox" id={listId} aria-label="Results" className={`overflow-y-auto ${classes.list}`}>
         {sections.map((section) => (
           <div role="group" aria-label={section.title} key={section.title}>
             <p className={`${classes.heading} micro dim`} aria-hidden="true">
@@ -177,7 +177,7 @@ function PaletteBody({ onClose }: { onClose: () => void }) {
           </div>
         ))}
       </div>
-      <p role="status" className={lines.length > 0 ? 'visually-hidden' : `${classes.nothing} mid`}>
+      <p role="status" className={lines.length > 0 ? 'visually-hidden' : 'p-14px mid'}>
         {lines.length > 0
           ? plural(lines.length, 'result')
           : asking
@@ -205,7 +205,7 @@ function PaletteLine({ id, line, selected, onPoint, onAct }: PaletteLineProps) {
       role="option"
       tabIndex={-1}
       aria-selected={selected}
-      className={`flex items-center gap-10px ${classes.line}`}
+      className={`flex items-center gap-10px pointer narrow-min-h-44px ${classes.line}`}
       onMouseMove={onPoint}
       onClick={onAct}
     >

@@ -18,7 +18,7 @@ export function GuestFrame({ children = <Outlet /> }: { children?: ReactNode }) 
   useHotkeys([{ keys: '?', label: 'Keyboard shortcuts', group: 'Everywhere', run: () => setShowingKeys(true) }])
   return (
     <>
-      <header className={`${classes.head} items-center gap-4 ${classes.bar}`}>
+      <header className={`sticky ${classes.head} items-center gap-4 bg-surface border-b ${classes.bar}`}>
         <ShellLink path="/" className={`flex items-center gap-10px ${classes.mark}`} aria-label="Soundlist home">
           <Mark />
           <span className="strong">Soundlist</span>

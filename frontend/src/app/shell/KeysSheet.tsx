@@ -20,7 +20,7 @@ export function KeysSheet({ opened, onClose }: { opened: boolean; onClose: () =>
   }
   return (
     <Dialog title="Keyboard shortcuts" opened={opened} onClose={onClose} size={620}>
-      <div className={classes.groups}>
+      <div className={`grid ${classes.groups}`}>
         {[...groups].map(([group, keys]) => (
           <section key={group} aria-label={group}>
             <h3>{group}</h3>

@@ -28,7 +28,7 @@ export function Root() {
 
   return (
     <>
-      <a className={classes.skip} href="#main">
+      <a className={`rounded ${classes.skip}`} href="#main">
         Skip to content
       </a>
       <Outlet />

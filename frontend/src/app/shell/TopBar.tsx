@@ -29,8 +29,8 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
   const home = homeOf(pathname, data)
   const area = areas.find(({ id }) => id === home?.area)
   return (
-    <header className={classes.head}>
-      <div className={`items-center gap-4 ${classes.bar}`}>
+    <header className={`sticky ${classes.head}`}>
+      <div className={`items-center gap-4 bg-surface border-b ${classes.bar}`}>
         <ShellLink
           path={inBar[0]?.path ?? '/'}
           className={`flex items-center gap-10px ${classes.mark}`}
@@ -79,7 +79,7 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
         <button type="button" className={classes.find} aria-keyshortcuts="Control+K Meta+K" onClick={onFind}>
           <Icon name="search" />
           <span className={classes.findWords}>Search or do</span>
-          <kbd className={`end mid ${classes.findKeys}`} aria-hidden="true">
+          <kbd className={`end mid rounded-s ${classes.findKeys}`} aria-hidden="true">
             {findKeys}
           </kbd>
         </button>
@@ -95,7 +95,7 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
         )}
         <AccountMenuTrigger data={data} onKeys={onKeys} />
       </div>
-      <div className={`flex items-center gap-3 ${classes.sub}`}>
+      <div className={`flex items-center gap-3 bg-surface border-b ${classes.sub}`}>
         {area && (
           <nav className={`flex gap-2px ${classes.pages}`} aria-label={`Pages of ${area.label}`}>
             {area.pages.map(({ label, path, count }) => (

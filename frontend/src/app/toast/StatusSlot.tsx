@@ -26,7 +26,7 @@ export function StatusSlot() {
       data-filled={isLate || toast !== null || undefined}
     >
       {isLate && (
-        <span className={`row ${classes.sending}`}>
+        <span className={`row dim text-small nowrap ${classes.sending}`}>
           <span className="ring" aria-hidden="true" />
           {isSendingLate ? 'Sending…' : 'Loading…'}
         </span>
@@ -62,7 +62,7 @@ function ToastLine({ toast }: { toast: Toast }) {
     // Pointing at it or progress in it stops its clock; there is nothing to press on the line itself.
     // eslint-disable-next-line jsx-a11y/no-static-element-interactions
     <div
-      className={`row on-ink overflow-hidden relative ${classes.toast}`}
+      className={`row on-ink overflow-hidden relative min-w-0 min-h-28px rounded text-small leading-small narrow-min-h-44px ${classes.toast}`}
       data-held={held || undefined}
       onMouseEnter={() => setHeld(true)}
       onMouseLeave={() => setHeld(false)}
@@ -84,7 +84,7 @@ function ToastLine({ toast }: { toast: Toast }) {
         aria-label="Close"
         onClick={() => dismissToast(toast.id)}
       />
-      <span className={classes.line} style={{ animationDuration: `${TOAST_MS}ms` }} />
+      <span className={`absolute bottom-0 w-full ${classes.line}`} style={{ animationDuration: `${TOAST_MS}ms` }} />
     </div>
   )
 }

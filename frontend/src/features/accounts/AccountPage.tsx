@@ -43,12 +43,12 @@ export function AccountPage() {
         {me.person.name}, {me.email}
       </p>
       {requiredBy.length > 0 && (
-        <p role="status" className={`mt-4 p-3-4 ${classes.required}`}>
+        <p role="status" className={`mt-4 p-3-4 border ${classes.required}`}>
           <span className="strong">{`${requiredBy.join(', ')}: a second factor is required.`}</span> Set one up below;
           then the studio’s pages open.
         </p>
       )}
-      <div className={`grid items-start gap-4 ${classes.cards}`}>
+      <div className={`grid items-start gap-4 mt-4 ${classes.cards}`}>
         <NameCard me={me} />
         <PictureCard me={me} />
         {session?.demo !== true && <AddressCard me={me} />}

@@ -9,7 +9,6 @@ import { Select } from '@/ui/Select'
 
 import { type AccessKind, type DepartureItem, type Member, type Role, useDeparture, usePeople } from './api'
 import { CardProblem } from './CardProblem'
-import classes from './Studio.module.css'
 
 const KINDS: Record<DepartureItem['kind'], string> = {
   approver: 'Approver of the project',
@@ -125,7 +124,7 @@ export function DepartureDialog(props: DepartureDialogProps) {
       )}
       {leaves && (
         <Checkbox.Group value={keep} onChange={setKeep} aria-label="What goes on in your name">
-          <div className={`grid gap-2 ${classes.roles}`}>
+          <div className="grid gap-2 mt-1">
             {KEPT.filter(({ kind }) => ends.some((item) => item.kind === kind)).map(({ access, label, why }) => (
               <Checkbox key={access} value={access} size="sm" label={label} description={why} />
             ))}

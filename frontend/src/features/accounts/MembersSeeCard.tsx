@@ -6,7 +6,6 @@ import { Card, CardHead } from '@/ui/Card'
 
 import { CardProblem } from './CardProblem'
 import { membersSeeQuery, useSetMembersSee } from './membersSeeApi'
-import classes from './Studio.module.css'
 
 /** Whether members see all projects of the studio, or only those that they are in. */
 export function MembersSeeCard({ studioId }: { studioId: string }) {
@@ -18,7 +17,7 @@ export function MembersSeeCard({ studioId }: { studioId: string }) {
       <CardHead id="members-see" title="Projects" note="seen by members" />
       <CardProblem error={error ?? save.error} />
       {sight && (
-        <fieldset className={classes.uses} disabled={save.isPending}>
+        <fieldset className="p-3-4 m-0 border-0" disabled={save.isPending}>
           <legend className="visually-hidden">Projects that members see</legend>
           <Checkbox
             label="Only the projects they are in"

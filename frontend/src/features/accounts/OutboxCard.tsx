@@ -63,7 +63,7 @@ function MailRow({ mail, canSend, onSend }: { mail: Mail; canSend: boolean; onSe
             to {recipient}, {sent_at ? `sent, ${age(sent_at)}` : `written, ${age(created_at)}`}
           </span>
         </summary>
-        <pre className={`bg-well wrap-anywhere ${classes.text}`}>{text}</pre>
+        <pre className={`bg-well wrap-anywhere p-3 pre-wrap font-inherit rounded ${classes.text}`}>{text}</pre>
       </details>
       {failure !== null && sent_at === null && <StatusBadge kind="not_sent" reason={failure} />}
       {sent_at !== null && <StatusBadge kind="passed">Sent</StatusBadge>}

@@ -204,7 +204,7 @@ export function InvitationsCard({ studioId }: { studioId: string }) {
         >
           <Field name="email" label="Email" type="email" autoComplete="off" />
           <Checkbox.Group label="Roles" value={roles} onChange={(chosen) => chosen.length > 0 && setRoles(chosen)}>
-            <div className={`grid gap-2 ${classes.roles}`}>
+            <div className="grid gap-2 mt-1">
               {ROLES.map((role) => (
                 <Checkbox
                   key={role}

@@ -6,7 +6,6 @@ import { Card, CardHead } from '@/ui/Card'
 
 import { CardProblem } from './CardProblem'
 import { requirementQuery, type SecondFactorUse, useSetRequirement } from './secondFactorApi'
-import classes from './Studio.module.css'
 
 const USES: readonly { use: SecondFactorUse; label: string; hint: string }[] = [
   { use: 'signing', label: 'Signing contracts', hint: 'change orders and statements too, by either party' },
@@ -24,7 +23,7 @@ export function SecondFactorRequirementCard({ studioId }: { studioId: string }) 
       <CardHead id="second-factor-requirement" title="Second factor" note="required for" />
       <CardProblem error={error ?? save.error} />
       {requirement && (
-        <fieldset className={`grid gap-3 ${classes.uses}`} disabled={save.isPending}>
+        <fieldset className="grid gap-3 p-3-4 m-0 border-0" disabled={save.isPending}>
           <legend className="visually-hidden">Second factor required for</legend>
           {USES.map(({ use, label, hint }) => (
             <Checkbox

@@ -64,7 +64,7 @@ export function StudioPage() {
   const isProducer = studio.roles.includes('producer')
   return (
     <div className="page">
-      <div className={`flex wrap items-end between gap-2-4 ${classes.head}`}>
+      <div className="flex wrap items-end between gap-2-4 mb-4">
         <div>
           <h1>{studio.name}</h1>
           <p className="mid">

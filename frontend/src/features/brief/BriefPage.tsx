@@ -151,8 +151,8 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
   )
   return (
     <div className={`grid overflow-hidden ${classes.room}`}>
-      <nav className={`wide-only ${classes.rail}`} aria-label="Topics">
-        <div className={`flex items-center between ${classes.railHead}`}>
+      <nav className={`wide-only border-r ${classes.rail}`} aria-label="Topics">
+        <div className={`flex items-center between border-b ${classes.railHead}`}>
           <span className="strong">Brief</span>
           <Link className="link small" to="/projects/$projectId/brief/versions" params={{ projectId }} search={{}}>
             {versionWords(brief)}
@@ -211,12 +211,12 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
             />
           ))}
           {!isWide && (
-            <aside className={`grid gap-3 ${classes.narrowSide}`} aria-label="Versions and open questions">
+            <aside className="grid gap-3 border rounded-l bg-surface" aria-label="Versions and open questions">
               <SideCards projectId={projectId} brief={brief} saving={answers.saving} />
             </aside>
           )}
         </div>
-        <div className={`flex items-center between gap-4 ${classes.foot}`}>
+        <div className={`flex items-center between gap-4 flex-none bg-surface ${classes.foot}`}>
           <div className="wide-only">
             <p className="strong">{nextOpen ? `Next open: ${lower(nextOpen.text)}` : 'No other question is open.'}</p>
             <p className="small mid">
@@ -245,7 +245,7 @@ function OpenBrief({ projectId, brief }: { projectId: string; brief: Brief }) {
         </div>
       </div>
       {isWide && (
-        <aside className={classes.side} aria-label="Versions and open questions">
+        <aside className={`border-l ${classes.side}`} aria-label="Versions and open questions">
           <SideCards projectId={projectId} brief={brief} saving={answers.saving} />
         </aside>
       )}
@@ -267,7 +267,7 @@ function Bar({ brief }: { brief: Brief }) {
   const percent = brief.total === 0 ? 0 : Math.round((100 * brief.answered) / brief.total)
   return (
     <div
-      className={classes.bar}
+      className={`overflow-hidden rounded-s ${classes.bar}`}
       role="progressbar"
       aria-label="Questions answered"
       aria-valuenow={brief.answered}
@@ -308,7 +308,7 @@ function TopicLink({
       to="/projects/$projectId/brief"
       params={{ projectId }}
       search={{ topic: topic.key }}
-      className={`flex items-center gap-10px hover ${classes.topic}`}
+      className={`flex items-center gap-10px hover border-b ${classes.topic}`}
       aria-current={isCurrent ? 'page' : undefined}
       onClick={(event) => {
         if (event.ctrlKey || event.metaKey || event.shiftKey) return

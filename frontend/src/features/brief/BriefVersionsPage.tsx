@@ -74,7 +74,7 @@ export function BriefVersionsPage() {
             {compared.data?.differences.map(({ question, number, text, before, after }) => (
               <div key={question} className="border-t p-3-inset">
                 <h3>{`${number}. ${text}`}</h3>
-                <div className={`grid gap-4 wrap-anywhere ${classes.sides}`}>
+                <div className="grid gap-4 wrap-anywhere grid-cols-1fr-1fr pre-line narrow-grid-cols-1">
                   <p>
                     <span className="small dim">Before</span>
                     <br />

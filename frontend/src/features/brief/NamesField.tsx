@@ -64,14 +64,14 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
         {tokens.map((token, at) => (
           <span
             key={token.name}
-            className={`inline-flex items-center gap-1 ${classes.token}`}
+            className={`inline-flex items-center gap-1 rounded ${classes.token}`}
             role="group"
             aria-label={`Part ${at + 1}: ${token.name}`}
           >
             {at > 0 && (
               <button
                 type="button"
-                className={` ${classes.tokenAct}`}
+                className={`min-h-24px p-0 border-0 bg-none pointer ${classes.tokenAct}`}
                 aria-label={`Move ${token.name} left`}
                 onClick={() => move(at, -1)}
               >
@@ -83,7 +83,7 @@ export function NamesField({ value, onChange, names }: NamesFieldProps) {
             </span>
             <button
               type="button"
-              className={` ${classes.tokenAct}`}
+              className={`min-h-24px p-0 border-0 bg-none pointer ${classes.tokenAct}`}
               aria-label={`Remove ${token.name}`}
               onClick={() => set({ tokens: tokens.filter((other) => other !== token) })}
             >

@@ -85,7 +85,7 @@ export function QuestionCard({
             <div className="row wrap">
               <button
                 type="button"
-                className={`hover ${classes.choice} ${classes.unknown}`}
+                className={`hover rounded pointer narrow-min-h-44px ${classes.choice} narrow-w-full ${classes.unknown}`}
                 aria-pressed={isUnknown}
                 aria-keyshortcuts="0"
                 onClick={() => answers.change(question, { value: null, is_unknown: !isUnknown })}
@@ -171,7 +171,7 @@ function FollowUpLine({
       },
     )
   return (
-    <div className={`grid gap-2 wrap-anywhere ${classes.followUp}`}>
+    <div className={`grid gap-2 wrap-anywhere rounded bg-well ${classes.followUp}`}>
       <p>
         <span className="strong">{followUp.asked_by?.name ?? 'Another designer'}</span>{' '}
         <span className="small dim">{day(followUp.asked_at)}</span>

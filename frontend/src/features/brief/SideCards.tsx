@@ -75,8 +75,8 @@ function SpecCard({ projectId, mayApply, saving }: { projectId: string; mayApply
                   <span className="mono">{place}</span>
                   <span>{`question ${number}`}</span>
                 </span>
-                {before !== null && <span className={`mono struck ${classes.toml}`}>{written(before)}</span>}
-                <span className={`mono ${classes.toml}`}>
+                {before !== null && <span className="mono struck pre-wrap">{written(before)}</span>}
+                <span className="mono pre-wrap">
                   {after === null ? 'removed' : lines.filter((line) => line !== '').join('\n')}
                 </span>
               </li>

@@ -66,7 +66,7 @@ export function ChoiceField({ question, value, onChange }: FieldProps) {
           <button
             key={key}
             type="button"
-            className={`hover ${classes.choice}`}
+            className={`hover rounded pointer narrow-min-h-44px ${classes.choice}`}
             aria-pressed={isPicked}
             onClick={() => onChange(next)}
           >
@@ -223,12 +223,12 @@ export function ScenesField({ value, onChange }: FieldProps) {
       {shown.map(({ scene, ambience, music }, at) => (
         <div
           key={at}
-          className={`grid items-center gap-2 ${classes.scene}`}
+          className={`grid items-center gap-2 narrow-grid-cols-1 ${classes.scene}`}
           role="group"
           aria-label={scene || `Scene ${at + 1}`}
         >
           <input
-            className={`bg-raised w-full ${classes.input}`}
+            className={`bg-raised w-full border-edge rounded font-inherit ${classes.input}`}
             placeholder={at === 0 ? 'Harbour' : 'Another scene'}
             aria-label={`Scene ${at + 1}`}
             value={scene}
@@ -237,7 +237,7 @@ export function ScenesField({ value, onChange }: FieldProps) {
             onChange={({ currentTarget }) => put(at, { scene: currentTarget.value })}
           />
           <input
-            className={`bg-raised w-full ${classes.input}`}
+            className={`bg-raised w-full border-edge rounded font-inherit ${classes.input}`}
             placeholder={at === 0 ? 'Gulls, water on wood, distant ropes' : 'What is heard'}
             aria-label={`Ambience of ${scene || `scene ${at + 1}`}`}
             value={ambience}

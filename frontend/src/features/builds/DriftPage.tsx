@@ -130,7 +130,7 @@ function HistoryCard({ audits, current, projectId }: OfAudits) {
         title="History"
         note={`last ${audits.length}: ${counts.passed} as approved, ${counts.warned} with known drift, ${counts.refused} with new drift`}
       />
-      <ul className={`flex items-end gap-3px ${classes.bars}`}>
+      <ul className={`flex items-end gap-3px p-3-4 ${classes.bars}`}>
         {audits.toReversed().map((audit) => (
           <li key={audit.id}>
             <Link
@@ -138,7 +138,7 @@ function HistoryCard({ audits, current, projectId }: OfAudits) {
               params={{ projectId }}
               search={{ audit: audit.id }}
               resetScroll={false}
-              className={classes.bar}
+              className={`block rounded-2px ${classes.bar}`}
               data-outcome={outcomeOf(audit)}
               aria-current={audit.id === current.id || undefined}
               title={`${audit.label}: ${auditInWords(audit)}`}
@@ -171,7 +171,7 @@ function BuildsCard({ audits, current, projectId }: OfAudits) {
               to="/projects/$projectId/drift"
               params={{ projectId }}
               search={{ audit: audit.id }}
-              className={`grid items-center gap-3 hover ${classes.build}`}
+              className={`grid items-center gap-3 hover p-2-inset border-b ${classes.build}`}
               aria-current={audit.id === current.id || undefined}
             >
               <span className="strong cut-text">{audit.label}</span>

@@ -31,7 +31,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
       </div>
       <ul>
         {data.categories.map(({ category, cues, heard }) => (
-          <li key={category} className={`grid items-center gap-3 ${classes.category}`}>
+          <li key={category} className={`grid items-center gap-3 border-t ${classes.category}`}>
             <span className="cut-text">{category || 'Without a category'}</span>
             <Bar part={heard} whole={cues} label={category || 'Without a category'} />
             <span className="num">{countOf(heard, cues)}</span>
@@ -65,7 +65,7 @@ export function InGameCard({ projectId }: { projectId: string }) {
 
 function Bar({ part, whole, label }: { part: number; whole: number; label: string }) {
   return (
-    <span className={classes.bar2} role="img" aria-label={`${label}: ${countOf(part, whole)}`}>
+    <span className={`block ${classes.bar2}`} role="img" aria-label={`${label}: ${countOf(part, whole)}`}>
       <i style={{ width: `${whole === 0 ? 0 : (part / whole) * 100}%` }} data-whole={part === whole || undefined} />
     </span>
   )

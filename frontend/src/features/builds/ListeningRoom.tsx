@@ -82,7 +82,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
   if (!cue) return <NoCues projectId={projectId} label={audit.label} />
   return (
     <div className={`grid overflow-hidden ${classes.room}`}>
-      <aside className={`wide-only ${classes.list}`} aria-label="Sounds of the build">
+      <aside className={`wide-only border-r ${classes.list}`} aria-label="Sounds of the build">
         <Head listening={listening} heard={heard.size} notes={notes.notes.length} />
         <div className="border-b p-2-14px">
           <Segmented
@@ -101,7 +101,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
               />
               <button
                 type="button"
-                className={`grid gap-2 hover pointer w-full ${classes.item}`}
+                className={`grid gap-2 hover pointer w-full grid-cols-1-auto ${classes.item}`}
                 aria-current={index === at || undefined}
                 onClick={() => setAt(index)}
               >
@@ -122,7 +122,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           />
         </div>
       </aside>
-      <div className={`flex flex-col gap-3 min-w-0 overflow-y-auto ${classes.judge}`}>
+      <div className={`flex flex-col gap-3 min-w-0 overflow-y-auto bg-raised ${classes.judge}`}>
         <header className={`${classes.phoneHead} small`}>
           <h1 className="small strong">{`Listening pass, ${at + 1} of ${cues.length}, build ${audit.label}`}</h1>
           <span>{`${countOf(heard.size, cues.length)} heard`}</span>
@@ -153,7 +153,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
           onUndo={last ? undo : undefined}
         />
       </div>
-      <aside className={classes.notes} aria-label="Notes of this pass">
+      <aside className={`border-l ${classes.notes}`} aria-label="Notes of this pass">
         <header className={`row between border-b flex-none ${classes.head}`}>
           <h2>Notes of this pass</h2>
           <span className="dim">{figure(notes.notes.length)}</span>
@@ -171,7 +171,7 @@ export function ListeningRoom({ listening, projectId }: { listening: ListeningPa
 
 /** The name of a group, before its first sound. */
 function Heading({ group, before }: { group: string; before: string }) {
-  return group !== before && <h2 className={`small strong ${classes.group}`}>{group}</h2>
+  return group !== before && <h2 className={`small strong wrap-anywhere ${classes.group}`}>{group}</h2>
 }
 
 function standing({ cue }: CueToHear, notes: readonly ShownNote[], heard: ReadonlySet<string>): string {
@@ -188,7 +188,7 @@ function Head({ listening, heard, notes }: { listening: ListeningPass; heard: nu
         <h1 className="strong">Listening pass</h1>
         <span className="small dim">{`build ${audit.label}`}</span>
       </header>
-      <div className={`grid gap-6px ${classes.sum}`}>
+      <div className={`grid gap-6px border-b ${classes.sum}`}>
         <p className="row between">
           <span className="strong">{`${countOf(heard, cues.length)} heard`}</span>
           <span className="small dim">{plural(notes, 'note')}</span>
@@ -204,7 +204,10 @@ function Head({ listening, heard, notes }: { listening: ListeningPass; heard: nu
 /** Notes that are still here: counted, so that nobody wonders whether they are lost. */
 function Waiting({ waiting }: { waiting: number }) {
   return (
-    <p role="status" className={waiting > 0 ? `small ${classes.waiting}` : 'visually-hidden'}>
+    <p
+      role="status"
+      className={waiting > 0 ? `small flex gap-6px items-center rounded ${classes.waiting}` : 'visually-hidden'}
+    >
       {waiting > 0 && (
         <>
           <Icon name="pause" size={14} />
@@ -219,7 +222,7 @@ function NoteRow({ note }: { note: ShownNote }) {
   const face = SAYINGS.find(({ said }) => said === note.said)
   const task = taskOf(note.said)
   return (
-    <li className={`grid gap-10px wrap-anywhere ${classes.note}`}>
+    <li className={`grid gap-10px wrap-anywhere border-b ${classes.note}`}>
       <span className="tone-change toned">
         <Icon name={note.isDone ? 'tick' : (face?.icon ?? 'ring')} />
       </span>

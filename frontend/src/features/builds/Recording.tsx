@@ -202,7 +202,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
         <CardHead id="recorded-notes" title="Notes of this recording" count={notes.length + waiting} />
         <ul>
           {notes.map(({ id, cue, said, text, recording, written_by: by }) => (
-            <li key={id} className={`row ${classes.note}`}>
+            <li key={id} className={`row border-t ${classes.note}`}>
               <Button
                 variant="quiet"
                 aria-label={`Play from ${timeOf(recording?.at_s ?? 0)}`}

@@ -31,7 +31,7 @@ export function SoundDetail({ group, audit, projectId }: SoundDetailProps) {
   const project = useMyProject(projectId)
   const maySpeak = (project?.is_producer || project?.is_liaison || project?.is_approver) ?? false
   return (
-    <div className={`grid gap-3 ${classes.detail}`}>
+    <div className={`grid gap-3 p-3 border-line-2 rounded bg-raised ${classes.detail}`}>
       {first.sound?.preview_url && <Pair sound={first} audit={audit} projectId={projectId} />}
       <p>{sentenceOf(first.message)}</p>
       <Parts sound={first} />
@@ -126,7 +126,7 @@ function Pair({ sound, audit, projectId }: { sound: AuditedSound; audit: AuditSu
 function Parts({ sound }: { sound: AuditedSound }) {
   const { file_db: fileDb, property_db: propertyDb, moves, events, depends } = sound
   return (
-    <dl className={`small ${classes.facts}`}>
+    <dl className={`small grid ${classes.facts}`}>
       {fileDb !== null && (
         <>
           <dt>File</dt>
@@ -216,7 +216,7 @@ function Decision({ group, audit, projectId }: SoundDetailProps) {
         </label>
         <input
           id="drift-reason"
-          className={`bg-raised w-full ${classes.text}`}
+          className={`bg-raised w-full border-edge rounded ink font-inherit ${classes.text}`}
           value={reason}
           maxLength={1_000}
           aria-invalid={isAsked && reason.trim() === ''}

@@ -103,7 +103,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
           <button
             key={heardAs}
             type="button"
-            className={`flex items-center gap-3 hover bg-raised pointer ${classes.bigKey}`}
+            className={`flex items-center gap-3 hover bg-raised pointer rounded ${classes.bigKey}`}
             data-wide={heardAs === 'good' || undefined}
             aria-pressed={choice.said === heardAs}
             aria-keyshortcuts={keys}
@@ -121,7 +121,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
       <label className="block">
         <span className="visually-hidden">In words</span>
         <input
-          className={`bg-raised w-full ${classes.text}`}
+          className={`bg-raised w-full border-edge rounded ink font-inherit ${classes.text}`}
           value={choice.text}
           maxLength={1_000}
           placeholder="Comment (optional)"
@@ -131,7 +131,7 @@ export function SoundToJudge(props: SoundToJudgeProps) {
           }}
         />
       </label>
-      <footer className={`row ${classes.verdict}`}>
+      <footer className={`row sticky bottom-0 bg-surface ${classes.verdict}`}>
         <div className={`flex-1 min-w-0 ${classes.chosen}`}>
           <p className="strong">
             {choice.said === null
@@ -178,7 +178,7 @@ function Amount({ cue, choice, onChange }: AmountProps) {
   }
   const list = cue.move?.changelist
   return (
-    <div className={`row wrap between ${classes.amount}`}>
+    <div className={`row wrap between p-2-14px rounded ${classes.amount}`}>
       <p>
         <span className="strong">By how much?</span>{' '}
         {cue.move && (
@@ -187,7 +187,7 @@ function Amount({ cue, choice, onChange }: AmountProps) {
           </span>
         )}
       </p>
-      <div className={`grid items-center ${classes.stepper}`}>
+      <div className={`grid items-center border-edge rounded ${classes.stepper}`}>
         <button type="button" aria-label="1 dB less" onClick={() => change(-STEP_DB)}>
           −
         </button>

@@ -86,7 +86,7 @@ function TaskRow({ task, projectId, onChange }: TaskRowProps) {
   const isDone = task.done_at !== null
   const gain = task.gain_db === null ? '' : `, ${signed(task.gain_db)}`
   return (
-    <li className={`grid items-center gap-3 border-t wrap-anywhere ${classes.task}`}>
+    <li className={`grid items-center gap-3 border-t wrap-anywhere grid-cols-1-auto ${classes.task}`}>
       <div>
         <p>
           <span className="strong">{name}</span> {`${TASK_WORDS[task.kind].toLowerCase()}${gain}`}

@@ -43,7 +43,7 @@ export function CheckPage() {
       {blocksOf(text).map((block, index) => {
         if (block.kind === 'head') {
           return block.level === 1 ? (
-            <h1 key={index} className={classes.name}>
+            <h1 key={index} className="font-mono">
               {block.text}
             </h1>
           ) : (

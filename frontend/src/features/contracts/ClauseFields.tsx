@@ -73,7 +73,7 @@ export function ClauseFields({
         </div>
       </div>
       {clause.stands && used.length > 0 && (
-        <div className={`grid items-end gap-2-3 ${classes.terms}`}>
+        <div className={`grid items-end gap-2-3 grid-cols-fill-180px ${classes.terms}`}>
           {used.map((name) => (
             <TermField
               key={name}

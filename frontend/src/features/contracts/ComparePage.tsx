@@ -75,7 +75,7 @@ export function ComparePage() {
       )}
       {compared.data && (
         <Card aria-label="Text" className={classes.sheet}>
-          <div className={classes.text}>
+          <div className={`wrap-anywhere ${classes.text}`}>
             {compared.data.lines.map((line, index) => (
               <MarkedLine key={index} line={line} />
             ))}

@@ -57,7 +57,7 @@ export function ContractPage() {
         </StatusBadge>
       </div>
       {contract.change_requested && (
-        <blockquote className={classes.asked}>
+        <blockquote className={`m-0 p-3-4 ${classes.asked}`}>
           <p>{contract.change_requested.text}</p>
           <footer className="small mid">
             {`${contract.change_requested.by} asks for this change${contract.change_requested.clause ? ` of ${clauseTitle(contract, contract.change_requested.clause)}` : ''}, ${day(contract.change_requested.at)}`}

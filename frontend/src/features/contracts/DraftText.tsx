@@ -65,11 +65,11 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
   const clauseOf = ({ key, number, title, first_block: first, block_count: count }: (typeof usual)[number]) => (
     <section
       key={key}
-      className={`grid gap-0-2 ${classes.clause}`}
+      className={`grid gap-0-2 rounded-s ${classes.clause}`}
       data-current={(current !== null && ANSWERED_BY[current].includes(key)) || undefined}
       aria-label={title}
     >
-      <span className={`mono ${classes.clauseNumber}`}>{number}</span>
+      <span className={`mono dim ${classes.clauseNumber}`}>{number}</span>
       <div>
         <h3>{title}</h3>
         <Text blocks={preview?.blocks.slice(first, first + count) ?? []} folds={12} />
@@ -77,7 +77,7 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
     </section>
   )
   return (
-    <section className={classes.text} aria-label="The text" aria-busy={shown.isFetching}>
+    <section className={`min-w-0 ${classes.text}`} aria-label="The text" aria-busy={shown.isFetching}>
       <h2>{draft.title}</h2>
       <Refusal error={shown.error} />
       {!preview && !shown.error && <Skeleton rows={14} />}
@@ -86,26 +86,28 @@ export function DraftText({ drafting, begun, current, figures, onPlan }: DraftTe
           {preview.clauses.filter(({ key }) => isOpen(key)).map(clauseOf)}
           <button
             type="button"
-            className={`row hover mt-2 nowrap pointer ${classes.usual}`}
+            className={`row hover mt-2 nowrap pointer w-full border rounded ${classes.usual}`}
             aria-expanded={isUsualOpen}
             onClick={() => setUsualOpen(!isUsualOpen)}
           >
             <Icon name={isUsualOpen ? 'chevron' : 'right'} />
             <span className="strong">{`${usual.length} usual ${usual.length === 1 ? 'clause' : 'clauses'}`}</span>
-            <span className={`small mid ${classes.cut}`}>{usual.map(({ title }) => title).join(', ')}</span>
+            <span className="small mid overflow-hidden text-ellipsis">
+              {usual.map(({ title }) => title).join(', ')}
+            </span>
           </button>
           {isUsualOpen && usual.map(clauseOf)}
         </Figures>
       )}
       <button
         type="button"
-        className={`row hover mt-2 nowrap pointer ${classes.usual}`}
+        className={`row hover mt-2 nowrap pointer w-full border rounded ${classes.usual}`}
         aria-expanded={isAdding}
         onClick={() => setAdding(!isAdding)}
       >
         <Icon name="plus" />
         <span>Add a clause</span>
-        <span className={`small mid ${classes.cut}`}>
+        <span className="small mid overflow-hidden text-ellipsis">
           {`${left.length} more to choose from: ${left.map(({ title }) => title).join(', ')}`}
         </span>
       </button>

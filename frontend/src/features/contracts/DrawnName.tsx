@@ -41,7 +41,7 @@ export function DrawName({ strokes, onChange }: { strokes: Strokes; onChange: Di
       </p>
       <svg
         ref={field}
-        className={classes.canvas}
+        className={`border-edge rounded bg-raised ${classes.canvas}`}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         role="img"
         aria-labelledby={labelId}

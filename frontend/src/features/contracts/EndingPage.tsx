@@ -202,12 +202,12 @@ function Statement({ ending }: { ending: Ending }) {
           </tfoot>
         </table>
       </div>
-      <p className={`small mid ${classes.foot}`}>{meaningsOf(cues).join(' ')}</p>
-      <p className={`small mid ${classes.foot}`}>
+      <p className={`small mid p-2-4 ${classes.foot}`}>{meaningsOf(cues).join(' ')}</p>
+      <p className={`small mid p-2-4 ${classes.foot}`}>
         {`Agreed ${money(figures.agreed_minor, currency)} = paid ${one(figures.paid_minor)} + to pay ${one(figures.due_minor)} + not owed ${one(figures.saved_minor)}`}
       </p>
       {ending.statement_sha256 !== null && (
-        <p className={`mono dim ${classes.hash} ${classes.foot}`}>{`SHA-256 ${ending.statement_sha256}`}</p>
+        <p className={`mono dim ${classes.hash} p-2-4 ${classes.foot}`}>{`SHA-256 ${ending.statement_sha256}`}</p>
       )}
     </Card>
   )

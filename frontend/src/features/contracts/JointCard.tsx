@@ -265,7 +265,10 @@ function CueChoice({ legend, projectId, planned, chosen, onChange }: CueChoicePr
     onChange(isChosen ? [...others, ...ids] : others)
   }
   return (
-    <fieldset className={`grid gap-2 min-w-0 ${classes.cueChoice}`} aria-busy={!cues && error === null}>
+    <fieldset
+      className={`grid gap-2 min-w-0 m-0 p-0 border-0 ${classes.cueChoice}`}
+      aria-busy={!cues && error === null}
+    >
       <legend className="small strong">{legend}</legend>
       <Refusal error={error} />
       {[...categories].map((category) => {

@@ -12,7 +12,7 @@ export function OffersNote({ contract, to }: { contract: Contract; to: string })
   const { data: all } = useQuery({ ...changeOrdersQuery(contract.id), enabled: contract.may.amend })
   if (!contract.may.amend || !all || all.offers.length === 0) return null
   return (
-    <div className={`${classes.asked} ${classes.redlines}`}>
+    <div className={`m-0 p-3-4 ${classes.asked} ${classes.redlines}`}>
       <p>{`${plural(all.offers.length, 'thing')} changed since you signed. A change order can say so.`}</p>
       <ButtonLink component={Link} to={to}>
         What changed

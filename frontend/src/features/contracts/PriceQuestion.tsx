@@ -120,7 +120,7 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
   }
   if (draft.terms.price_mode === 'day_rate') {
     return (
-      <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
+      <div className={`grid grid-cols-1 gap-3 justify-items-start ${classes.body}`}>
         <p>The price comes from the days worked, up to a number of them.</p>
         {['day_rate_minor', 'days_cap'].map((name) => (
           <TermField
@@ -138,12 +138,12 @@ export function PriceQuestion({ drafting, price, plan, back, onUsed }: PriceQues
   }
   return (
     <form
-      className={`grid grid-cols-1 gap-3 ${classes.body}`}
+      className={`grid grid-cols-1 gap-3 justify-items-start ${classes.body}`}
       onSubmit={submit}
       noValidate
       aria-label="Price and schedule"
     >
-      <div className={`grid gap-2 ${classes.pair}`}>
+      <div className={`grid gap-2 w-full ${classes.pair}`}>
         <TextInput
           label="Price, deposit included"
           id="draft-price"
@@ -268,7 +268,7 @@ interface PartsProps {
 
 function Parts({ parts, advice, totalMinor, currency, onChange }: PartsProps) {
   return (
-    <table className={classes.parts} aria-label="Parts of the price">
+    <table className={`w-full ${classes.parts}`} aria-label="Parts of the price">
       <thead>
         <tr>
           <th scope="col">Part</th>

@@ -77,7 +77,7 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
         return (
           <section
             key={change.id}
-            className={`grid grid-cols-1 gap-2 ${styles.clause}`}
+            className={`grid grid-cols-1 gap-2 relative ${styles.clause}`}
             aria-label={change.title === '' ? place : `New clause: ${change.title}`}
           >
             <h3>{place}</h3>
@@ -128,7 +128,7 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
           const change = draft.changes.find(({ id }) => id === clause.key)
           return (
             <div key={clause.key}>
-              <section className={`grid grid-cols-1 gap-2 ${styles.clause}`} aria-label={clause.title}>
+              <section className={`grid grid-cols-1 gap-2 relative ${styles.clause}`} aria-label={clause.title}>
                 <Lines marked={shown.data?.clauses.find(({ key }) => key === clause.key)} title={clause.title} />
                 <div className={classes.buttons}>
                   {change ? (
@@ -229,7 +229,7 @@ export function ProposeRedlines({ contract }: { contract: Contract }) {
 function Lines({ marked, title }: { marked: Marked | undefined; title: string }) {
   if (!marked) return <h3>{title}</h3>
   return (
-    <div className={classes.text}>
+    <div className={`wrap-anywhere ${classes.text}`}>
       {marked.lines.map((line, index) => (
         <MarkedLine key={index} line={line} />
       ))}

@@ -150,15 +150,15 @@ function Answers({ drafting, back, plan, begun }: AnswersProps) {
     price.isSaved || price.totalMinor === null ? {} : { total: money(price.totalMinor, draft.currency) }
   return (
     <>
-      <div className={`grid bg-raised ${classes.answers}`}>
-        <ol className={` ${classes.questions}`} aria-label="Questions">
+      <div className={`grid bg-raised border rounded-l mid-grid-cols-1 ${classes.answers}`}>
+        <ol className={`bg-surface border-r ${classes.questions}`} aria-label="Questions">
           {questions.map((question, place) => {
             const isOpen = question === current
             const reason = openReasons[question]
             return (
               <li key={question} className={`border-b ${classes.question}`} data-open={isOpen || undefined}>
                 <button type="button" aria-expanded={isOpen} onClick={() => show(isOpen ? null : question)}>
-                  <span className={classes.number} data-done={reason === '' || undefined}>
+                  <span className={`grid border-edge ${classes.number}`} data-done={reason === '' || undefined}>
                     {reason === '' ? <Icon name="tick" /> : place + 1}
                   </span>
                   <span>
@@ -173,7 +173,7 @@ function Answers({ drafting, back, plan, begun }: AnswersProps) {
         </ol>
         <DraftText drafting={drafting} begun={begun} current={current} figures={figures} onPlan={() => show('price')} />
       </div>
-      <section className={`row wrap ${classes.bar}`} aria-label="Send">
+      <section className={`row wrap sticky bottom-0 bg-surface ${classes.bar}`} aria-label="Send">
         <div className="grow">
           {refused && open[0] && (
             <p className="tone-bad" role="alert">
@@ -240,7 +240,7 @@ function saysSum({ totalMinor, price, isSaved }: Price, plan: Plan, currency: st
 
 function Who({ drafting: { contract, draft, setDraft } }: { drafting: Drafting }) {
   return (
-    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
+    <div className={`grid grid-cols-1 gap-3 justify-items-start ${classes.body}`}>
       <p>{`${contract.studio_name} engages ${contract.designer.name}.`}</p>
       <TextInput
         label="Title of the contract"
@@ -256,7 +256,7 @@ function Who({ drafting: { contract, draft, setDraft } }: { drafting: Drafting }
 function What({ contract, back }: { contract: Drafting['contract']; back: string }) {
   const project = `/projects/${contract.project_id}`
   return (
-    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
+    <div className={`grid grid-cols-1 gap-3 justify-items-start ${classes.body}`}>
       <p>
         The contract names each sound of its plan, with its files and lengths, from the newest revision of the sound
         list and the newest version of the delivery spec. Sounds that are cut, or under another contract, are left out.
@@ -299,7 +299,7 @@ const standsIn = ({ draft }: Drafting, key: string) =>
 
 function Rounds({ drafting }: { drafting: Drafting }) {
   return (
-    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
+    <div className={`grid grid-cols-1 gap-3 justify-items-start ${classes.body}`}>
       <Terms drafting={drafting} names={['rounds_included', 'extra_round_bp']} />
       <Checkbox
         label="A sound counts as accepted when nobody answers in time"
@@ -318,7 +318,7 @@ function Rights({ drafting }: { drafting: Drafting }) {
     for (const each of ['ownership', 'ownership_on_creation']) withClause(drafting, each, each === key)
   }
   return (
-    <div className={`grid grid-cols-1 gap-3 ${classes.body}`}>
+    <div className={`grid grid-cols-1 gap-3 justify-items-start ${classes.body}`}>
       <Radio.Group label="Rights in a sound pass to the studio" value={value} onChange={choose}>
         <div className={`grid gap-2 ${classes.choices}`}>
           <Radio value="ownership" label="when it is paid" />

@@ -59,14 +59,14 @@ export function RedlineNote(props: RedlineNoteProps) {
         <strong>{`Change ${number}`}</strong> <span className="mid">{`${by} ${DOES[redline.kind]}.`}</span>
       </p>
       <ChangedFigures contract={contract} redline={redline} />
-      {redline.comment !== '' && <p className={styles.said}>{redline.comment}</p>}
+      {redline.comment !== '' && <p className={`pre-wrap wrap-anywhere ${styles.said}`}>{redline.comment}</p>}
       {answer ? (
         <>
           <p>
             <StatusBadge kind={ANSWERS[answer.kind].kind}>{ANSWERS[answer.kind].word}</StatusBadge>{' '}
             <span className="small mid">{`by ${answer.by}, ${day(answer.at)}`}</span>
           </p>
-          {answer.comment !== '' && <p className={styles.said}>{answer.comment}</p>}
+          {answer.comment !== '' && <p className={`pre-wrap wrap-anywhere ${styles.said}`}>{answer.comment}</p>}
         </>
       ) : (
         <StatusBadge kind="waiting">Waiting for the studio’s answer</StatusBadge>

@@ -101,7 +101,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
           note={`${plural(redlines.length, 'change')} to version ${round.version} by ${round.by}, ${day(round.at)}`}
           end={<RoundState round={round} />}
         />
-        {round.note !== '' && <blockquote className={classes.asked}>{round.note}</blockquote>}
+        {round.note !== '' && <blockquote className={`m-0 p-3-4 ${classes.asked}`}>{round.note}</blockquote>}
         <div className={`${classes.form} items-center flex wrap gap-2-4`}>
           <Segmented
             label="Show"
@@ -117,7 +117,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
         <div className="grid grid-cols-1 border-t">
           {clauses.map(({ key, number, lines, counter_lines: counter, redline }) => {
             const text = (
-              <div className={classes.text}>
+              <div className={`wrap-anywhere ${classes.text}`}>
                 {number !== null && <span className={`mono dim ${styles.number}`}>{number}</span>}
                 {lines.map((line, index) => (
                   <MarkedLine key={index} line={line} />
@@ -134,7 +134,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
             )
             if (redline === null) {
               return (
-                <div key={key} className={`grid grid-cols-1 gap-2 ${styles.clause}`}>
+                <div key={key} className={`grid grid-cols-1 gap-2 relative ${styles.clause}`}>
                   {text}
                 </div>
               )
@@ -146,7 +146,7 @@ export function RedlineRound({ contract, round, mayAnswer, back }: RedlineRoundP
                   if (element) articles.current.set(redline.number, element)
                   else articles.current.delete(redline.number)
                 }}
-                className={`grid grid-cols-1 gap-2 ${styles.clause} ${styles.redline}`}
+                className={`grid grid-cols-1 gap-2 relative ${styles.clause} bg-raised ${styles.redline}`}
                 aria-label={`Change ${redline.number}`}
                 tabIndex={-1}
               >

@@ -13,7 +13,7 @@ export function RedlinesNote({ contract, to }: { contract: Contract; to: string 
   const { count, unanswered, by, at } = redlines
   const proposed = `${by} proposed ${plural(count, 'change')}, ${day(at)}.`
   return (
-    <div className={redlines.is_open ? `${classes.asked} ${classes.redlines}` : classes.redlines}>
+    <div className={redlines.is_open ? `m-0 p-3-4 ${classes.asked} ${classes.redlines}` : classes.redlines}>
       <p>
         {!redlines.is_open
           ? `${proposed} The studio answered with this version.`

@@ -9,7 +9,7 @@ export const Figures = createContext<(name: string, text: string) => ReactNode>(
 /** The text of a contract, as the PDF has it; tables with more rows than `folds` are opened by a press. */
 export function Text({ blocks, folds = Infinity }: { blocks: readonly Block[]; folds?: number }) {
   return (
-    <div className={classes.text}>
+    <div className={`wrap-anywhere ${classes.text}`}>
       {grouped(blocks).map((group, index) =>
         Array.isArray(group) ? (
           <ul key={index}>

@@ -56,7 +56,7 @@ export function WholeText({ drafting }: { drafting: Drafting }) {
           fix="Fix this to save the draft."
         />
       )}
-      <div className={`grid items-start gap-4 ${classes.editor}`}>
+      <div className={`grid items-start gap-4 mid-grid-cols-1 ${classes.editor}`}>
         <div className="stack">
           <Card aria-labelledby="facts">
             <CardHead id="facts" title="Payment terms" />

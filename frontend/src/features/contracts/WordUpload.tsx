@@ -73,7 +73,7 @@ export function WordUpload({ contract, draft, onDraft }: WordUploadProps) {
       ref={field}
       aria-labelledby={headId}
       aria-busy={read.isPending}
-      className={`grid grid-cols-1 gap-2 ${styles.word}`}
+      className={`grid grid-cols-1 gap-2 p-3-4 border rounded-l ${styles.word}`}
       data-over={isOver || undefined}
     >
       <h3 id={headId}>Word document</h3>

@@ -47,7 +47,7 @@ export function WordingFields({ contract, clauseKey, wording, takesFocus, onChan
         onChange={({ currentTarget: { value } }) => onChange({ text: value })}
       />
       {used.length > 0 && (
-        <div className={`grid items-end gap-2-3 ${classes.terms}`}>
+        <div className={`grid items-end gap-2-3 grid-cols-fill-180px ${classes.terms}`}>
           {used.map((name) => (
             <TermField
               key={name}

@@ -39,7 +39,7 @@ export function Conversation({ projectId, takeId, noteId, kind, to, replies, com
   return (
     <>
       {replies.length > 0 && (
-        <ul className={`grid gap-1 ${classes.replies}`} aria-label={`Replies to ${to}`}>
+        <ul className={`grid gap-1 mt-1 ${classes.replies}`} aria-label={`Replies to ${to}`}>
           {replies.map((one) => (
             <li key={one.id}>
               <Person name={one.author.name} picture={one.author.picture} role={roleOf(one.author.id)} />{' '}

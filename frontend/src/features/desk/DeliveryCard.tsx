@@ -101,7 +101,7 @@ export function DeliveryCard({
       )}
       {held}
       {empty && (
-        <div className={`flex wrap items-center between p-inset ${classes.drop}`}>
+        <div className={`flex wrap items-center between p-inset rounded ${classes.drop}`}>
           <p>
             <span className="strong">Drop files, a folder or a ZIP anywhere on this page.</span>{' '}
             <span className="mid">
@@ -110,7 +110,7 @@ export function DeliveryCard({
               that name. Uploads resume if you lose your connection.
             </span>
           </p>
-          <span className={`flex wrap gap-2 ${classes.choose}`}>
+          <span className={`flex wrap gap-2 narrow-w-full ${classes.choose}`}>
             <HotkeyButton
               variant="primary"
               icon="upload"

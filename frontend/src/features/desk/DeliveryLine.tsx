@@ -17,9 +17,9 @@ export function DeliveryLine({ row, onStop, onDismiss, onRecheck }: { row: Deliv
   const { name, label, state, share, detail, does, uploadId, takeId } = row
   return (
     <>
-      <span className={`mono nowrap overflow-hidden ${classes.name}`}>{name}</span>
-      <span className={`mono dim wide-only nowrap overflow-hidden ${classes.label}`}>{label}</span>
-      <span className={`grid gap-2px wrap-anywhere ${classes.detail}`} data-bar={share !== null || undefined}>
+      <span className={`mono nowrap overflow-hidden text-ellipsis ${classes.name}`}>{name}</span>
+      <span className="mono dim wide-only nowrap overflow-hidden text-ellipsis">{label}</span>
+      <span className={`grid gap-2px wrap-anywhere p-1-0 ${classes.detail}`} data-bar={share !== null || undefined}>
         {share !== null && (
           <Meter thin label={`${name}: ${Math.floor(share * 100)} % here`} whole={1} parts={[{ value: share }]} />
         )}

@@ -30,7 +30,7 @@ export function DeliveryLines({ rows: { open, done }, ...actions }: LinesProps) 
         <Lines rows={shown.slice(0, ALL_AT_ONCE)} {...actions} />
       )}
       {done.length > 0 && (
-        <div className={`flex items-center gap-3 ${classes.folded}`}>
+        <div className={`flex items-center gap-3 border-t ${classes.folded}`}>
           <StatusBadge kind="conforming">{plural(done.length, 'file')} checked</StatusBadge>
           <button
             type="button"
@@ -51,7 +51,7 @@ function Lines({ rows, ...actions }: { rows: readonly DeliveryRow[] } & FileActi
   return (
     <ul aria-label="Files in this delivery">
       {rows.map((row) => (
-        <li key={row.id} className={`grid items-center gap-14px ${classes.line}`} data-kind={row.state}>
+        <li key={row.id} className={`grid items-center gap-14px border-b ${classes.line}`} data-kind={row.state}>
           <DeliveryLine row={row} {...actions} />
         </li>
       ))}

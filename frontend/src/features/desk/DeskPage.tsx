@@ -209,7 +209,7 @@ function OpenDesk({ projectId, desk, uploads }: { projectId: string; desk: Desk;
         </aside>
       </div>
       {over && (
-        <p className={`${classes.over} on-ink`} role="status">
+        <p className={`rounded ${classes.over} on-ink`} role="status">
           Drop files, folders or a ZIP to add them to the delivery. Drop them on a cue under “To do” to deliver that
           cue.
         </p>

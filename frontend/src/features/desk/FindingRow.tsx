@@ -10,8 +10,8 @@ export function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () 
   const { head, rest, where } = wordsOf(finding)
   const { tone, icon, label } = SEVERITY_LOOK[finding.severity]
   return (
-    <li className={`${classes.finding} tone-${tone}`}>
-      <span className={classes.icon}>
+    <li className={`grid col-span-full items-start border-b ${classes.finding} tone-${tone}`}>
+      <span className={`flex ${classes.icon}`}>
         <Icon name={icon} />
       </span>
       <span className="strong toned">
@@ -22,7 +22,7 @@ export function FindingRow({ finding, onHear }: { finding: Finding; onHear?: () 
         {rest}{' '}
         {where !== '' &&
           (onHear ? (
-            <button type="button" className={`link mono small ${classes.where}`} onClick={onHear}>
+            <button type="button" className={`link mono small nowrap ${classes.where}`} onClick={onHear}>
               <span className="visually-hidden">Play from </span>
               {where}
             </button>

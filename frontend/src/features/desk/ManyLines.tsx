@@ -39,7 +39,7 @@ export function ManyLines({ rows, ...actions }: { rows: readonly DeliveryRow[] }
                 key={item.key}
                 ref={virtual.measureElement}
                 data-index={item.index}
-                className={`grid items-center gap-14px ${classes.line} ${classes.placed}`}
+                className={`grid items-center gap-14px border-b ${classes.line} absolute ${classes.placed}`}
                 data-kind={row.state}
                 aria-setsize={rows.length}
                 aria-posinset={item.index + 1}

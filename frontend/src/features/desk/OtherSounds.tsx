@@ -49,7 +49,7 @@ function Sound({ sound, player: [player, { status, sourceId }] }: { sound: Other
     void player.play(0)
   }
   return (
-    <li className={`grid items-center ${classes.other}`}>
+    <li className={`grid items-center border-b ${classes.other}`}>
       <Button
         square
         variant="quiet"

@@ -161,7 +161,7 @@ function OpenTake({ projectId, item, player, playing, onSendOwn }: OpenTakeProps
         <ol className={`mt-6px ${classes.changes}`} aria-label="Requested changes">
           {changes.map((change, index) => (
             <li key={change.id}>
-              <span className={`tone-change grid toned ${classes.pin}`} aria-hidden="true">
+              <span className={`tone-change grid toned flex-none text-small ${classes.pin}`} aria-hidden="true">
                 {index + 1}
               </span>
               <div className="grow">
@@ -347,7 +347,7 @@ function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
         <StatusBadge kind={item.status} />
       </div>
       <div className={`flex items-center gap-14px min-w-0 ${classes.said}`}>
-        <span className={`block bg-well flex-none relative ${classes.thumb}`}>
+        <span className={`block bg-well flex-none relative border rounded narrow-w-full ${classes.thumb}`}>
           <WaveThumb peaks={thumbOf(item)} heightPx={32} />
           {item.duration_s !== null &&
             changes.map(
@@ -355,7 +355,7 @@ function ClosedTake({ item, onOpen }: { item: CameBack; onOpen: () => void }) {
                 start_s !== null && (
                   <i
                     key={index}
-                    className={classes.note}
+                    className={`absolute ${classes.note}`}
                     style={{ left: `${(start_s / (item.duration_s ?? 1)) * 100}%` }}
                   />
                 ),

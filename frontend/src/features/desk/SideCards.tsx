@@ -126,7 +126,7 @@ function ToMakeRow({ projectId, one, onChoose, onDrop }: RowProps) {
     // The button in the row does the same without a drag.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <li
-      className={`grid items-center hover ${classes.make}`}
+      className={`grid items-center hover border-b ${classes.make}`}
       data-over={over || undefined}
       onDragEnter={() => setOver(true)}
       onDragOver={(event) => event.preventDefault()}
@@ -177,7 +177,7 @@ export function WithApproverCard({ projectId, desk }: { projectId: string; desk:
           </>
         }
       />
-      <div className={`grid wrap-anywhere ${classes.due}`}>
+      <div className={`grid wrap-anywhere grid-cols-1-auto p-2-inset ${classes.due}`}>
         {cues.length === 0 ? (
           <span className="mid">Nothing is in review.</span>
         ) : (
@@ -233,7 +233,7 @@ export function FixesCard({ projectId }: { projectId: string }) {
       <CardHead id="fixes" title="Auto-fix available" count={warned.length} end="warnings from the check" />
       <ul aria-labelledby="fixes">
         {warned.map(({ take_id: id, cue, variation, number, says }) => (
-          <li key={id} className={classes.fix}>
+          <li key={id} className={`p-2-4 ${classes.fix}`}>
             <p>
               <Link className="link strong" to="/takes/$takeId" params={{ takeId: id }}>
                 {cue.name}
@@ -294,13 +294,13 @@ export function AskedCard({ projectId, questions, cueId }: AskedCardProps) {
       )}
       <ul aria-labelledby="asked">
         {newest.map(({ id, cue, text, asked_at, answer }) => (
-          <li key={id} className={`border-b wrap-anywhere ${classes.question}`}>
+          <li key={id} className={`border-b wrap-anywhere p-2-inset ${classes.question}`}>
             <p>“{text}”</p>
             <p className="small dim">
               {cue.name}, {ago(asked_at)}
               {answer === null ? ', waiting for the studio' : ''}
             </p>
-            {answer !== null && <p className={classes.answer}>{answer}</p>}
+            {answer !== null && <p className={`mt-1 ${classes.answer}`}>{answer}</p>}
           </li>
         ))}
       </ul>

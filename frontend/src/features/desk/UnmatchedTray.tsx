@@ -270,7 +270,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         )
       })}
       {now.length > shown && (
-        <div className={`flex items-center gap-3 ${classes.kept}`}>
+        <div className={`flex items-center gap-3 border-t ${classes.kept}`}>
           <span className="small mid">{now.length - shown} more below</span>
           <button type="button" className="link small mid" onClick={() => setShown(shown + SHOWN)}>
             Show more
@@ -278,7 +278,7 @@ export function UnmatchedTray({ projectId, takes, count, player, playing }: Tray
         </div>
       )}
       {kept > 0 && (
-        <div className={`flex items-center gap-3 ${classes.kept}`}>
+        <div className={`flex items-center gap-3 border-t ${classes.kept}`}>
           <StatusBadge kind="unmatched">{kept} skipped for now</StatusBadge>
           <button type="button" className="link small mid" onClick={() => setLater(new Set())}>
             Show {kept === 1 ? 'it' : 'them'}

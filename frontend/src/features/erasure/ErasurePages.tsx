@@ -115,7 +115,7 @@ function EraseAccount({ erasure }: { erasure: Erasure }) {
   return (
     <Card aria-labelledby="confirm" className={classes.confirm}>
       <CardHead id="confirm" title="Confirm" note="at once, and for good" />
-      <div className={`grid gap-3 wrap-anywhere ${classes.inside}`}>
+      <div className={`grid gap-3 wrap-anywhere justify-items-start p-3-4-4 ${classes.inside}`}>
         <p className="mid">What stays names you as a former user, except where a contract or an invoice names you.</p>
         <Form
           initialValues={{ confirmation: '' }}
@@ -144,7 +144,7 @@ function EraseThing({ subject, erasure }: { subject: Thing; erasure: Erasure }) 
     return (
       <Card aria-labelledby="due">
         <CardHead id="due" title={`Will be erased on ${day(erasure.due_at)}`} />
-        <div className={`grid gap-3 wrap-anywhere ${classes.inside}`}>
+        <div className={`grid gap-3 wrap-anywhere justify-items-start p-3-4-4 ${classes.inside}`}>
           <p>Requested by {erasure.requested_by}. Nothing changes before that day.</p>
           <Button
             onClick={() => cancel.mutate(undefined, { onSuccess: () => showToast(`${erasure.name} is kept.`) })}
@@ -161,7 +161,7 @@ function EraseThing({ subject, erasure }: { subject: Thing; erasure: Erasure }) 
   return (
     <Card aria-labelledby="confirm" className={classes.confirm}>
       <CardHead id="confirm" title="Confirm" note={`carried out after ${days(erasure.grace_days)}`} />
-      <div className={`grid gap-3 wrap-anywhere ${classes.inside}`}>
+      <div className={`grid gap-3 wrap-anywhere justify-items-start p-3-4-4 ${classes.inside}`}>
         <p className="mid">
           Everyone in it gets an email with the day. Until then nothing changes, and a producer can cancel it here.
         </p>

@@ -129,9 +129,9 @@ function SizeBars({ batch, sizes }: { batch: Batch; sizes: readonly BatchSizes[]
     <>
       <div role="img" aria-label={`Sizes of batch ${batch.number}: ${lines.join('; ')}`}>
         {totals.map(({ target, before, after }) => (
-          <div key={target} className={`grid items-center gap-3 ${classes.bar} small`}>
+          <div key={target} className={`grid items-center gap-3 narrow-grid-cols-1-auto ${classes.bar} small`}>
             <span className="cut-text">{target}</span>
-            <span className={`bg-well relative ${classes.track}`}>
+            <span className={`bg-well relative border rounded-2px ${classes.track}`}>
               <i data-half="upper" style={{ width: share(before) }} />
               <i data-half="lower" data-used="" style={{ width: share(after) }} />
             </span>

@@ -29,9 +29,9 @@ export function MemoryBars({ target }: { target: Target }) {
         aria-label={`Memory of ${target.name}: ${rows.map(({ name, of }) => `${name} ${roomOf(of)}`).join('; ')}`}
       >
         {rows.map(({ name, of, used: now }) => (
-          <div key={name} className={`grid items-center gap-3 ${classes.bar} small`}>
+          <div key={name} className={`grid items-center gap-3 narrow-grid-cols-1-auto ${classes.bar} small`}>
             <span className="cut-text">{name}</span>
-            <span className={`bg-well relative ${classes.track}`}>
+            <span className={`bg-well relative border rounded-2px ${classes.track}`}>
               <i style={{ width: share(of.memory_bytes) }} />
               <i data-used="" style={{ width: share(Math.min(now?.memory_bytes ?? 0, of.memory_bytes)) }} />
               {of.budget_bytes !== null && <i data-budget="" style={{ left: share(of.budget_bytes) }} />}

@@ -78,7 +78,7 @@ export function PlaceholdersPage() {
           )}
           <ul aria-label="Placeholders">
             {register.items.map((item) => (
-              <li key={item.path} className={`grid wrap-anywhere ${classes.stand}`}>
+              <li key={item.path} className={`grid wrap-anywhere border-b ${classes.stand}`}>
                 <span className="mono small dim">{item.cue}</span>
                 <span>
                   {item.name} <span className="mono small mid">{item.path}</span>

@@ -266,7 +266,7 @@ interface LineFieldsProps {
 function LineFields({ line, name, currency, onChange, onRemove }: LineFieldsProps) {
   const isOff = !line.isOffered
   return (
-    <fieldset className={`grid items-end gap-3 ${classes.line}`}>
+    <fieldset className={`grid items-end gap-3 m-0 ${classes.line}`}>
       <legend className="visually-hidden">{name}</legend>
       {line.kind === 'asked' ? (
         <Checkbox

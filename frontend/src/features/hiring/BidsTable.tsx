@@ -56,7 +56,7 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
     // Wide tables scroll by themselves; the focus lets the arrow keys do it.
     // eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex
     <section className="overflow-x-auto" aria-label="Bids side by side" tabIndex={0}>
-      <table className={classes.table}>
+      <table className={`w-full ${classes.table}`}>
         <thead>
           <tr>
             <th scope="col">Shortlist first, then as they came</th>
@@ -149,12 +149,12 @@ export function BidsTable({ comparison, chosenId, player, onMark, onAward }: Bid
             row('Other projects', ({ content }) => EXCLUSIVITY_WORDS[content.exclusivity ?? 'unknown'])}
           {bids.some(({ content }) => content.other_work) &&
             row('Other work in these days', ({ content }) => (
-              <span className={classes.text}>{content.other_work}</span>
+              <span className={`pre-line ${classes.text}`}>{content.other_work}</span>
             ))}
           {bids.some(({ content }) => content.equipment) &&
-            row('Equipment', ({ content }) => <span className={classes.text}>{content.equipment}</span>)}
+            row('Equipment', ({ content }) => <span className={`pre-line ${classes.text}`}>{content.equipment}</span>)}
           {row('Note', (bid) => (
-            <span className={classes.text}>{bid.content.note}</span>
+            <span className={`pre-line ${classes.text}`}>{bid.content.note}</span>
           ))}
           {headings.map((heading) => row(heading, (bid) => <Marks bid={bid} heading={heading} />))}
           {row('Award opens a draft contract with these figures', (bid) => (

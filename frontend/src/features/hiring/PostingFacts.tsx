@@ -50,7 +50,7 @@ export function PostingFacts({ posting, ndaOpen, postingId }: PostingFactsProps)
         </EmptyState>
       ) : (
         <>
-          {text && <p className={classes.text}>{text}</p>}
+          {text && <p className={`pre-line ${classes.text}`}>{text}</p>}
           {posting.phase === 'advisory' && (
             <p>
               {posting.price_minor === null

@@ -51,7 +51,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
 
   return (
     <div className="page">
-      <div className={`flex wrap items-start between ${classes.head}`}>
+      <div className={`flex wrap items-start between mb-4 ${classes.head}`}>
         <div>
           <h1>{project.name}</h1>
           <p className="mid">
@@ -72,7 +72,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
         )}
       </div>
       {note && (
-        <blockquote className={`pre-line wrap-anywhere ${classes.note}`}>
+        <blockquote className={`pre-line wrap-anywhere mb-4 ${classes.note}`}>
           <p className="lead">{note}</p>
           <footer className="small dim">{inviter}</footer>
         </blockquote>
@@ -89,7 +89,7 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
       )}
       <div className={`columns ${classes.columns}`}>
         <section aria-labelledby="list">
-          <div className={`flex items-baseline gap-3 ${classes.listHead}`}>
+          <div className="flex items-baseline gap-3 min-h-28px">
             <h2 id="list">Sound list</h2>
             {!invitation.nda_needed && (
               <span className="small dim">

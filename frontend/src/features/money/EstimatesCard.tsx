@@ -6,8 +6,6 @@ import { hours, money } from '@/money/words'
 import { Card, CardHead } from '@/ui/Card'
 import { day, deviation, figure, plural } from '@/ui/format'
 
-import classes from './Page.module.css'
-
 /** How estimates turn out; for the two parties only. */
 export function EstimatesCard({ contractId, title }: { contractId: string; title: string }) {
   const { data } = useQuery(estimatesQuery(contractId))
@@ -22,7 +20,7 @@ export function EstimatesCard({ contractId, title }: { contractId: string; title
       <CardHead id={id} title="Estimates" end="visible to the two of you only" />
       <div className="p-3-inset">
         {habits.map(({ name, habit: { pairs, mean_percent: mean, spread_points: spread } }) => (
-          <p key={name} className={classes.line}>
+          <p key={name} className="grid grid-cols-1-auto gap-0-3">
             <span className="mid">{name}</span>
             <span>
               {mean === null || spread === null
@@ -54,7 +52,7 @@ function PayLines({ pay }: { pay: NonNullable<components['schemas']['EstimatesRe
   ].map(
     ({ name, minutes, minor, more }) =>
       minor !== null && (
-        <p key={name} className={classes.line}>
+        <p key={name} className="grid grid-cols-1-auto gap-0-3">
           <span className="mid">{name}</span>
           <span>{`${money(minor, currency)}, of ${hours(minutes)}${more}`}</span>
         </p>

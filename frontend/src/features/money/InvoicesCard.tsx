@@ -230,16 +230,16 @@ function IssueForm({ contract }: { contract: ContractMoney }) {
     >
       <div className={`${classes.wide} mb-2`}>
         {draft.lines.map((line, place) => (
-          <p key={`${place} ${line.text}`} className={classes.line}>
+          <p key={`${place} ${line.text}`} className="grid grid-cols-1-auto gap-0-3">
             <span className="mid">{line.text}</span> <span>{amount(line.amount_minor, currency)}</span>
           </p>
         ))}
         {draft.taxes.map((tax) => (
-          <p key={tax.tax_bp} className={classes.line}>
+          <p key={tax.tax_bp} className="grid grid-cols-1-auto gap-0-3">
             <span className="mid">Tax, {percent(tax.tax_bp)}</span> <span>{amount(tax.amount_minor, currency)}</span>
           </p>
         ))}
-        <p className={`strong ${classes.line}`}>
+        <p className="strong grid grid-cols-1-auto gap-0-3">
           <span>{`Payment term ${plural(draft.payment_days, 'day')}`}</span>{' '}
           <span>{money(draft.total_minor, currency)}</span>
         </p>

@@ -56,7 +56,7 @@ function Head({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
   const { milestone, contract_title: title, contract_id: contractId, project_id: projectId, designer } = sheet
   const { due_on: due, done_at: done, accepted, wanted } = milestone
   return (
-    <header className={`flex wrap between ${classes.head}`}>
+    <header className={`flex wrap between mb-4 ${classes.head}`}>
       <div>
         <h1>{milestone.name}</h1>
         <p className="mid">
@@ -159,7 +159,7 @@ function CuesCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
                 {row.status === 'partly_accepted' ? 'Partly accepted' : undefined}
               </StatusBadge>
             )}
-            <span className={`small mid ${classes.share}`}>{shareInWords(row, currency)}</span>
+            <span className={`small mid num ${classes.share}`}>{shareInWords(row, currency)}</span>
           </Row>
         ))}
       </Rows>
@@ -217,7 +217,7 @@ function DueCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
       <div className="p-3-inset">
         <p className="figure">{money(owed - paid, currency)}</p>
         {facts.map(({ name, minor }) => (
-          <p key={name} className={`small ${classes.line}`}>
+          <p key={name} className="small grid grid-cols-1-auto gap-0-3">
             <span className="mid">{name}</span> <span>{amount(minor, currency)}</span>
           </p>
         ))}
@@ -297,7 +297,7 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
       <CardHead id="estimates" title="Estimates" end="visible to the two of you only" />
       <div className="p-3-inset">
         {whole && (
-          <p className={`small ${classes.line}`}>
+          <p className="small grid grid-cols-1-auto gap-0-3">
             <span className="mid">From signing to due date</span>
             <span>
               {plural(whole.estimate, 'day')}, {whole.actual === null ? 'so far' : 'actual'} {figure(whole.so_far)}
@@ -306,7 +306,7 @@ function EstimateCard({ sheet, side }: { sheet: MilestoneSheet; side: Side }) {
           </p>
         )}
         {ofCues.map((row) => (
-          <p key={row.about_id} className={`small ${classes.line}`}>
+          <p key={row.about_id} className="small grid grid-cols-1-auto gap-0-3">
             <span className="mid">{row.name}</span>
             <span>
               {hours(row.estimate)}, {row.so_far > 0 ? `logged ${hours(row.so_far)}` : 'no time logged'}

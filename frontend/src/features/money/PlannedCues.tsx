@@ -81,7 +81,7 @@ export function PlannedCues({ cues, typed, currency, projectId, onChange }: Plan
           const typedCue = typed.cues[cue.id] ?? NO_CUE
           const isIn = keys.has(typedCue.milestone) && typedCue.milestone !== ''
           return (
-            <li key={cue.id} className={`grid items-center ${classes.cue}`}>
+            <li key={cue.id} className={`grid items-center border-b ${classes.cue}`}>
               <span className={isIn ? 'cut-text' : 'cut-text mid'}>
                 <span className="mono dim">{cue.label}</span> {cue.name}
                 <span className="small dim"> {cue.category}</span>

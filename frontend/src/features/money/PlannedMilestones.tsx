@@ -89,7 +89,7 @@ function Milestone({
 }: MilestoneProps) {
   const called = milestone.name.trim() || `milestone ${place + 1}`
   return (
-    <fieldset className={`grid items-start gap-2-3 ${classes.milestone}`}>
+    <fieldset className={`grid items-start gap-2-3 m-0 p-3-inset ${classes.milestone}`}>
       <legend className="visually-hidden">{called}</legend>
       <TextInput
         label="Name"

@@ -76,7 +76,7 @@ function NoticeRow({ notice, onRead }: { notice: Notice; onRead: () => void }) {
       <Link
         to={notice.path as LinkProps['to']}
         data-stop
-        className={`grow ${classes.notice}`}
+        className={`grow block ${classes.notice}`}
         onClick={() => {
           if (isNew) onRead()
         }}

@@ -85,7 +85,7 @@ function JobRow({ job, scope, busy, onRetry }: { job: Job; scope: Scope; busy: b
           queued {ago(job.since)}
           {job.tries > 0 && `, ${plural(job.tries, 'try', 'tries')}`}
         </span>
-        {job.reason !== null && <span className={`small block wrap-anywhere ${classes.reason}`}>{job.reason}</span>}
+        {job.reason !== null && <span className="small block wrap-anywhere font-mono">{job.reason}</span>}
       </span>
       <StatusBadge kind={kind}>{word}</StatusBadge>
       {job.state === 'parked' && (

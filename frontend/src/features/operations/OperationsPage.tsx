@@ -11,7 +11,6 @@ import { PageSkeleton } from '@/ui/Skeleton'
 import { operationsQuery, type Scope } from './api'
 import { JobsCard } from './JobsCard'
 import { LimitsCard } from './LimitsCard'
-import classes from './Operations.module.css'
 import { LanesCard, StorageCard, WorkersCard } from './SideCards'
 import { inOneLine } from './words'
 
@@ -41,7 +40,7 @@ export function OperationsPage() {
   const scope: Scope = view.value === SERVER ? SERVER : { studioId: view.value }
   return (
     <div className="page">
-      <header className={`flex wrap items-end between gap-2-4 ${classes.head}`}>
+      <header className="flex wrap items-end between gap-2-4 mb-4">
         <div>
           <h1>Jobs and storage</h1>
           <InOneLine scope={scope} />

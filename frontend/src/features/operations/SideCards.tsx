@@ -109,7 +109,7 @@ export function WorkersCard({ scope }: { scope: Scope }) {
         <Rows aria-labelledby="workers">
           {data.workers.map(({ id, beat_at, is_alive, running }) => (
             <Row key={id} dense>
-              <span className={`grow ${classes.worker}`}>{id}</span>
+              <span className="grow font-mono wrap-anywhere">{id}</span>
               <span className="small dim">
                 {is_alive ? (running > 0 ? `${plural(running, 'job')} running` : 'free') : `last seen ${ago(beat_at)}`}
               </span>

@@ -12,7 +12,7 @@ import { OUTCOME_STATES, outcomeInWords, outcomeOf, type RefusedFile, refusedFil
 /** One build: its label, how it ended, when and what for. */
 export function BuildLine({ build, children }: { build: Build | BuildBrief; children?: ReactNode }) {
   return (
-    <div className={`grid items-center ${classes.line}`}>
+    <div className={`grid items-center border-b ${classes.line}`}>
       <span className="strong cut-text">{build.label}</span>
       <StatusBadge kind={OUTCOME_STATES[outcomeOf(build)]}>{outcomeInWords(build)}</StatusBadge>
       <span className="small dim num">
@@ -57,7 +57,7 @@ function Files({ files, tone }: { files: readonly RefusedFile[]; tone: 'bad' | '
   if (files.length === 0) return null
   return (
     <ul
-      className={`small ${classes.files} tone-${tone}`}
+      className={`small grid gap-6px ${classes.files} tone-${tone}`}
       aria-label={tone === 'bad' ? 'Refused files' : 'Files with warnings'}
     >
       {files.map(({ path, reasons }) => (

@@ -46,7 +46,7 @@ export function BuildsCard({ project: { id: projectId, mine }, builds }: BuildsC
       />
       {latest ? (
         <>
-          <div className={classes.squares}>
+          <div className={`border-b ${classes.squares}`}>
             <Squares builds={builds} />
           </div>
           <BuildLine build={latest}>
@@ -101,9 +101,9 @@ function CiLines({ projectId }: { projectId: string }) {
   if (error) return <Refusal inset error={error} />
   if (data === undefined) return null
   return (
-    <div className={`row bg-well inset ${classes.command}`}>
+    <div className={`row bg-well inset border rounded ${classes.command}`}>
       <code>{data.command.replace(/ (&&|--server|--project|--target)/g, ' \\\n  $1')}</code>
-      <div className={classes.take}>
+      <div className={`grid ${classes.take}`}>
         <CopyLines lines={[data.command]} label="Copy the CI command" />
         <Link
           className="link small"

@@ -80,7 +80,7 @@ function OneBuild({ build, projectId, opened }: { build: Build; projectId: strin
   const [open, setOpen] = useState(opened)
   return (
     <details open={open} onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-      <summary className={`hover ${classes.summary}`}>
+      <summary className={`hover pointer ${classes.summary}`}>
         <BuildLine build={build} />
       </summary>
       {open && (

@@ -32,11 +32,11 @@ export function CiCard({ projectId }: { projectId: string }) {
           <pre className="code-lines border-b" tabIndex={0} role="region" aria-label="Command to copy">
             {data.command}
           </pre>
-          <p className={`small mid border-b p-3-4 ${classes.steps}`}>
+          <p className={`small mid border-b p-3-4 m-0 ${classes.steps}`}>
             It fetches spec, list and baseline, checks, audits and posts the build.{' '}
             <code className="mono">audio-checks</code> must be installed.
           </p>
-          <details className={`border-b p-3-4 ${classes.steps}`}>
+          <details className={`border-b p-3-4 m-0 ${classes.steps}`}>
             <summary className="small">The same steps with curl</summary>
             <CopyLines lines={data.lines} label="Copy all steps" />
             {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
@@ -46,7 +46,7 @@ export function CiCard({ projectId }: { projectId: string }) {
           </details>
         </>
       )}
-      <dl className={`small grid gap-1-3 ${classes.facts}`}>
+      <dl className={`small grid gap-1-3 p-3-4 ${classes.facts}`}>
         <dt>Token</dt>
         <dd>
           Add it to the CI’s secrets as <code className="mono">SOUNDLIST_TOKEN</code>. Producers create it.

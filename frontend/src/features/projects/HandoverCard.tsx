@@ -37,7 +37,7 @@ function Handover({ handover, projectId }: { handover: OpenHandover; projectId: 
         title={`${plural(cues.length, 'cue')} ${cues.length === 1 ? 'has' : 'have'} no designer`}
         note={`${title} with ${designer} ended, ${day(at)}`}
       />
-      <div className={`grid gap-3 ${classes.body}`}>
+      <div className={`grid gap-3 p-3-4-4 ${classes.body}`}>
         <p>
           {cues
             .slice(0, NAMED)

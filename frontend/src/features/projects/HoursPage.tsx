@@ -156,7 +156,7 @@ function Gauge({ week, most }: { week: Week; most: number }) {
         className={week.is_short ? `${classes.due} ${classes.over}` : classes.due}
         style={{ width: `${(week.wanted_h / most) * 100}%` }}
       />
-      {there !== null && <i className={classes.frame} style={{ width: `${(there / most) * 100}%` }} />}
+      {there !== null && <i className={`border-edge ${classes.frame}`} style={{ width: `${(there / most) * 100}%` }} />}
     </span>
   )
 }

@@ -142,14 +142,14 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
                 rows={2}
                 resize="vertical"
               />
-              <fieldset className={`grid gap-2-3 ${classes.presets}`}>
+              <fieldset className={`grid gap-2-3 grid-cols-1fr-1fr p-0 border-0 narrow-grid-cols-1 ${classes.presets}`}>
                 <legend>Delivery spec</legend>
                 {(Object.keys(PRESETS) as Preset[]).map((key) => {
                   const { head, accepts, makes, when } = PRESETS[key]
                   return (
                     <label
                       key={key}
-                      className={`flex items-start gap-2 hover ${classes.preset}`}
+                      className={`flex items-start gap-2 hover p-3 border-edge rounded pointer ${classes.preset}`}
                       data-chosen={preset === key || undefined}
                     >
                       <input
@@ -163,7 +163,7 @@ function NewProjectForm({ studios, isFirst }: NewProjectFormProps) {
                       />
                       <span>
                         <span className="strong">{head}</span>
-                        <span id={`preset-${key}`} className={`mid grid gap-1 ${classes.facts}`}>
+                        <span id={`preset-${key}`} className="mid grid gap-1 mt-1">
                           <span>{accepts}</span>
                           <span>{makes}</span>
                           <span className="dim">{when}</span>
@@ -199,12 +199,14 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
     { value: true, head: 'A sample project', about: '24 sounds to hear and review. Delete it when done.' },
   ]
   return (
-    <fieldset className={`grid gap-2-3 ${classes.presets} ${classes.begin}`}>
+    <fieldset
+      className={`grid gap-2-3 grid-cols-1fr-1fr p-0 border-0 narrow-grid-cols-1 ${classes.presets} ${classes.begin}`}
+    >
       <legend>Begin with</legend>
       {choices.map(({ value, head, about }) => (
         <label
           key={head}
-          className={`flex items-start gap-2 hover ${classes.preset}`}
+          className={`flex items-start gap-2 hover p-3 border-edge rounded pointer ${classes.preset}`}
           data-chosen={isSample === value || undefined}
         >
           <input
@@ -216,7 +218,7 @@ function FirstChoice({ isSample, onChange }: { isSample: boolean; onChange: (isS
           />
           <span>
             <span className="strong">{head}</span>
-            <span className={`mid grid gap-1 ${classes.facts}`}>{about}</span>
+            <span className="mid grid gap-1 mt-1">{about}</span>
           </span>
         </label>
       ))}

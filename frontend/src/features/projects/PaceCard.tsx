@@ -154,7 +154,7 @@ export function PaceCard({ projectId, isProducer }: { projectId: string; isProdu
       />
       <Refusal inset error={error} />
       {pace && (
-        <div className={`grid gap-4 ${classes.parts}`}>
+        <div className={`grid gap-4 p-3-4-4 ${classes.parts}`}>
           <Part head="The work" lines={ofWork(pace)} />
           <Part head="The studio’s part" lines={ofStudio(pace)} />
           {pace.costs.map((costs) => (
@@ -193,7 +193,7 @@ function Part({ head, lines }: { head: string; lines: readonly Line[] }) {
   return (
     <section>
       <h3 className="small mid">{head}</h3>
-      <dl className={`grid gap-3px ${classes.pairs}`}>
+      <dl className={`grid gap-3px mt-1 ${classes.pairs}`}>
         {lines.map(({ word, value, warns }) => (
           <div key={word}>
             <dt>{word}</dt>

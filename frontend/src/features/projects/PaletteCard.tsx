@@ -62,15 +62,15 @@ export function PaletteCard({ projectId, palette, cues }: PaletteCardProps) {
           </EmptyState>
         </div>
       )}
-      <ul className={`grid overflow-hidden ${classes.sounds}`}>
+      <ul className={`grid overflow-hidden rounded-b-l ${classes.sounds}`}>
         {palette.map(({ cue, thumb, loudness_lufs, preview_url }) => (
-          <li key={cue.id} className={classes.sound} data-playing={playing === cue.id || undefined}>
-            <Link className={`strong cut-text ${classes.name}`} to={`${list}/cues/${cue.id}` as LinkProps['to']}>
+          <li key={cue.id} className={`min-w-0 ${classes.sound}`} data-playing={playing === cue.id || undefined}>
+            <Link className={`strong cut-text block ${classes.name}`} to={`${list}/cues/${cue.id}` as LinkProps['to']}>
               {cue.name}
             </Link>
             <button
               type="button"
-              className={`block pointer ${classes.play}`}
+              className={`block pointer w-full p-1-0 border-0 bg-none ${classes.play}`}
               aria-label={playing === cue.id ? `Pause ${cue.name}` : `Play ${cue.name}`}
               disabled={preview_url === null}
               onClick={() => (playing === cue.id ? stop() : play(cue.id, false))}

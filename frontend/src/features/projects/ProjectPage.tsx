@@ -39,7 +39,7 @@ export function ProjectPage() {
   return (
     <div className="page">
       <h1>{project?.name ?? 'Project'}</h1>
-      <p className={`mid ${classes.lead}`}>{project?.description}</p>
+      <p className="mid mb-4">{project?.description}</p>
       {project?.archived_at && (
         <p className="mid">
           This project is archived. It is read-only in lists of active projects and can be restored.
@@ -49,7 +49,7 @@ export function ProjectPage() {
       {project && (
         <>
           <NextStep projectId={projectId} />
-          <div className={`grid gap-4 ${classes.cards}`}>
+          <div className={`grid gap-4 grid-cols-1fr-1fr mt-4 ${classes.cards}`}>
             <SoundsCard projectId={projectId} />
             <PeopleCard project={project} />
             {isParty && <MoneyCard projectId={projectId} />}
@@ -75,7 +75,7 @@ function NextStep({ projectId }: { projectId: string }) {
   if (next === undefined) return <Skeleton />
   if (first === undefined) return null
   return (
-    <section className={`flex wrap items-center gap-3 bg-raised p-3-4 ${classes.next}`} aria-label="Next step">
+    <section className={`flex wrap items-center gap-3 bg-raised p-3-4 rounded ${classes.next}`} aria-label="Next step">
       <div className="grow">
         <p className="strong">{first.head}</p>
         <p className="small mid">

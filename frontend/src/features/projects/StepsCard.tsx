@@ -33,7 +33,7 @@ export function StepsCard({ project, overview: { steps, cues, counts, needs } }:
       </div>
       <div className={`flex gap-14px ${classes.steps}`}>
         {groupsOf(steps).map((group) => (
-          <div key={group.title} style={{ flexGrow: group.steps.length }} className={classes.group}>
+          <div key={group.title} style={{ flexGrow: group.steps.length }} className={`min-w-0 ${classes.group}`}>
             <ul className={`flex wrap gap-3px ${classes.cells}`} aria-label={group.title}>
               {group.steps.map((step) => (
                 <Cell key={step.cue.id} step={step} project={project} />
@@ -47,18 +47,18 @@ export function StepsCard({ project, overview: { steps, cues, counts, needs } }:
         ))}
       </div>
       {cues > steps.length && (
-        <p className={`small mid ${classes.next}`}>
+        <p className={`small mid border-t ${classes.next}`}>
           The first {figure(steps.length)} in list order.{' '}
           <Link className="link" to={`/projects/${project.id}/sound-list` as LinkProps['to']}>
             All {figure(cues)} in the sound list
           </Link>
         </p>
       )}
-      <ul className={`flex wrap border-t mt-3 ${classes.legend}`} aria-label="Cues by state">
+      <ul className={`flex wrap border-t mt-3 text-small ${classes.legend}`} aria-label="Cues by state">
         {statuses.map((status) => (
           <li key={status}>
             <StatusBadge kind={STATUSES[status].kind}>
-              {STATUSES[status].word} <span className={classes.count}>{figure(counts[status] ?? 0)}</span>
+              {STATUSES[status].word} <span className={`ink ${classes.count}`}>{figure(counts[status] ?? 0)}</span>
             </StatusBadge>
           </li>
         ))}
@@ -94,7 +94,7 @@ function NobodyMakes({ project }: { project: Project }) {
   if (engaged || invitations === undefined) return null
   const open = invitations.filter(({ accepted_at }) => accepted_at === null)
   return (
-    <p className={`row small ${classes.next}`}>
+    <p className={`row small border-t ${classes.next}`}>
       <Icon name="people" />
       {open.length === 0
         ? 'No designer yet'

@@ -40,7 +40,7 @@ export function ReferencesPage(): ReactNode {
   ])
   const uploads = useUploadsOf(projectId, mayAdd ? me?.person.id : undefined)
   return (
-    <div className={`page stack ${classes.page}`} aria-busy={board.isPending}>
+    <div className={`page stack content-start ${classes.page}`} aria-busy={board.isPending}>
       <header className="row wrap">
         <h1>References</h1>
         {references && references.length > 0 && (
@@ -141,7 +141,7 @@ function Adding({ projectId, cueId, uploads }: { projectId: string; cueId: strin
         fileField={fileField}
         onFiles={(files) => add(filesOfField(files))}
       />
-      {isOver && <p className={classes.over}>Drop the files to add them to the board.</p>}
+      {isOver && <p className={`rounded ${classes.over}`}>Drop the files to add them to the board.</p>}
       <UploadLines queue={uploads.queue} />
     </>
   )

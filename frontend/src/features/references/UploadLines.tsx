@@ -17,7 +17,7 @@ export function UploadLines({ queue }: { queue: UploadQueue }) {
         const going = isGoing(upload)
         return (
           <li key={id}>
-            <span className={`mono nowrap overflow-hidden ${classes.uploadName}`}>{file.name}</span>
+            <span className="mono nowrap overflow-hidden text-ellipsis">{file.name}</span>
             {going ? (
               <>
                 <Meter thin label={file.name} whole={Math.max(1, file.size)} parts={[{ value: sentBytes }]} />

@@ -91,7 +91,7 @@ function Line({ carried, hand, isNext, onSpot, onSay }: LineProps) {
   const isSaid = isAnswered(carried, hand)
   const about = <span className="visually-hidden">: {note.text}</span>
   return (
-    <li className={classes.said} aria-current={isNext || undefined}>
+    <li className={`border-b ${classes.said}`} aria-current={isNext || undefined}>
       <p className="row">
         {number !== null && <span className={`flex-none strong ${classes.saidNumber}`}>{number}</span>}
         <Avatar name={note.author.name} picture={note.author.picture} />

@@ -48,12 +48,12 @@ export function Checklist({ checklist, hand, cueId, onClose }: ChecklistProps) {
           </Button>
         </span>
       </div>
-      <ul className={classes.items}>
+      <ul className={`overflow-y-auto ${classes.items}`}>
         {checklist.items.map(({ id, text }) => {
           const checked = checks.get(id)
           return (
             <li key={id}>
-              <label className={`flex top min-h-24px pointer wrap-anywhere ${classes.item}`}>
+              <label className={`flex top min-h-24px pointer wrap-anywhere gap-2 ${classes.item}`}>
                 <input
                   type="checkbox"
                   checked={checked !== undefined}

@@ -59,7 +59,7 @@ export function Composer({ review, hand, writing, onWriting, comment }: Composer
     field.current?.blur() // the next key is a single-key shortcut again
   }
   return (
-    <div className={`grid gap-1 bg-raised flex-none ${classes.composer}`}>
+    <div className={`grid gap-1 bg-raised flex-none border-edge rounded ${classes.composer}`}>
       <SendField
         ref={field}
         aria-label={`Comment ${where}`}

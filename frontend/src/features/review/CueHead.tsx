@@ -22,7 +22,7 @@ export function CueHead({ projectId, review, waitingHere, queued, onQueue }: Cue
   const { cue } = review
   const description = cue.description || cue.use
   return (
-    <header className={classes.cue}>
+    <header className={`flex-none narrow-p-3 ${classes.cue}`}>
       <div className={`row wrap ${classes.cueName}`}>
         <h1>{cue.name}</h1>
         <StatusBadge kind={headState(review, waitingHere)} pill />

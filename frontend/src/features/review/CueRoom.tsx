@@ -444,7 +444,10 @@ export function CueRoom(props: CueRoomProps) {
 
   return (
     <>
-      <section className={`flex flex-col bg-raised overflow-y-auto ${classes.stage}`} aria-label={cue.name}>
+      <section
+        className={`flex flex-col bg-raised overflow-y-auto min-w-0 min-h-0 ${classes.stage}`}
+        aria-label={cue.name}
+      >
         <CueHead
           projectId={projectId}
           review={review}
@@ -556,7 +559,7 @@ export function CueRoom(props: CueRoomProps) {
             onStop={() => player.pause()}
           />
         )}
-        <div className={classes.verdict}>
+        <div className={`sticky bottom-0 flex-none ${classes.verdict}`}>
           <Verdict
             projectId={projectId}
             review={review}

@@ -12,12 +12,12 @@ export function JudgedLately({ projectId }: { projectId: string }) {
   if (judged.length === 0) return null
   return (
     <>
-      <h3 className={`${classes.sub} small`}>Reviewed in the last 7 days</h3>
+      <h3 className={`dim ${classes.sub} small`}>Reviewed in the last 7 days</h3>
       <ul>
         {judged.map(({ cue, status }) => (
           <li key={cue.id}>
             <Link
-              className={`row hover ${classes.judged}`}
+              className={`row hover border-b ${classes.judged}`}
               to="/projects/$projectId/review/$cueId"
               params={{ projectId, cueId: cue.id }}
               search={{}}

@@ -17,5 +17,5 @@ export function ListenProgress({ take, player }: { take: ReviewTake; player: Pla
       }),
     [player, enoughS],
   )
-  return <span ref={line} className={classes.listened} aria-hidden="true" />
+  return <span ref={line} className={`absolute ${classes.listened}`} aria-hidden="true" />
 }

@@ -49,7 +49,7 @@ export function PalettePlot({ projectId, takes, hand, nameOf }: PalettePlotProps
         <span className="dim">LUFS</span>
       </p>
       <div
-        className={classes.plot}
+        className={`relative ${classes.plot}`}
         style={{ height: 26 + STOREY_PX * Math.max(...storeys.map(({ storey }) => storey), 1) }}
         role="img"
         aria-label={words}

@@ -57,7 +57,7 @@ export function QueueFilters({ projectId, cueId, filter, onClose }: QueueFilters
   return (
     <form
       aria-label="Filter the queue"
-      className={`grid grid-cols-2 gap-2 ${classes.filters}`}
+      className={`grid grid-cols-2 gap-2 border-b bg-surface ${classes.filters}`}
       onSubmit={(event) => {
         event.preventDefault()
         change({ q: words.trim() })

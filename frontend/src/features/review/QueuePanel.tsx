@@ -93,7 +93,7 @@ export function QueuePanel(props: QueuePanelProps) {
           ))}
         </ul>
         {queue.isKnown && waiting.length === 0 && (
-          <p className={`${classes.sub} small`}>
+          <p className={`dim ${classes.sub} small`}>
             {isFiltered(filter) ? 'No cue that waits matches the filter. ' : 'Nothing to review'}
             {isFiltered(filter) && (
               <Link className="link" to="/projects/$projectId/review/$cueId" params={{ projectId, cueId }} search={{}}>
@@ -105,8 +105,8 @@ export function QueuePanel(props: QueuePanelProps) {
         <JudgedLately projectId={projectId} />
       </div>
       {drafts > 0 && (
-        <section aria-label="Drafts, not sent" className={`border-t overflow-y-auto ${classes.drafts}`}>
-          <h3 className={`${classes.sub} small`}>Drafts, not sent</h3>
+        <section aria-label="Drafts, not sent" className={`border-t overflow-y-auto flex-none ${classes.drafts}`}>
+          <h3 className={`dim ${classes.sub} small`}>Drafts, not sent</h3>
           <Drafts projectId={projectId} mayApprove={mayApprove} onAsk={onOpen} />
         </section>
       )}
@@ -146,7 +146,7 @@ function QueueLine({ item, projectId, filter, current, onOpen }: QueueLineProps)
     <li className={classes.item}>
       <Link
         ref={ref}
-        className={`grid items-baseline hover ${classes.itemLink}`}
+        className={`grid items-baseline hover grid-cols-1-auto border-b ${classes.itemLink}`}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
         search={filter}

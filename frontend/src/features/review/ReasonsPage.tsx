@@ -156,7 +156,7 @@ function Counts({ kind, title, counts, search }: CountsProps) {
           <li key={reason}>
             <Link
               data-row
-              className={`hover ${classes.row}`}
+              className={`hover narrow-min-h-44px ${classes.row}`}
               to="/projects/$projectId/reasons"
               params={{ projectId }}
               search={{ ...search, kind, reason }}

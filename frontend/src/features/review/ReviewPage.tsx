@@ -161,7 +161,7 @@ export function ReviewPage(): ReactNode {
           startS={search.at}
         />
       ) : (
-        <section className={`flex flex-col bg-raised overflow-y-auto ${classes.stage}`}>
+        <section className={`flex flex-col bg-raised overflow-y-auto min-w-0 min-h-0 ${classes.stage}`}>
           <h1 className="visually-hidden">Review</h1>
           <Refusal error={error} />
         </section>

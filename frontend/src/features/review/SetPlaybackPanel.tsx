@@ -33,7 +33,7 @@ export function OpenedPanel({ way, setWay, setOpen, isPlaying, onPlay, onStop }:
     <section
       id="set-way"
       aria-label="How the set is played"
-      className={`flex wrap items-end border-t ${classes.setWay}`}
+      className={`flex wrap items-end border-t flex-none gap-2-4 ${classes.setWay}`}
     >
       <Segmented
         label="Rate"

@@ -24,7 +24,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
   const odd = outlierOf(takes)
   const here = new Set(takes.map(({ variation }) => variation)).size
   return (
-    <div className={`grid gap-6px ${classes.set}`}>
+    <div className={`grid gap-6px flex-none ${classes.set}`}>
       <p className="row between small">
         <span className="strong">
           {here} of {cue.variations} variations
@@ -42,7 +42,7 @@ export function SetRows({ takes, handId, nameOf, picked, onChoose, cue }: SetRow
             data-picked={picked.has(take.id) || undefined}
             onChoose={() => onChoose(take)}
           >
-            <span className={`mono flex items-center between gap-6px ${classes.setName}`}>
+            <span className={`mono flex items-center between gap-6px border-r bg-well ${classes.setName}`}>
               {nameOf(take)}
               {index < 9 && <Key keys={String(index + 1)} />}
             </span>

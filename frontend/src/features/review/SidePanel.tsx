@@ -72,8 +72,11 @@ export function SidePanel(props: SidePanelProps) {
   }
 
   return (
-    <aside className={`flex flex-col ${classes.side}`} aria-label="About this version">
-      <div role="tablist" aria-label="About this version" className={`flex border-b ${classes.tabs}`}>
+    <aside
+      className={`flex flex-col min-w-0 min-h-0 border-l bg-surface ${classes.side}`}
+      aria-label="About this version"
+    >
+      <div role="tablist" aria-label="About this version" className={`flex border-b flex-none ${classes.tabs}`}>
         {tabs.map(({ id, label }) => (
           <button
             key={id}
@@ -226,10 +229,10 @@ function SaidLine({ item, roleOf, open, on, onOpen, myId, onMark, onReply }: Sai
   const resolved = Boolean(comment?.resolved_at)
   const role = roleOfSaid(item)
   return (
-    <li className={classes.said} data-open={open || undefined} data-resolved={resolved || undefined}>
+    <li className={`border-b ${classes.said}`} data-open={open || undefined} data-resolved={resolved || undefined}>
       <button
         type="button"
-        className={`row min-h-24px pointer ${classes.saidHead}`}
+        className="row min-h-24px pointer w-full p-0 border-0 bg-none"
         aria-expanded={open}
         aria-label={['Comment', item.number, 'by', item.who, where].filter((word) => word != null).join(' ')}
         onClick={onOpen}

@@ -21,7 +21,7 @@ interface TakeCardsProps {
 /** Alternates side by side: one is picked, the others are kept. */
 export function TakeCards({ takes, handId, playingId, nameOf, blind, onChoose }: TakeCardsProps) {
   return (
-    <div className={`grid gap-2 ${classes.cards}`} role="radiogroup" aria-label="Alternates">
+    <div className={`grid gap-2 flex-none ${classes.cards}`} role="radiogroup" aria-label="Alternates">
       {takes.map((take, index) => (
         <TakeCard
           key={take.id}

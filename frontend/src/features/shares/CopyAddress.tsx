@@ -7,7 +7,7 @@ export function CopyAddress({ url, title }: { url: string; title: string }) {
   return (
     <div className="flex gap-2">
       <input
-        className={classes.url}
+        className={`flex-1 min-w-0 bg-raised rounded ${classes.url}`}
         readOnly
         value={url}
         aria-label={`Address of ${title}`}

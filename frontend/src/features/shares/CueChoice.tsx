@@ -7,7 +7,6 @@ import { plural } from '@/ui/format'
 import { Select } from '@/ui/Select'
 
 import { chosenCues, type CueFilter } from './choice'
-import classes from './Shares.module.css'
 
 interface CueChoiceProps {
   projectId: string
@@ -24,7 +23,7 @@ export function CueChoice({ projectId, value: filter, onChange, error }: CueChoi
   const chosen = chosenCues(cues ?? [], filter)
   const only = cues?.find(({ id }) => id === filter.cueId)
   return (
-    <fieldset className={`grid gap-2 ${classes.choice}`}>
+    <fieldset className="grid gap-2 m-0 p-0 border-0">
       <legend className="small mid">Cues</legend>
       {only ? (
         <p className="row wrap">
@@ -34,7 +33,7 @@ export function CueChoice({ projectId, value: filter, onChange, error }: CueChoi
           </button>
         </p>
       ) : (
-        <div className={`grid items-end gap-3 ${classes.fields}`}>
+        <div className="grid items-end gap-3 grid-cols-fill-180px">
           <TextInput
             label="Name contains"
             value={filter.text}

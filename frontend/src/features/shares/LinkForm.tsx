@@ -105,7 +105,7 @@ export function LinkForm({ projectId, cueId, playlistId }: { projectId: string; 
                 ]}
               />
             )}
-            <div className={`grid items-end gap-3 ${classes.fields}`}>
+            <div className="grid items-end gap-3 grid-cols-fill-180px">
               <Field
                 optional
                 name="title"

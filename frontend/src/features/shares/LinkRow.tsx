@@ -45,7 +45,7 @@ export function LinkRow({ projectId, link }: { projectId: string; link: GuestLin
       <div className="flex wrap items-center gap-1-3">
         <button
           type="button"
-          className={`flex items-center ${classes.sound}`}
+          className={`flex items-center flex-1 min-w-0 min-h-28px p-0 font-inherit bg-none border-0 pointer narrow-min-h-44px ${classes.sound}`}
           aria-expanded={opened}
           aria-controls={panelId}
           onClick={() => setOpened(!opened)}
@@ -90,7 +90,7 @@ function Opened({ projectId, link }: { projectId: string; link: GuestLink }) {
   return (
     <div className={`grid gap-2 ${classes.visits}`}>
       {link.state !== 'revoked' && (
-        <div className={`grid items-end gap-3 ${classes.fields}`}>
+        <div className="grid items-end gap-3 grid-cols-fill-180px">
           <TextInput
             label="Opens until"
             type="date"

@@ -163,7 +163,7 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
     { keys: 'k', label: 'Previous sound', group: GROUP, run: () => void play(at - 1), repeats: true },
   ])
   return (
-    <div className={`page stack ${classes.page} ${classes.narrow}`}>
+    <div className={`page stack content-start ${classes.page} ${classes.narrow}`}>
       <header className="row wrap">
         <h1>{title}</h1>
         <span className="small dim">for {room.guest_name}</span>
@@ -219,7 +219,11 @@ function Room({ visit, room }: { visit: string; room: GuestRoom }) {
         <Rows aria-label="Sounds">
           {sounds.map((sound, index) => (
             <Row key={sound.place} selected={index === at}>
-              <button type="button" className={`flex items-center ${classes.sound}`} onClick={() => void play(index)}>
+              <button
+                type="button"
+                className={`flex items-center flex-1 min-w-0 min-h-28px p-0 font-inherit bg-none border-0 pointer narrow-min-h-44px ${classes.sound}`}
+                onClick={() => void play(index)}
+              >
                 <span className="strong cut-text">{titleOf(sound)}</span>
               </button>
               <span className={`wide-only ${classes.thumb}`}>

@@ -139,7 +139,7 @@ function Room({ playlist }: { playlist: Playlist }) {
   useEffect(() => () => keep(), [])
 
   return (
-    <div className={`page stack ${classes.page}`}>
+    <div className={`page stack content-start ${classes.page}`}>
       <header className="row wrap">
         <h1>{playlist.name}</h1>
         <Count of={takes.length} />
@@ -254,10 +254,10 @@ function Room({ playlist }: { playlist: Playlist }) {
                   if (dragged !== null) move(dragged, at)
                 }}
               >
-                <span className={`small dim num ${classes.place}`}>{at + 1}</span>
+                <span className={`small dim num flex-none ${classes.place}`}>{at + 1}</span>
                 <button
                   type="button"
-                  className={`flex items-center ${classes.sound} ${classes.entry}`}
+                  className={`flex items-center flex-1 min-w-0 min-h-28px p-0 font-inherit bg-none border-0 pointer narrow-min-h-44px ${classes.sound} ${classes.entry}`}
                   onClick={() => void open(take.take_id)}
                   disabled={follows}
                 >

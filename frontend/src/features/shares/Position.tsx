@@ -24,13 +24,13 @@ export function Position({ player, durationS, thumb, onSeek, disabled = false }:
       <div className={`relative ${classes.shape}`}>
         <WaveThumb peaks={thumb} heightPx={72} />
         <span
-          className={classes.head}
+          className={`absolute ${classes.head}`}
           style={{ '--at': durationS > 0 ? `${(100 * atS) / durationS}%` : '0%' } as CSSProperties}
           aria-hidden="true"
         />
         <input
           type="range"
-          className={`pointer w-full ${classes.seek}`}
+          className={`pointer w-full absolute m-0 ${classes.seek}`}
           aria-label="Playhead"
           aria-valuetext={placeInWords(atS)}
           min={0}

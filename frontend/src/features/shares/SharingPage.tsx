@@ -32,7 +32,7 @@ export function SharingPage(): ReactNode {
   const toggle = (kind: 'link' | 'playlist') => setForm(form === kind ? null : kind)
   useTitle('Sharing')
   return (
-    <div className={`page stack ${classes.page}`}>
+    <div className={`page stack content-start ${classes.page}`}>
       <header className="row wrap">
         <h1>Sharing</h1>
         {mayShare && (

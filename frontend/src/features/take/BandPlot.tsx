@@ -49,7 +49,7 @@ export function BandPlot({ bands, toHz, bandwidthHz }: BandPlotProps) {
     >
       {bandwidthHz !== null && bandwidthHz > FROM_HZ && (
         <span
-          className={`bg-well nowrap ${classes.bandwidth}`}
+          className={`bg-well nowrap absolute rounded-2px ink text-small leading-small ${classes.bandwidth}`}
           data-left={across(bandwidthHz) > 0.6 || undefined}
           style={{ left: `${Math.min(1, across(bandwidthHz)) * 100}%` }}
         >

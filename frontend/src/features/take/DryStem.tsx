@@ -104,7 +104,7 @@ function Give({ take, isFirst }: { take: Take; isFirst: boolean }) {
   )
   const over = usePageDrop(add)
   return (
-    <div className={`flex wrap items-center gap-2-3 ${classes.stemDrop}`} data-over={over || undefined}>
+    <div className={`flex wrap items-center gap-2-3 p-3 rounded ${classes.stemDrop}`} data-over={over || undefined}>
       <input
         ref={field}
         type="file"

@@ -64,7 +64,7 @@ const percent = (share: number | null): string => `${figure(100 * (share ?? 0))}
 function FramesPlot({ frames: { codec, places, shares, most } }: { frames: Frames }) {
   const width = WIDTH / shares.length
   return (
-    <div className={`bg-well overflow-hidden relative ${classes.places}`}>
+    <div className={`bg-well overflow-hidden relative rounded-s ${classes.places}`}>
       <svg
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
@@ -82,7 +82,7 @@ function FramesPlot({ frames: { codec, places, shares, most } }: { frames: Frame
           />
         ))}
       </svg>
-      <span className={classes.decayEnd} aria-hidden="true">
+      <span className={`absolute rounded-2px bg-well dim ${classes.decayEnd}`} aria-hidden="true">
         {places} places
       </span>
     </div>

@@ -65,7 +65,7 @@ function DecayPlot({ evidence: { bands, stepS } }: { evidence: ReverbEvidence })
   return (
     <LevelWell linesDb={LINES_DB} floorDb={FLOOR_DB} tall>
       <svg
-        className={classes.decay}
+        className={`absolute w-full ${classes.decay}`}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
         role="img"
@@ -78,7 +78,7 @@ function DecayPlot({ evidence: { bands, stepS } }: { evidence: ReverbEvidence })
           <polyline key={band.hz} points={line(band)} style={{ opacity: 1 - (0.65 * at) / bands.length }} />
         ))}
       </svg>
-      <span className={classes.decayEnd} aria-hidden="true">
+      <span className={`absolute rounded-2px bg-well dim ${classes.decayEnd}`} aria-hidden="true">
         {figure(lengthS, 2)} s
       </span>
     </LevelWell>
@@ -126,7 +126,7 @@ function BesideBefore({ before }: { before: ReverbBefore }) {
           ` The added tail is ${figure(Math.abs(wetDb), 1)} dB ${wetDb < 0 ? 'under' : 'over'} the sound and falls by 60 dB in ${figure(rt60S, 2)} s.`}
       </p>
       {verdict !== 'undecided' && slower.length > 0 && (
-        <ul aria-label={`Tails compared with version ${number}`} className={`flex wrap ${classes.tails}`}>
+        <ul aria-label={`Tails compared with version ${number}`} className={`flex wrap mt-1 ${classes.tails}`}>
           {slower.map(({ hz, byS }) => (
             <li key={hz}>
               {octave(hz)}: {figure(Math.abs(byS), 2)} s {byS > 0 ? 'slower' : 'faster'}

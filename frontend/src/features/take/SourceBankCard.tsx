@@ -133,7 +133,7 @@ function UploadLine({ upload, queue }: { upload: Upload; queue: UploadQueue }) {
     return <ErrorBanner detail={ended(`${file.name}: ${reason ?? 'it is on its way already'}`)} />
   }
   return (
-    <div className={`flex wrap items-center gap-2-3 ${classes.stemDrop}`}>
+    <div className={`flex wrap items-center gap-2-3 p-3 rounded ${classes.stemDrop}`}>
       <UploadProgress upload={upload} onStop={() => queue.stop(id)} />
     </div>
   )
@@ -175,7 +175,7 @@ function Recipe({ take, bank, mayChange }: { take: Take; bank: SourceBank; mayCh
   return (
     <>
       {bank.plug_ins.length > 0 && <p className="small">Plug-ins: {bank.plug_ins.join(', ')}</p>}
-      {bank.recipe && <p className={classes.recipe}>{bank.recipe}</p>}
+      {bank.recipe && <p className="pre-wrap wrap-anywhere">{bank.recipe}</p>}
       {mayChange && (
         <span>
           <Button icon="pencil" onClick={() => setChanging(true)}>

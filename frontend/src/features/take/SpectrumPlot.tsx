@@ -38,7 +38,7 @@ export function SpectrumPlot({ spectrum: { levelsDb, topHz }, edgeHz, end }: Spe
   return (
     <LevelWell linesDb={LINES_DB} floorDb={FLOOR_DB} tall>
       <svg
-        className={classes.decay}
+        className={`absolute w-full ${classes.decay}`}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
         role="img"
@@ -50,7 +50,7 @@ export function SpectrumPlot({ spectrum: { levelsDb, topHz }, edgeHz, end }: Spe
         {edgeHz !== null && <line data-grid x1={x(edgeHz)} x2={x(edgeHz)} y1={0} y2={HEIGHT} />}
         <polyline points={line} />
       </svg>
-      <span className={classes.decayEnd} aria-hidden="true">
+      <span className={`absolute rounded-2px bg-well dim ${classes.decayEnd}`} aria-hidden="true">
         {figure(topHz / 1000, 1)} kHz
       </span>
     </LevelWell>

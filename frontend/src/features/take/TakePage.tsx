@@ -188,7 +188,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           {fix && fix.state !== 'none' && (
             <Card aria-labelledby="fix">
               <CardHead id="fix" title="Fix" end={isMaker ? undefined : 'for the designer to use'} />
-              <div className={classes.fix}>
+              <div className={`p-3-inset-14px ${classes.fix}`}>
                 <FixPanel
                   take={fixed}
                   durationS={master?.duration_s ?? null}
@@ -205,7 +205,7 @@ function TakeSheet({ take, sounds, check, children }: TakeSheetProps) {
           {SplitPanel && isSplitCard && (
             <Card aria-labelledby="split">
               <CardHead id="split" title="Split into variations" />
-              <div className={classes.fix}>
+              <div className={`p-3-inset-14px ${classes.fix}`}>
                 <SplitPanel
                   projectId={take.project_id}
                   takeId={take.id}
@@ -280,7 +280,7 @@ function Head({ take, check, isTeam, fix, cutFrom, children }: HeadProps) {
   const origin = fix.fix?.fixed_from
   const waiver = check?.waiver
   return (
-    <header className={`flex items-start between gap-4 ${classes.head}`}>
+    <header className={`flex items-start between gap-4 mb-4 ${classes.head}`}>
       <div>
         <div className={`flex wrap items-center ${classes.names}`}>
           <h1>{cue?.name ?? take.file_name}</h1>

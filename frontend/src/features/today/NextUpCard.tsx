@@ -122,7 +122,7 @@ function Heard({ item, projectId, mayApprove, player, playing, verdicts, takes, 
             <UnreadDot />
             First because it has waited longest
           </p>
-          <h2 id="first" className={classes.asks}>
+          <h2 id="first" className={`wrap-anywhere ${classes.asks}`}>
             <Link
               data-stop
               to="/projects/$projectId/review/$cueId"
@@ -148,7 +148,7 @@ function Heard({ item, projectId, mayApprove, player, playing, verdicts, takes, 
       </div>
       {takes.length > 1 && (
         <div
-          className={`grid gap-2 ${classes.alts}`}
+          className={`grid gap-2 mt-2 ${classes.alts}`}
           role="radiogroup"
           aria-label={isSet ? 'Variations' : 'Alternates'}
         >

@@ -109,7 +109,7 @@ export function Placeholders({ count, mails, projectId }: PlaceholdersProps) {
       <Rows>
         {count > 0 && (
           <Row>
-            <span className={`tone-warn ${classes.sign}`}>
+            <span className={`tone-warn flex ${classes.sign}`}>
               <Icon name="dashedSquare" />
             </span>
             <span className="grow">{plural(count, 'cue plays', 'cues play')} a placeholder. It must not ship.</span>

@@ -122,7 +122,7 @@ export function TodayPage(): ReactNode {
         }
       />
       {settled && (
-        <div className={`grid items-start gap-4 ${classes.today}`}>
+        <div className={`grid items-start gap-4 mid-grid-cols-1 ${classes.today}`}>
           <div className="stack">
             <NextCard steps={steps} projectId={projectId} />
             {isRunning && sums}

@@ -70,7 +70,7 @@ export function UpNextList({ items, questions, projectId, mayApprove, title, bey
         )}
       </ul>
       {beyond && (
-        <p className={classes.more}>
+        <p className={`border-t ${classes.more}`}>
           <button type="button" className="link small mid" onClick={() => void beyond.readOn()}>
             Show more
           </button>
@@ -88,7 +88,7 @@ function CueLine({ item, projectId, mayApprove }: { item: QueueItem; projectId: 
     <li>
       <Link
         data-stop
-        className={`grid items-center gap-3 hover pointer w-full ${classes.line}`}
+        className={`grid items-center gap-3 hover pointer w-full narrow-grid-cols-1-auto ${classes.line}`}
         to="/projects/$projectId/review/$cueId"
         params={{ projectId, cueId: cue.id }}
       >
@@ -139,7 +139,7 @@ function QuestionLine({ question, projectId }: { question: AskedQuestion; projec
       <button
         type="button"
         data-stop
-        className={`grid items-center gap-3 hover pointer w-full ${classes.line}`}
+        className={`grid items-center gap-3 hover pointer w-full narrow-grid-cols-1-auto ${classes.line}`}
         aria-expanded={open}
         aria-controls={placeId}
         onClick={() => setOpen(!open)}
@@ -187,7 +187,7 @@ function Answer({ question, projectId, onClose }: AnswerProps) {
   }
   return (
     <form
-      className={`grid gap-2 border-b p-3-inset ${classes.answer}`}
+      className="grid gap-2 border-b p-3-inset bg-surface"
       onSubmit={(event) => {
         event.preventDefault()
         send()

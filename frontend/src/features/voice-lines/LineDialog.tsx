@@ -48,7 +48,7 @@ export function LineDialog({ projectId, line, mayChange, onClose }: LineDialogPr
             )}
           </p>
           {line.reason && <p className="small tone-warn toned">{sentence(line.reason)}</p>}
-          <div className={classes.context}>
+          <div className={`pre-line ${classes.context}`}>
             {line.before && (
               <p className="small dim">
                 {line.before.character}: {line.before.text}

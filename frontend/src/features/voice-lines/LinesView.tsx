@@ -86,7 +86,7 @@ export function LinesView({ projectId, script, search, onChange }: LinesViewProp
                   <button
                     type="button"
                     data-line
-                    className={`min-h-24px pointer ${classes.open}`}
+                    className={`min-h-24px pointer p-0 border-0 bg-none pre-line ${classes.open}`}
                     onClick={() => setOpened(line.id)}
                   >
                     <span lang={language}>{line.text ?? <span className="dim">Not translated yet</span>}</span>

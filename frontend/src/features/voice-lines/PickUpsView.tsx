@@ -56,7 +56,7 @@ export function PickUpsView({ projectId, search }: { projectId: string; search: 
             {lines.map((line) => (
               <li key={line.id} className={classes.pickUp}>
                 <span className={`small dim mono wrap-anywhere ${classes.path}`}>{filesToRecord(line).join(', ')}</span>
-                <div className={classes.context}>
+                <div className={`pre-line ${classes.context}`}>
                   {line.before && (
                     <p className="small dim">
                       {line.before.character}: {line.before.text}

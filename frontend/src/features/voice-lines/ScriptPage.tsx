@@ -139,7 +139,7 @@ export function ScriptPage(): ReactNode {
       },
     })
   return (
-    <div className={`page stack ${classes.page}`}>
+    <div className={`page stack content-start ${classes.page}`}>
       <header className="flex wrap items-center gap-2-3">
         <h1>Import a script</h1>
         <span className="end">
@@ -240,7 +240,7 @@ export function ScriptPage(): ReactNode {
           <RefusedNamesList refused={read.refused_names} />
           <Rows read={read} />
           <footer
-            className={`flex wrap items-center between gap-2-4 bg-raised p-3-4 ${classes.bar}`}
+            className={`flex wrap items-center between gap-2-4 bg-raised p-3-4 sticky bottom-0 border-line-2 rounded-l ${classes.bar}`}
             aria-label="Import"
           >
             <div role="status">
@@ -331,7 +331,7 @@ function Columns({ read, onMap }: { read: ScriptRead; onMap: (name: string, mean
   return (
     <Card aria-labelledby="columns">
       <CardHead id="columns" title="Columns" count={read.columns.length} />
-      <ul className={`grid gap-3 ${classes.columns}`}>
+      <ul className={`grid gap-3 grid-cols-fill-180px p-3-4-4 ${classes.columns}`}>
         {read.columns.map(({ name, meaning, samples }) => (
           <li key={name}>
             <Select label={name} value={meaning} onChange={(event) => onMap(name, event.currentTarget.value)}>

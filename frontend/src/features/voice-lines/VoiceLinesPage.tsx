@@ -52,7 +52,7 @@ export function VoiceLinesPage(): ReactNode {
     })),
   ])
   return (
-    <div className={`page stack ${classes.page}`} aria-busy={script.isPending}>
+    <div className={`page stack content-start ${classes.page}`} aria-busy={script.isPending}>
       <header className="flex wrap items-center gap-2-3">
         <h1>Voice lines</h1>
         {script.data && script.data.lines > 0 && <Count of={script.data.lines} />}

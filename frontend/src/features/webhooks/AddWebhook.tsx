@@ -74,7 +74,7 @@ export function AddWebhook({ studioId, projects, mayBeLocalhost }: AddWebhookPro
                   ]}
                 />
               </div>
-              <fieldset className={classes.events}>
+              <fieldset className={`m-0 p-0 border-0 ${classes.events}`}>
                 <legend className="small strong">Events</legend>
                 {EVENTS.map((event) => (
                   <Checkbox

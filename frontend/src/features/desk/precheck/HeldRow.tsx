@@ -29,7 +29,9 @@ export function HeldRow({ file, problem, onWant, onRename, onSend, onLeaveOut }:
     onRename()
   }
   return (
-    <li className={`grid items-start gap-2-4 border-t wrap-anywhere ${classes.file}`}>
+    <li
+      className={`grid items-start gap-2-4 border-t wrap-anywhere grid-cols-1-auto narrow-grid-cols-1 ${classes.file}`}
+    >
       <div className="grid gap-2px">
         <span className={classes.name}>
           <span className="mono strong">{name}</span> <span className="mono dim">{cue}</span>

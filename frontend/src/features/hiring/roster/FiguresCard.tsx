@@ -43,7 +43,7 @@ export function FiguresCard({ figures, title, note, linksProjects = false }: Fig
     <Card aria-labelledby={id}>
       <CardHead id={id} title={title} note={note} />
       <div className={`grid gap-3 ${forms.body}`}>
-        <dl className={classes.facts}>
+        <dl className={`grid ${classes.facts}`}>
           {linesOf(figures).map(([word, value]) => (
             <div key={word} style={{ display: 'contents' }}>
               <dt className="mid">{word}</dt>

@@ -28,7 +28,7 @@ function ProjectCard({ project }: { project: OwnProject }) {
     <Card aria-labelledby={`project-${projectId}`}>
       <CardHead id={`project-${projectId}`} title={project.project_name} end={project.studio_name} />
       <div className={forms.body}>
-        <dl className={classes.facts}>
+        <dl className={`grid ${classes.facts}`}>
           <dt className="mid">Credit</dt>
           <dd>
             {creditOf(project)}{' '}

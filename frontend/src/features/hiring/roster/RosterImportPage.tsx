@@ -210,7 +210,7 @@ function Columns({ read, onMap }: { read: RosterImport; onMap: (name: string, fi
   return (
     <Card aria-labelledby="columns">
       <CardHead id="columns" title="Columns" count={read.columns.length} />
-      <ul className={`grid gap-3 ${classes.columns}`}>
+      <ul className={`grid gap-3 grid-cols-fill-180px p-14px ${classes.columns}`}>
         {read.columns.map(({ name, field, samples }) => (
           <li key={name}>
             <span className="strong cut-text" title={name}>

@@ -151,7 +151,7 @@ function Filters({ roster, search }: { roster: Roster; search: RosterSearch }) {
     Boolean,
   )
   return (
-    <div role="search" className={`grid items-end gap-3 ${classes.search}`} aria-label="Search the roster">
+    <div role="search" className={`grid items-end gap-3 p-14px ${classes.search}`} aria-label="Search the roster">
       <TextInput
         ref={field}
         label="Search"

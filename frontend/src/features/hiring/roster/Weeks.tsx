@@ -34,7 +34,7 @@ export function Weeks({ weeks, firstOn }: WeeksProps) {
       title={words}
     >
       {weeks.map((state, place) => (
-        <span key={place} className={classes.week} data-state={state} />
+        <span key={place} className={`border-edge rounded-2px bg-surface ${classes.week}`} data-state={state} />
       ))}
     </span>
   )
@@ -47,7 +47,7 @@ export function LargeWeeks({ weeks, firstOn }: WeeksProps) {
       <ul className={`grid gap-3px ${classes.large}`} aria-label="Next 12 weeks">
         {weeks.map((state, place) => (
           <li key={place}>
-            <span className={classes.week} data-state={state} />
+            <span className={`border-edge rounded-2px bg-surface ${classes.week}`} data-state={state} />
             <span className="visually-hidden">{`Week of ${shortDay(mondayOf(firstOn, place))}: ${WEEK_WORDS[state]}`}</span>
             <span className="micro dim nowrap" aria-hidden="true">
               {place % 4 === 0 ? shortDay(mondayOf(firstOn, place)) : ' '}
@@ -58,7 +58,7 @@ export function LargeWeeks({ weeks, firstOn }: WeeksProps) {
       <p className={`small mid flex wrap gap-3 ${classes.legend}`} aria-hidden="true">
         {(Object.keys(WEEK_WORDS) as Week[]).map((state) => (
           <span key={state}>
-            <span className={classes.week} data-state={state} />
+            <span className={`border-edge rounded-2px bg-surface ${classes.week}`} data-state={state} />
             {WEEK_WORDS[state]}
           </span>
         ))}

@@ -88,7 +88,7 @@ export function ApproverCard({ project, members = [] }: { project: Project; memb
       <Refusal inset error={error} />
       {history && history.length > 0 && (
         <>
-          <h3 className={classes.part}>Earlier approvers</h3>
+          <h3 className={`bg-surface mid text-small leading-small ${classes.part}`}>Earlier approvers</h3>
           <Rows aria-label="Earlier approvers">
             {history.map(({ person, changer, reason: why, created_at }) => (
               <Row key={created_at} className={classes.had}>
@@ -116,7 +116,7 @@ function InviteApprover({ project }: { project: Project }) {
   const { data: invited = [] } = useQuery(invitedApproversQuery(project.id, project.studio.id))
   return (
     <>
-      <h3 className={classes.part}>Invite an approver</h3>
+      <h3 className={`bg-surface mid text-small leading-small ${classes.part}`}>Invite an approver</h3>
       {invited.map((invitation) => (
         <div key={invitation.id} className={`row wrap ${classes.acts}`}>
           <span className="small mid">{invitation.email} is invited and becomes the approver on joining.</span>

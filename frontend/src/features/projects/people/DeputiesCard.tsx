@@ -82,7 +82,7 @@ function NameDeputy({ project, members, today, timeZone }: NameDeputyProps) {
   const people = candidatesOf(project, members).map(({ person }) => ({ value: person.id, label: person.name }))
   return (
     <>
-      <h3 className={classes.part}>Name a deputy</h3>
+      <h3 className={`bg-surface mid text-small leading-small ${classes.part}`}>Name a deputy</h3>
       <DraftForm
         className="grid gap-3 p-3-inset-4"
         aria-label="Name a deputy"

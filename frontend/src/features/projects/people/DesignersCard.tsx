@@ -122,7 +122,7 @@ function Invitations({ project, open }: { project: Project; open: readonly Invit
   const waitsHere = mails?.can_send === false
   return (
     <>
-      <h3 className={classes.part}>Pending invitations</h3>
+      <h3 className={`bg-surface mid text-small leading-small ${classes.part}`}>Pending invitations</h3>
       {waitsHere && (
         <p className={`row small tone-warn ${classes.hint}`}>
           <Icon name="triangle" />
@@ -173,7 +173,7 @@ function Invite({ project, first }: { project: Project; first: boolean }) {
   const invite = useInviteDesigner(project.id)
   return (
     <>
-      <h3 className={classes.part}>Invite a designer</h3>
+      <h3 className={`bg-surface mid text-small leading-small ${classes.part}`}>Invite a designer</h3>
       <DraftForm
         className={`grid gap-3 ${classes.invite}`}
         aria-label="Invite a designer"

@@ -42,10 +42,10 @@ export function HearingCard({ project }: { project: Project }) {
       </p>
       <Refusal inset error={change.error} />
       {project.mine.is_producer ? (
-        <fieldset className={`grid gap-2 ${classes.choices}`}>
+        <fieldset className={`grid gap-2 m-0 border-0 ${classes.choices}`}>
           <legend className="small mid">Designers can play</legend>
           {CHOICES.map(({ value, label, says }) => (
-            <label key={value} className={`flex items-start gap-2 ${classes.choice}`}>
+            <label key={value} className={`flex items-start gap-2 pointer ${classes.choice}`}>
               <input
                 type="radio"
                 name="hearing"

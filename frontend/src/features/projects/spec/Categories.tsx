@@ -113,7 +113,7 @@ export function CategoryFields({ name }: { name: string }) {
     })
   return (
     <div className={classes.inside}>
-      <div className={classes.two}>
+      <div className={`items-start ${classes.two}`}>
         <Choice
           label="Sounds are"
           value={typeof kind === 'string' ? kind : ''}
@@ -123,7 +123,7 @@ export function CategoryFields({ name }: { name: string }) {
         <AcceptFields base={base} />
       </div>
       <LimitFields base={base} />
-      <ul className={classes.checks}>
+      <ul className={`grid ${classes.checks}`}>
         {checksWithoutLimit(checks)
           .filter((check) => check.is_in_categories)
           .map(({ name: check, label, severity }) => (

@@ -30,7 +30,7 @@ export function AcceptFields({ base }: { base: readonly string[] }) {
       <Choices place={accept('bit_depths')} label="Bit depth" options={DEPTHS} />
       <Choices place={accept('channels')} label="Channels" options={CHANNELS} />
       <div className={`min-w-0 ${classes.field}`}>
-        <div className={`grid gap-2 ${classes.pair}`}>
+        <div className="grid gap-2 grid-cols-1fr-1fr">
           <NumberField place={[...accept('duration_s'), 'min']} label="Minimum length" unit="s" />
           <NumberField place={[...accept('duration_s'), 'max']} label="Maximum length" unit="s" />
         </div>
@@ -55,7 +55,7 @@ export function LimitFields({ base, of }: { base: readonly string[]; of?: readon
 export function CheckFields({ of }: { of?: readonly string[] }) {
   const checks = checksWithoutLimit(useChecks()).filter(({ name }) => of === undefined || of.includes(name))
   return (
-    <ul className={classes.checks}>
+    <ul className={`grid ${classes.checks}`}>
       {checks.map(({ name, label, why, severity, may_return: returns }) => (
         <li key={name}>
           <span title={why}>{label}</span>
@@ -77,10 +77,10 @@ function LimitLine({
   const place = [...base, 'limits', key]
   const word = label.toLowerCase()
   return (
-    <div className={`grid items-center gap-1-4 ${classes.limit}`}>
+    <div className={`grid items-center gap-1-4 narrow-grid-cols-1 ${classes.limit}`}>
       <span title={check.why}>{label}</span>
       {isRange ? (
-        <div className={`grid gap-2 ${classes.pair}`}>
+        <div className="grid gap-2 grid-cols-1fr-1fr">
           <NumberField place={[...place, 'min']} label={`Minimum ${word}`} unit={unit} hideLabel />
           <NumberField place={[...place, 'max']} label={`Maximum ${word}`} unit={unit} hideLabel />
         </div>

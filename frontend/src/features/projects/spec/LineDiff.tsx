@@ -27,7 +27,7 @@ export function LineDiff({ before, after, label, same = 'The two are identical.'
     <div className={`bg-well overflow-x-auto ${classes.diff}`} role="region" aria-label={label} tabIndex={0}>
       {parts.map((part, index) =>
         part.kind === 'skipped' ? (
-          <p key={index} className={classes.skipped}>
+          <p key={index} className={`dim ${classes.skipped}`}>
             {`${plural(part.count, 'line')} unchanged`}
           </p>
         ) : (

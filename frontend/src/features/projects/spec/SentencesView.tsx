@@ -162,10 +162,14 @@ interface SentenceRowProps {
 
 function SentenceRow({ sentence: { label, text, note }, editor, isOpen, onOpen }: SentenceRowProps) {
   return (
-    <div className={`grid items-baseline gap-1-4 ${classes.sentence}`} data-open={isOpen || undefined} data-sentence>
-      <span className={classes.key}>{label}</span>
+    <div
+      className={`grid items-baseline gap-1-4 p-2-4 border-b narrow-grid-cols-1-auto ${classes.sentence}`}
+      data-open={isOpen || undefined}
+      data-sentence
+    >
+      <span className={`dim text-small ${classes.key}`}>{label}</span>
       <div>
-        <p className={classes.text}>
+        <p className={`wrap-anywhere ${classes.text}`}>
           {text.split('**').map((words, at) => (at % 2 === 1 ? <b key={at}>{words}</b> : words))}
         </p>
         {note && <p className="small dim">{note}</p>}
@@ -224,12 +228,15 @@ function Names({ cues }: { cues: readonly Cue[] }) {
   const styles = [...NAME_STYLES, { example: 'Any name; we match by sound list', pattern: 'any' }]
   return (
     <>
-      <fieldset className={`grid gap-2 ${classes.styles}`}>
+      <fieldset className={`grid gap-2 m-0 p-0 border-0 ${classes.styles}`}>
         <legend className="small mid">Choose the one that looks like yours</legend>
         {styles.map((style) => {
           const count = stems.filter((stem) => fits(style.pattern, stem) === true).length
           return (
-            <label key={style.pattern} className={`row ${classes.style}`}>
+            <label
+              key={style.pattern}
+              className={`row border-edge rounded bg-raised narrow-min-h-44px ${classes.style}`}
+            >
               <input
                 type="radio"
                 name="name-style"

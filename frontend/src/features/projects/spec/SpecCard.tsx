@@ -64,7 +64,7 @@ export function SpecCard({ project }: { project: Project }) {
       <Refusal inset error={error} />
       {spec && (
         <>
-          <div className={classes.parts}>
+          <div className={`grid narrow-grid-cols-1 ${classes.parts}`}>
             <Part head="Accepted masters" lines={acceptLines(spec)} />
             <Part head="Limits" lines={limitLines(spec, checks)} legend />
             <Part head="Game files, rendered from each master" lines={[...targetLines(spec), ...madeLine(packs)]} />
@@ -98,7 +98,7 @@ function madeLine(packs: readonly Pack[] | undefined): Line[] {
 function Part({ head, lines, legend = false }: { head: string; lines: readonly Line[]; legend?: boolean }) {
   return (
     <section>
-      <h3 className={`row between ${classes.partHead}`}>
+      <h3 className={`row between text-small leading-small dim ${classes.partHead}`}>
         {head}
         {legend && (
           <span className="row" aria-hidden="true">

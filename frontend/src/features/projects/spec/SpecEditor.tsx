@@ -36,7 +36,7 @@ export function SpecEditor({ project, spec }: { project: Project; spec: Spec }) 
 
   return (
     <>
-      <div className={classes.head}>
+      <div className="mb-4">
         <PageHead
           title="Delivery spec"
           actions={

@@ -24,7 +24,7 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
     <div className="stack">
       <Card aria-labelledby="form-accept">
         <CardHead id="form-accept" title="Accepted masters" />
-        <div className={`${classes.inside} ${classes.two}`}>
+        <div className={`${classes.inside} items-start ${classes.two}`}>
           <AcceptFields base={[]} />
         </div>
       </Card>
@@ -32,7 +32,7 @@ export function SpecForm({ cues }: { cues: readonly Cue[] }) {
         <CardHead id="form-limits" title="Limits" note="leave a field empty for no limit" />
         <div className={classes.inside}>
           <LimitFields base={[]} />
-          <div className={`${classes.two} border-t mt-4 pt-3`}>
+          <div className={`items-start ${classes.two} border-t mt-4 pt-3`}>
             {tuningLimits(checks).map(({ key, label, unit, usual }) => (
               <NumberField key={key} place={['limits', key]} label={label} unit={unit} usual={usual ?? undefined} />
             ))}
@@ -90,7 +90,7 @@ export function NamingFields({ cues }: { cues: readonly Cue[] }) {
   const fit = tried === '' ? null : fits(pattern, tried)
   const error = (place: string) => (trouble?.place === place ? trouble.message : undefined)
   return (
-    <div className={classes.two}>
+    <div className={`items-start ${classes.two}`}>
       <TextInput
         id="spec-naming.pattern"
         classNames={{ input: classes.code }}

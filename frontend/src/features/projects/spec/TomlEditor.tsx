@@ -15,9 +15,9 @@ export function TomlEditor({ toml, onChange, trouble }: TomlEditorProps) {
   const count = toml.split('\n').length
   const wrong = trouble && lineOf(toml, trouble.place, trouble.message)
   return (
-    <div className={`grid min-w-0 bg-well relative ${classes.editor}`}>
+    <div className={`grid min-w-0 bg-well relative rounded-b-l ${classes.editor}`}>
       {wrong !== null && <div className={`tone-bad ${classes.wrong}`} style={{ top: 8 + (wrong - 1) * LINE_PX }} />}
-      <pre className={classes.numbers} aria-hidden="true">
+      <pre className={`m-0 dim font-inherit num ${classes.numbers}`} aria-hidden="true">
         {Array.from({ length: count }, (_, index) => (
           <span key={index} data-wrong={index + 1 === wrong || undefined}>
             {`${index + 1}\n`}
@@ -29,7 +29,7 @@ export function TomlEditor({ toml, onChange, trouble }: TomlEditorProps) {
         aria-label="Spec as TOML"
         aria-invalid={trouble !== null}
         aria-describedby={trouble ? 'spec-trouble' : undefined}
-        className={`min-w-0 w-full ${classes.text}`}
+        className={`min-w-0 w-full overflow-x-auto border-0 ink font-inherit ${classes.text}`}
         value={toml}
         rows={count + 1}
         wrap="off"

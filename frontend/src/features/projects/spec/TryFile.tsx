@@ -53,7 +53,7 @@ export function TryFile({ projectId, makeJudge = judgeInWorker }: TryFileProps) 
       {/* Dropping is a shorter way; the button does the same. */}
       {/* eslint-disable-next-line jsx-a11y/no-static-element-interactions */}
       <div
-        className={classes.try}
+        className={`inset rounded ${classes.try}`}
         data-over={isOver || undefined}
         onDragOver={(event) => {
           event.preventDefault()

@@ -54,14 +54,14 @@ export function VersionsPage() {
         </Link>
       </PageHead>
       <Refusal inset error={error} />
-      <div className={`grid items-start gap-4 ${classes.columns}`}>
+      <div className={`grid items-start gap-4 mid-grid-cols-1 ${classes.columns}`}>
         <Card aria-label="Versions">
           <Rows aria-label="Versions">
             {versions.map((entry) => (
               <Row key={entry.version} selected={entry.version === version} className={classes.version}>
                 <button
                   type="button"
-                  className={`grid wrap-anywhere flex-1 pointer ${classes.pick}`}
+                  className={`grid wrap-anywhere flex-1 pointer p-2-4 border-0 bg-none ${classes.pick}`}
                   onClick={() => show({ version: entry.version })}
                 >
                   <span className="strong">{`Version ${entry.version}`}</span>

@@ -117,7 +117,7 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
   }
   return (
     <div className={`min-w-0 ${classes.field}`} data-quiet={(isCategory && stored === undefined) || undefined}>
-      <span id={id} className={`block mid ${classes.label}`}>
+      <span id={id} className={`block mid text-small leading-small ${classes.label}`}>
         {label}
       </span>
       <div role="group" aria-labelledby={id} className="flex wrap items-center gap-1" id={fieldId(place)}>
@@ -125,7 +125,7 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
           <button
             type="button"
             key={option.value}
-            className={`hover mid pointer ${classes.choice}`}
+            className={`hover mid pointer min-h-28px border-edge rounded narrow-min-h-44px ${classes.choice}`}
             aria-pressed={chosen.includes(option.value)}
             onClick={() => toggle(option.value)}
           >
@@ -135,7 +135,7 @@ export function Choices({ place, label, options, mayBeAny = true }: ChoicesProps
         {mayBeAny && (
           <button
             type="button"
-            className={`hover mid pointer ${classes.choice}`}
+            className={`hover mid pointer min-h-28px border-edge rounded narrow-min-h-44px ${classes.choice}`}
             aria-pressed={any}
             onClick={() => set(place, 'any')}
           >

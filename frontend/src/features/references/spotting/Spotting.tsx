@@ -95,7 +95,7 @@ export function Spotting({ clip: reference }: { clip: Reference }) {
   const categories = [...new Set((cues ?? []).map(({ category }) => category).filter(Boolean))].toSorted()
   return (
     <>
-      <div className={`grid items-start gap-4 ${classes.stage}`}>
+      <div className={`grid items-start gap-4 mid-grid-cols-1 ${classes.stage}`}>
         <div className={`grid grid-cols-1 gap-3 ${classes.picture}`}>
           <Refusal error={open.error} />
           {isUnplayable ? (

@@ -22,7 +22,7 @@ export function SpottingPage() {
   )
   const refusal = clip !== undefined && whyNot(clip)
   return (
-    <div className={`page stack ${classes.page}`} aria-busy={isPending}>
+    <div className={`page stack content-start ${classes.page}`} aria-busy={isPending}>
       <Refusal error={error} />
       {refusal && (
         <EmptyState head={refusal} level={1} action={back}>

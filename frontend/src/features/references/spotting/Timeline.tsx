@@ -61,7 +61,7 @@ export function Timeline({
       {/* The slider in it does the same by keyboard. */}
       <div
         ref={line}
-        className={`bg-well relative ${classes.line}`}
+        className={`bg-well relative border-line-2 rounded ${classes.line}`}
         onPointerDown={(event) => onSeek(secondsAt(event.clientX))}
       >
         {marks.map((mark, at) => (
@@ -88,7 +88,7 @@ export function Timeline({
           aria-valuemax={durationS}
           aria-valuenow={atS}
           aria-valuetext={placeInWords(atS)}
-          className={classes.playhead}
+          className={`absolute bottom-0 ${classes.playhead}`}
           style={{ left: share(atS) }}
           onKeyDown={step}
         />

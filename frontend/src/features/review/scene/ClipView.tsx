@@ -87,7 +87,7 @@ function Picture({ clip, player }: { clip: SceneClip; player: Player }) {
           onError={() => setState('unplayable')}
         />
       )}
-      <span ref={timeRef} className={`mono small ${classes.clipTime}`} />
+      <span ref={timeRef} className={`mono small absolute rounded-s bg-raised ink ${classes.clipTime}`} />
     </>
   )
 }

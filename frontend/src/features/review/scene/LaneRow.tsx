@@ -36,7 +36,7 @@ export function LaneRow({ lane, lengthS, now, hasSpots, onLevel, onRest, onRemov
           playsAt(lane, lengthS).map((startS) => (
             <span
               key={startS}
-              className={`grid items-center ${classes.hit}`}
+              className={`grid items-center absolute ${classes.hit}`}
               style={{
                 left: `${(startS / lengthS) * 100}%`,
                 width: `${(Math.min(lane.duration_s ?? 0, lengthS - startS) / lengthS) * 100}%`,

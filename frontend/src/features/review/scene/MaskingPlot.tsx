@@ -27,7 +27,7 @@ export function MaskingPlot({ masking, names, name }: MaskingPlotProps) {
           <Band key={band.hz} band={band} share={share} />
         ))}
       </div>
-      <div className={classes.hz} aria-hidden="true">
+      <div className={`relative ${classes.hz}`} aria-hidden="true">
         {MARKS_HZ.map((hz) => (
           <span key={hz} style={{ left: `${placeOf(hz, bands) * 100}%` }}>
             {hz >= 1_000 ? `${hz / 1_000}k` : hz}

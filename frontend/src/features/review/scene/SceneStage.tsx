@@ -53,7 +53,7 @@ export function SceneStage(props: SceneStageProps) {
   if (scene === undefined) return <p className={`small mid ${classes.waits}`}>The scene is loading.</p>
   return (
     <section className={`grid gap-3 ${classes.scene}`} aria-label="Scene">
-      <div className={`grid items-start gap-3 ${classes.top}`}>
+      <div className={`grid items-start gap-3 mid-grid-cols-1 ${classes.top}`}>
         <ClipView clips={scene.clips} projectId={projectId} player={player} />
         <WillItBeHeard scene={scene} moved={moved} />
       </div>
@@ -153,7 +153,7 @@ function Lanes({ scene, moved, onMoved, projectId, player }: LanesProps) {
     change.mutate({ id: lane.bed.id, level_db: to.levelDb })
   }
   return (
-    <div className={classes.lanes} ref={ref}>
+    <div className={`relative border rounded ${classes.lanes}`} ref={ref}>
       <div className={classes.lanesHead}>
         <span className="small dim">Bed and neighbours</span>
         <LaneAxis lengthS={scene.length_s} player={player} />
@@ -173,7 +173,7 @@ function Lanes({ scene, moved, onMoved, projectId, player }: LanesProps) {
           />
         ))}
       </ul>
-      <i className={classes.head} aria-hidden="true" />
+      <i className={`absolute ${classes.head}`} aria-hidden="true" />
     </div>
   )
 }

@@ -218,7 +218,7 @@ interface ColumnFieldsProps {
 function ColumnFields({ column, place, faults: [nameFault, kindFault], onChange }: ColumnFieldsProps) {
   const id = `column-${place}`
   return (
-    <span className={`grid gap-2-3 ${classes.fields}`}>
+    <span className={`grid gap-2-3 flex-1 narrow-grid-cols-1 ${classes.fields}`}>
       <label className={`grid gap-2px content-start ${classes.field}`}>
         <span className="small mid">Name</span>
         <input

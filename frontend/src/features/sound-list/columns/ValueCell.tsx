@@ -42,7 +42,7 @@ export function ValueCell({ cue, column, projectId, mayEdit }: ValueCellProps) {
     <button
       ref={button}
       type="button"
-      className={`block min-h-24px nowrap overflow-hidden w-full ${classes.value}`}
+      className={`block min-h-24px nowrap overflow-hidden w-full rounded-s bg-none text-ellipsis ${classes.value}`}
       aria-label={`${column.name} of ${cue.name}: ${shown || 'empty'}`}
       title={shown}
       onClick={(event) => {
@@ -117,7 +117,7 @@ function ValueField({ cue, column, projectId, onClose }: ValueFieldProps) {
   }
   const choices = choicesOf(column)
   return (
-    <span className={classes.open}>
+    <span className={`block ${classes.open}`}>
       {choices ? (
         <select {...shared} value={text} onChange={(event) => setText(event.currentTarget.value)}>
           <option value="">–</option>

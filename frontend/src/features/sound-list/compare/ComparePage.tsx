@@ -194,7 +194,7 @@ function Differences({ title, lines, projectId, fresh = false }: DifferencesProp
       <CardHead id={id} title={title} end={plural(lines.length, 'cue')} />
       <ul>
         {lines.map((line) => (
-          <li key={line.id} className={`grid items-baseline ${classes.line}`}>
+          <li key={line.id} className={`grid items-baseline min-h-28px border-b ${classes.line}`}>
             <span className="mono dim">{line.label}</span>
             <Link
               className="link strong"
@@ -203,7 +203,7 @@ function Differences({ title, lines, projectId, fresh = false }: DifferencesProp
             >
               {line.name}
             </Link>
-            <div className={`small ${classes.changes}`}>
+            <div className={`small p-1-0 wrap-anywhere ${classes.changes}`}>
               {line.cut_reason ? (
                 <p>Cut: “{line.cut_reason}”</p>
               ) : (

@@ -124,7 +124,7 @@ function CueSheet({ cue, projectId }: { cue: CueDetail; projectId: string }) {
   const open = cue.questions.filter(({ answer }) => answer === null)
   const answered = cue.questions.filter(({ answer }) => answer !== null).toReversed()
   return (
-    <div className={`page grid grid-cols-1 gap-3 ${classes.page}`}>
+    <div className={`page grid grid-cols-1 gap-3 content-start ${classes.page}`}>
       <header className="flex wrap top between gap-2-4">
         <div className={`min-w-0 ${classes.title}`}>
           <p className="row small dim">

@@ -36,7 +36,7 @@ export function CutCue({ cue, projectId, onClose }: CutCueProps) {
   }
   return (
     <form
-      className={`grid gap-3 ${classes.panel}`}
+      className={`grid gap-3 narrow-p-3 ${classes.panel}`}
       aria-label={`Cut ${cue.name}`}
       onSubmit={(event) => {
         event.preventDefault()
@@ -44,7 +44,7 @@ export function CutCue({ cue, projectId, onClose }: CutCueProps) {
       }}
     >
       <DraftNote draft={draft} />
-      <div className={`grid items-end gap-2 ${classes.say}`}>
+      <div className={`grid items-end gap-2 grid-cols-1-auto narrow-grid-cols-1 ${classes.say}`}>
         <TextInput
           ref={field}
           label={`Why cut ${cue.name}?`}

@@ -125,7 +125,7 @@ export function EditCue({ cue, projectId, categories, onClose, more }: EditCuePr
   return (
     <form
       ref={form}
-      className={`grid gap-3 ${classes.panel}`}
+      className={`grid gap-3 narrow-p-3 ${classes.panel}`}
       aria-label={`Edit ${cue.name}`}
       noValidate
       onSubmit={(event) => {

@@ -88,7 +88,7 @@ function UrgencyFields({ question, projectId }: { question: Question; projectId:
   return (
     <details>
       <summary className="small">Owner and due date</summary>
-      <div className={`grid items-end gap-2 ${classes.say}`}>
+      <div className={`grid items-end gap-2 grid-cols-1-auto narrow-grid-cols-1 ${classes.say}`}>
         <NativeSelect
           label="Owner"
           value={question.owner?.id ?? ''}
@@ -152,7 +152,7 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
         send()
       }}
     >
-      <div className={`grid items-end gap-2 ${classes.say}`}>
+      <div className={`grid items-end gap-2 grid-cols-1-auto narrow-grid-cols-1 ${classes.say}`}>
         <Textarea
           ref={field}
           label="Your answer"
@@ -221,7 +221,7 @@ export function AskForm({ cue, projectId, opens = false, onAsked }: AskFormProps
         send()
       }}
     >
-      <div className={`grid items-end gap-2 ${classes.say}`}>
+      <div className={`grid items-end gap-2 grid-cols-1-auto narrow-grid-cols-1 ${classes.say}`}>
         <Textarea
           ref={field}
           label={`Your question about ${cue.name}`}

@@ -81,7 +81,7 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
   const wave = <WaveThumb peaks={thumb} highlighted={playing} faded={take.state === 'set_aside'} heightPx={36} />
   return (
     <>
-      <div className={`grid items-center gap-3 ${classes.versionHead}`}>
+      <div className={`grid items-center gap-3 narrow-grid-cols-1-auto ${classes.versionHead}`}>
         <span>
           <span className="strong">{name.charAt(0).toUpperCase() + name.slice(1)}</span>{' '}
           {take.label !== null && <span className="small">{take.label} </span>}
@@ -103,7 +103,7 @@ function Line({ cue, projectId, version, unheard, playing, reviews, onPlay }: Li
       ) : (
         <button
           type="button"
-          className={`block pointer ${classes.wave}`}
+          className="block pointer w-full p-0 border-0 bg-none"
           aria-label={`${playing ? 'Pause' : 'Play'} ${name}`}
           onClick={() => onPlay(version)}
         >

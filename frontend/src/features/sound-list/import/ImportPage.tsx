@@ -211,7 +211,7 @@ export function ImportPage(): ReactNode {
           title="Spreadsheet"
           note={sheet.file ? undefined : 'CSV, XLSX, or rows copied from a spreadsheet'}
         />
-        <div className={classes.source} data-over={over || undefined}>
+        <div className={`p-3-4-4 rounded-b-l ${classes.source}`} data-over={over || undefined}>
           {sheet.file ? (
             <p className="flex wrap items-center gap-2-3">
               <span className="mono">{sheet.file.name}</span>
@@ -293,8 +293,11 @@ export function ImportPage(): ReactNode {
             onEdit={edit}
             onFillDown={fillDown}
           />
-          <footer className={`flex wrap items-center gap-2-4 ${classes.bar}`} aria-label="Import">
-            <div className={classes.says} role="status">
+          <footer
+            className={`flex wrap items-center gap-2-4 sticky bottom-0 bg-surface narrow-p-3 ${classes.bar}`}
+            aria-label="Import"
+          >
+            <div className={`flex-1 ${classes.says}`} role="status">
               <p className="strong">{isStale ? 'Reading the spreadsheet' : whatWould(read)}</p>
               {read.errors.length > 0 && (
                 <p className="small tone-bad toned">

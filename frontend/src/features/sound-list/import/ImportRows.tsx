@@ -167,10 +167,10 @@ export function ImportRows({ read, head, match, onKeep, onSkip, onEdit, onFillDo
       />
       {/* What scrolls is reached by the keyboard too. */}
       {/* eslint-disable-next-line jsx-a11y/no-noninteractive-tabindex */}
-      <div className={classes.sheet} tabIndex={0} role="group" aria-label="Sheet">
+      <div className="overflow-x-auto rounded-b-l" tabIndex={0} role="group" aria-label="Sheet">
         <table
           ref={table}
-          className={classes.rows}
+          className={`w-full ${classes.rows}`}
           aria-label="Rows of the spreadsheet"
           aria-rowcount={rows.length + 1}
         >
@@ -395,7 +395,7 @@ function CellField({ fault: { row, column, text }, onEdit, onFillDown }: CellFie
   const keep = (typed: string) => typed !== text && onEdit(typed)
   return (
     <input
-      className={classes.cell}
+      className={`rounded-s bg-raised ink font-inherit ${classes.cell}`}
       aria-label={`${column}, row ${row}`}
       aria-keyshortcuts="Enter Control+D Meta+D"
       aria-invalid="true"

@@ -43,7 +43,7 @@ export function ReadNotes({ read, reading, onRead }: Props) {
   return (
     <Card aria-labelledby="how-read">
       <CardHead id="how-read" title="How the sheet was read" note="Guesses, and columns that were left out" />
-      <div className={`grid gap-3 wrap-anywhere ${classes.notes}`}>
+      <div className={`grid gap-3 wrap-anywhere p-3-4-4 ${classes.notes}`}>
         {tabs.length > 1 && (
           <div>
             <Segmented

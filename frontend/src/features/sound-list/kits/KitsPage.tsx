@@ -197,7 +197,7 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
                   </th>
                 </tr>
                 {own.map((row) => (
-                  <tr key={row.file_name} className={isWanted(row) ? undefined : classes.gone}>
+                  <tr key={row.file_name} className={isWanted(row) ? undefined : 'dim'}>
                     <td>
                       <input
                         type="checkbox"
@@ -226,7 +226,7 @@ function ChosenKit({ kit, projectId }: { kit: Kit; projectId: string }) {
           })}
         </table>
       </Card>
-      <div className={`flex wrap items-center gap-3 ${classes.foot}`}>
+      <div className={`flex wrap items-center gap-3 sticky bottom-0 ${classes.foot}`}>
         <Refusal error={add.error} />
         <span className="wide-only">
           <KeysLine

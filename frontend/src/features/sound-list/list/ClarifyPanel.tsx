@@ -54,7 +54,7 @@ export function ClarifyPanel({ cue, projectId, questions, onClose }: ClarifyPane
     { keys: 'd', label: 'Dismiss the question', group: GROUP, run: () => first && drop(first), disabled: !first },
   ])
   return (
-    <section className={`grid gap-3 ${classes.panel}`} aria-label={`What is unclear about ${cue.name}`}>
+    <section className={`grid gap-3 narrow-p-3 ${classes.panel}`} aria-label={`What is unclear about ${cue.name}`}>
       {first === undefined && <p>Every question is answered.</p>}
       {questions.map((question) => (
         <Asked

@@ -59,7 +59,7 @@ interface SayPanelProps {
 
 function SayPanel({ cue, projectId, mayEdit, onClose }: SayPanelProps) {
   return (
-    <div className={`grid gap-3 ${classes.panel}`}>
+    <div className={`grid gap-3 narrow-p-3 ${classes.panel}`}>
       <SpokenPlaceholder cueId={cue.id} cueName={cue.name} projectId={projectId} mayEdit={mayEdit} />
       <div className="row wrap">
         <Button className="end" keys="Escape" onClick={onClose}>
@@ -82,7 +82,7 @@ function AskPanel({ cue, projectId, mayAnswer, onClose }: AskPanelProps) {
   const open = data?.questions.filter(({ answer }) => answer === null) ?? []
   const answers = mayAnswer && open.length > 0
   return (
-    <section className={`grid gap-3 ${classes.panel}`} aria-label={`Questions on ${cue.name}`}>
+    <section className={`grid gap-3 narrow-p-3 ${classes.panel}`} aria-label={`Questions on ${cue.name}`}>
       {open.map((question, at) => (
         <QuestionLine
           key={question.id}

@@ -106,7 +106,7 @@ export function CueTable(props: CueTableProps) {
   const drawnTable = (
     <table
       ref={table}
-      className={classes.table}
+      className={`bg-raised border rounded-l ${classes.table}`}
       style={scrolls ? { width: `max(100%, ${FIXED_PX + added * OWN_PX}px)` } : undefined}
       data-scrolls={scrolls || undefined}
       aria-label="Sound list"
@@ -174,7 +174,7 @@ export function CueTable(props: CueTableProps) {
             return (
               <tr key={item.key} className={classes.group} data-index={at} ref={drawn.measure} aria-rowindex={at + 2}>
                 <th colSpan={width} scope="colgroup">
-                  <span className={`strong ${classes.groupName}`}>{item.group.name}</span>{' '}
+                  <span className={`strong ink ${classes.groupName}`}>{item.group.name}</span>{' '}
                   <span className="small dim">{item.group.note}</span>
                 </th>
               </tr>
@@ -285,7 +285,7 @@ const Line = memo(function Line(props: LineProps) {
         {mayPick && (
           <input
             type="checkbox"
-            className={classes.pick}
+            className={`absolute m-0 pointer ${classes.pick}`}
             data-shown={picking || undefined}
             aria-label={`Select ${cue.label}`}
             checked={picked}
@@ -364,7 +364,7 @@ function StateCells({ row, selected, playing, onSelect, onPlay, onClarify }: Sta
         {row.previewUrl && row.status !== 'cut' ? (
           <button
             type="button"
-            className={`block min-h-24px pointer ${classes.play}`}
+            className={`block min-h-24px pointer w-full border-0 bg-none ${classes.play}`}
             aria-label={`${playing ? 'Pause' : 'Play'} ${cue.name}`}
             onClick={(event) => {
               event.stopPropagation()
@@ -385,7 +385,7 @@ function StateCells({ row, selected, playing, onSelect, onPlay, onClarify }: Sta
         {onClarify && row.unclear.length > 0 ? (
           <button
             type="button"
-            className={`nowrap pointer overflow-hidden relative ${classes.remark}`}
+            className={`nowrap pointer overflow-hidden relative p-0 border-0 bg-none text-ellipsis ${classes.remark}`}
             aria-label={`Answer what is unclear about ${cue.name}`}
             onClick={(event) => {
               event.stopPropagation()

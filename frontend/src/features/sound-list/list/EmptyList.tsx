@@ -107,7 +107,10 @@ function FirstSounds({ projectId, onImport }: { projectId: string; onImport: () 
           value={text}
           onChange={({ currentTarget }) => change(currentTarget.value)}
         />
-        <div className={classes.preview} aria-busy={isStale && lines.length > 0 ? true : undefined}>
+        <div
+          className={`p-3-4 bg-surface border-l ${classes.preview}`}
+          aria-busy={isStale && lines.length > 0 ? true : undefined}
+        >
           <p className="small mid">{lines.length === 0 ? 'A name is enough.' : plural(lines.length, 'sound')}</p>
           <ul>
             {lines.map(({ name, durationS, variations }, index) => (

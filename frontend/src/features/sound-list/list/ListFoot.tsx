@@ -15,7 +15,7 @@ export function ListFoot({
   sums: string
 }): ReactNode {
   return (
-    <footer className={`flex wrap items-center between ${classes.foot}`}>
+    <footer className={`flex wrap items-center between gap-1-4 ${classes.foot}`}>
       <KeysLine
         keys={[
           { keys: ['j', 'k'], label: 'move' },

@@ -22,7 +22,7 @@ export function ListHead({ projectId, list, mayEdit, needs }: ListHeadProps): Re
   const revision = list?.revision ?? 0
   return (
     <header className="row wrap between">
-      <div className={`flex wrap items-baseline ${classes.title}`}>
+      <div className="flex wrap items-baseline gap-0-3">
         <h1>Sound list</h1>
         {list && (
           <span className="mid">

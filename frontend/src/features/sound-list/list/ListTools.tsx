@@ -84,7 +84,9 @@ export function ListTools({
   return (
     <>
       <div className={`row ${classes.tools}`}>
-        <label className={`inline-flex items-center gap-6px bg-raised mid ${classes.find}`}>
+        <label
+          className={`inline-flex items-center gap-6px bg-raised mid min-h-28px border-edge rounded narrow-min-h-44px ${classes.find}`}
+        >
           <Icon name="search" />
           <span className="visually-hidden">Search the list</span>
           <input
@@ -162,7 +164,7 @@ export function ListTools({
               </FilterChip>
             )}
           </div>
-          <div className={`row flex-none ${classes.ends}`}>
+          <div className={`row flex-none narrow-w-full ${classes.ends}`}>
             <ToolSelect
               label="Category"
               value={search.category ?? ''}

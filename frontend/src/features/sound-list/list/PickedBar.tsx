@@ -48,7 +48,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
 
   return (
     <>
-      <section className={`row ${classes.tools} ${classes.picked}`} aria-label="Selected cues">
+      <section className={`row ${classes.tools} rounded bg-raised ${classes.picked}`} aria-label="Selected cues">
         <strong className="strong nowrap" role="status">
           {plural(cues.length, 'cue')} selected
         </strong>
@@ -66,7 +66,7 @@ export function PickedBar({ projectId, cues, categories, people, onClear }: Pick
           }}
         >
           <input
-            className={classes.field}
+            className={`min-h-28px border-edge rounded bg-raised ink font-inherit ${classes.field}`}
             aria-label="Category for the selected cues"
             placeholder="Category"
             list="picked-categories"
