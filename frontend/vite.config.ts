@@ -4,7 +4,7 @@ import react from '@vitejs/plugin-react'
 import { defineConfig } from 'vitest/config'
 
 import { chunkNames } from './scripts/chunks.ts'
-import { early, PAGES } from './scripts/early.ts'
+import { PAGES, preload } from './scripts/preload.ts'
 import { limitPageSizes } from './scripts/pageSizes.ts'
 import { precompress } from './scripts/precompress.ts'
 
@@ -16,7 +16,7 @@ const ARRIVALS = PAGES.map(({ modules: [page = ''] }) => page)
 const REPLACES_MODULES = ['src/features/take/DryStem.test.tsx', 'src/features/take/SourceBank.test.tsx']
 
 export default defineConfig({
-  plugins: [react(), early(), precompress(), limitPageSizes(ARRIVALS)],
+  plugins: [react(), preload(), precompress(), limitPageSizes(ARRIVALS)],
   resolve: { alias: { '@': fileURLToPath(new URL('./src', import.meta.url)) } },
   server: {
     host: '127.0.0.1',

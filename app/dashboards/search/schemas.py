@@ -11,7 +11,7 @@ from app.core.web.http import Schema
 from app.deliveries.schemas import CueBrief
 
 
-class SaidOfVersion(Schema):
+class VersionFeedback(Schema):
     """A version that was given a reason or a label, and who said it."""
 
     variation: int
@@ -31,7 +31,7 @@ class Found(Schema):
     take_id: UUID | None = None
     contract_id: UUID | None = None
     start_s: float | None = None
-    said: SaidOfVersion | None = Field(default=None, description="Of reasons and labels alone.")
+    said: VersionFeedback | None = Field(default=None, description="Of reasons and labels alone.")
 
 
 class FindResult(Schema):

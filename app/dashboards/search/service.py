@@ -141,7 +141,7 @@ def _reason(reason: FoundReason) -> schemas.Found:
         cue=brief(reason.project, reason.cue),
         take_id=reason.take.id,
         start_s=reason.start_s,
-        said=schemas.SaidOfVersion(
+        said=schemas.VersionFeedback(
             variation=reason.take.variation,
             number=reason.take.number,
             by=verdict.author and PersonBrief.model_validate(verdict.author),
@@ -159,7 +159,7 @@ def _label(label: FoundLabel) -> schemas.Found:
         text=take.label or "",
         cue=brief(label.project, label.cue),
         take_id=take.id,
-        said=schemas.SaidOfVersion(
+        said=schemas.VersionFeedback(
             variation=take.variation,
             number=take.number,
             by=label.by and PersonBrief.model_validate(label.by),

@@ -1,7 +1,7 @@
 import createClient, { type Middleware } from 'openapi-fetch'
 
 import { serverReturns } from './connection'
-import { prefetchedAnswer } from './early'
+import { prefetchedAnswer } from './prefetched'
 import { ApiProblem, networkError, problemOf } from './problem'
 import type { paths } from './schema.gen'
 import { whileSending } from './sending'

@@ -15,7 +15,7 @@ export type Slices = AsyncGenerator<Uint8Array<ArrayBuffer>>
 
 const SLICE_BYTES = 4 * 2 ** 20
 /** More than this no sound has: the server refuses such a file. */
-const MOST = 2 ** 64
+const MAX_LEVEL = 2 ** 64
 
 type Samples = ArrayLike<number>
 
@@ -140,7 +140,7 @@ export async function peaksOf(layout: Layout, slices: Slices): Promise<Peaks> {
     const samples = samplesOf(bytes, layout)
     for (let index = 0, channel = 0; index < samples.length; index++) {
       const level = Math.abs(samples[index]!)
-      if (!(level <= MOST)) throw new LeftToServer()
+      if (!(level <= MAX_LEVEL)) throw new LeftToServer()
       tops[channel]!.add(samples[index]!, level)
       if (level > channels[channel]!) {
         channels[channel] = level

@@ -10,7 +10,7 @@ import { serve } from './server'
 
 const AT = '2026-11-20T10:00:00Z'
 /** What stands above a table and beside its rows, as a page opens. */
-const MOST = 7
+const MAX_CONTROLS = 7
 
 const LINK = {
   id: 'g1',
@@ -45,7 +45,7 @@ const shown = async (text: RegExp | string) => {
   await waitFor(() => expect(document.querySelector('[aria-busy="true"]')).toBeNull())
   return controlsInSight(screen.getByRole('main'))
 }
-const few = (controls: string[]) => expect(controls.length, controls.join(' | ')).toBeLessThanOrEqual(MOST)
+const few = (controls: string[]) => expect(controls.length, controls.join(' | ')).toBeLessThanOrEqual(MAX_CONTROLS)
 
 describe('at most seven controls stand around the rows of a page as it opens', () => {
   test('People', async () => {

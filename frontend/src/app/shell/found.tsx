@@ -22,8 +22,8 @@ export interface Search {
 }
 
 const CUT_AT = 70
-const SAID: readonly Hit['kind'][] = ['change_reason', 'pick_reason', 'label']
-const SAID_AS: Partial<Record<Hit['kind'], string>> = {
+const FEEDBACK_KINDS: readonly Hit['kind'][] = ['change_reason', 'pick_reason', 'label']
+const KIND_LABELS: Partial<Record<Hit['kind'], string>> = {
   change_reason: 'change requested',
   pick_reason: 'approved',
   label: 'labelled',
@@ -85,7 +85,7 @@ function describeFeedback(hit: Hit | HitElsewhere): string {
   const variation = said.variation > 1 ? ` ${variationName(said.variation)}` : ''
   const version = said.number === null ? '' : ` version ${said.number}`
   const who = byWhom(said)
-  return `${project}${title}${variation}${version}, ${SAID_AS[kind]}${who && ` by ${who}`}`
+  return `${project}${title}${variation}${version}, ${KIND_LABELS[kind]}${who && ` by ${who}`}`
 }
 
 function shown(hit: Hit, typed: string): Pick<Found, 'title' | 'number' | 'detail'> {
@@ -125,7 +125,7 @@ export async function findHere(kinds: readonly Hit['kind'][], search: Search, ty
 export async function findElsewhere({ projectId, go }: Search, typed: string, signal: AbortSignal): Promise<Found[]> {
   const hits = await hitsElsewhere(projectId, typed, signal)
   return hits
-    .filter(({ kind }) => !SAID.includes(kind))
+    .filter(({ kind }) => !FEEDBACK_KINDS.includes(kind))
     .map((hit) => ({
       id: hit.take_id ?? hit.cue?.id ?? hit.title,
       title: hit.title,
@@ -143,7 +143,7 @@ export async function findSaid(search: Search, typed: string, signal: AbortSigna
     hitsElsewhere(projectId, typed, signal),
   ])
   return [...here, ...elsewhere]
-    .filter((hit) => SAID.includes(hit.kind) && hit.cue?.id !== comparedBlind())
+    .filter((hit) => FEEDBACK_KINDS.includes(hit.kind) && hit.cue?.id !== comparedBlind())
     .map((hit, index) => ({
       id: `${hit.kind}-${index}`,
       ...shown(hit, typed),

@@ -105,7 +105,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
       run: () => last && setNow((before) => without(before, new Set([last.id]))),
       disabled: last === null,
     },
-    { keys: 'mod+Enter', label: 'Keep the notes', group: GROUP, run: () => send(), disabled: named.length === 0 },
+    { keys: 'mod+Enter', label: 'Save notes', group: GROUP, run: () => send(), disabled: named.length === 0 },
   ])
   const waiting = kept.pending.length
   const notes = listening.notes.filter(({ recording }) => recording?.reference_version_id === version.id)
@@ -183,7 +183,7 @@ export function Recording({ reference, listening, projectId, personId, beginsAtS
               <p className="small mid">{`${plural(missing, 'mark')} without a sound ${missing === 1 ? 'stays' : 'stay'} here.`}</p>
             )}
             <Button variant="primary" keys="mod+Enter" disabled={named.length === 0} onClick={() => send()}>
-              {named.length === 0 ? 'Keep the notes' : `Keep ${plural(named.length, 'note')}`}
+              {named.length === 0 ? 'Save notes' : `Save ${plural(named.length, 'note')}`}
             </Button>
           </div>
         )}

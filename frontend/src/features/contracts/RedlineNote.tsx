@@ -23,7 +23,7 @@ export interface Opened {
   does: 'refused' | 'countered'
 }
 
-type Given = (body: Answer, onDone?: () => void) => void
+type SendAnswer = (body: Answer, onDone?: () => void) => void
 
 interface RedlineNoteProps {
   contract: Contract
@@ -35,7 +35,7 @@ interface RedlineNoteProps {
   onOpen: (opened: Opened | null) => void
   isPending: boolean
   error: unknown
-  onAnswer: Given
+  onAnswer: SendAnswer
 }
 
 const DOES: Record<Redline['kind'], string> = {

@@ -94,7 +94,7 @@ export function QueuePanel(props: QueuePanelProps) {
         </ul>
         {queue.isKnown && waiting.length === 0 && (
           <p className={`dim ${classes.sub} small`}>
-            {isFiltered(filter) ? 'No cue that waits matches the filter. ' : 'Nothing to review'}
+            {isFiltered(filter) ? 'No cues match this filter. ' : 'Nothing to review'}
             {isFiltered(filter) && (
               <Link className="link" to="/projects/$projectId/review/$cueId" params={{ projectId, cueId }} search={{}}>
                 Show all

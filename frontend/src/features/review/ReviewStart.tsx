@@ -47,11 +47,11 @@ export function ReviewStart(): ReactNode {
     return (
       <div className={`page grid gap-4 ${classes.nothing}`}>
         <EmptyState
-          head="No cue that waits matches the filter"
+          head="No cues match this filter"
           level={1}
           action={
             <Link to="/projects/$projectId/review" params={{ projectId }} search={{}} className="link">
-              Show all that waits
+              Show all
             </Link>
           }
         >

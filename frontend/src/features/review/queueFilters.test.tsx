@@ -90,8 +90,8 @@ test('an address with a filter opens the first cue that it leaves', async () => 
 
 test('where nothing matches it is said, with a way to all', async () => {
   const app = openApp(`/projects/${PROJECT}/review?q=nothing`)
-  expect(await screen.findByRole('heading', { name: 'No cue that waits matches the filter' })).toBeVisible()
-  await userEvent.click(screen.getByRole('link', { name: 'Show all that waits' }))
+  expect(await screen.findByRole('heading', { name: 'No cues match this filter' })).toBeVisible()
+  await userEvent.click(screen.getByRole('link', { name: 'Show all' }))
   await waitFor(() => expect(app.at()).toBe(`/projects/${PROJECT}/review/shield`))
   expect(app.search()).toEqual({})
 })

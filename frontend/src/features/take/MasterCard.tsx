@@ -10,7 +10,7 @@ import { type MasterExport, type Take, useMasterExport } from './api'
 import classes from './Take.module.css'
 
 /** By the names of ASWG-G006, in the order in which they are read. */
-const SAID = {
+const METADATA_LABELS = {
   project: 'Project',
   originatorStudio: 'Studio',
   originator: 'Made by',
@@ -82,7 +82,7 @@ function Fields({ made: { fields, left } }: { made: MasterExport }) {
   return (
     <>
       <dl className={classes.lines}>
-        {Object.entries(SAID).map(
+        {Object.entries(METADATA_LABELS).map(
           ([field, label]) =>
             fields[field] && (
               <div key={field}>

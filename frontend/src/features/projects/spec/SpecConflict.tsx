@@ -6,7 +6,7 @@ import type { Spec } from '../api'
 import { LineDiff } from './LineDiff'
 import classes from './SpecEditor.module.css'
 
-interface MovedOnProps {
+interface SpecConflictProps {
   spec: Spec
   /** Undefined while it is on its way. */
   theirs: string | undefined
@@ -17,7 +17,7 @@ interface MovedOnProps {
 }
 
 /** Another person saved meanwhile: both texts are shown until one is chosen. */
-export function SpecConflict({ spec, theirs, mine, basedOn, onKeepMine, onTakeTheirs }: MovedOnProps) {
+export function SpecConflict({ spec, theirs, mine, basedOn, onKeepMine, onTakeTheirs }: SpecConflictProps) {
   return (
     <Card className={classes.moved} aria-labelledby="moved">
       <CardHead id="moved" title={`${spec.author.name} saved version ${spec.version} while you were editing`} />

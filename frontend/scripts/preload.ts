@@ -55,7 +55,7 @@ export const PAGES: readonly Page[] = [
   },
 ]
 
-interface EarlyPage {
+interface PreloadedPage {
   at: string
   asks: readonly string[]
   files: readonly string[]
@@ -65,7 +65,7 @@ interface EarlyPage {
  * Load the files of the page at this address and ask for its data, while the script that every page needs is on its way.
  * It runs alone in the page, before anything else: it can use nothing from outside itself.
  */
-export function startPage(pages: readonly EarlyPage[]): void {
+export function preloadPage(pages: readonly PreloadedPage[]): void {
   const { pathname, origin } = globalThis.location
   const page = pages.find(({ at }) => new RegExp(at).test(pathname))
   if (page === undefined) return
@@ -101,7 +101,7 @@ export function startPage(pages: readonly EarlyPage[]): void {
     link.href = file
     document.head.append(link)
   }
-  Object.assign(globalThis, { soundlistEarly: { answers, atMs: performance.now() } })
+  Object.assign(globalThis, { soundlistPrefetched: { answers, atMs: performance.now() } })
 }
 
 /** Files of the chunks with these modules, and of what they import. */
@@ -116,12 +116,12 @@ function filesWith(modules: readonly string[], bundle: Record<string, Chunk>): s
   return [...filesOf(chunks, bundle)].map((file) => `/${file}`)
 }
 
-/** Put what starts a page early into the script that runs before the first paint. */
-export function early(): Plugin {
+/** Put what preloads a page into the script that runs before the first paint. */
+export function preload(): Plugin {
   let folder = ''
   let script: { name: string; content: string } | null = null
   return {
-    name: 'early',
+    name: 'preload',
     apply: 'build',
     configResolved: ({ root, build }) => {
       folder = resolve(root, build.outDir)
@@ -137,9 +137,9 @@ export function early(): Plugin {
           files: filesWith(modules, bundle as unknown as Record<string, Chunk>).filter((file) => !here.has(file)),
         }))
         const scheme = await readFile(new URL('../public/scheme.js', import.meta.url), 'utf8')
-        const content = `${scheme};(${startPage.toString()})(${JSON.stringify(pages)})\n`
+        const content = `${scheme};(${preloadPage.toString()})(${JSON.stringify(pages)})\n`
         const hash = createHash('sha256').update(content).digest('base64url').slice(0, 8)
-        script = { name: `assets/early-${hash}.js`, content }
+        script = { name: `assets/preload-${hash}.js`, content }
         return html.replace('<script src="/scheme.js">', `<script src="/${script.name}">`)
       },
     },

@@ -1,7 +1,7 @@
 import { waitFor } from '@testing-library/react'
 import { expect, test, vi } from 'vitest'
 
-import { PAGES } from '../../scripts/early'
+import { PAGES } from '../../scripts/preload'
 
 import { HandContext } from './audioContext'
 import { atDesk } from './desk'
@@ -24,14 +24,14 @@ const SERVERS: Record<string, { project: string; asked: () => Asked[] }> = {
 }
 const OF_PROJECT = '0190a1b2-0000-7000-8000-000000000001'
 
-test('each page that starts early is in this test', () => {
+test('each page that is preloaded is in this test', () => {
   for (const { at } of PAGES) {
     const path = Object.keys(SERVERS).find((one) => new RegExp(at).test(one.replace('{project}', OF_PROJECT)))
     expect(path, at).toBeDefined()
   }
 })
 
-test.each(Object.entries(SERVERS))('what is asked early for %s is asked by its page', async (path, server) => {
+test.each(Object.entries(SERVERS))('what is prefetched for %s is asked by its page', async (path, server) => {
   vi.stubGlobal('AudioContext', HandContext)
   const page = PAGES.find(({ at }) => new RegExp(at).test(path.replace('{project}', OF_PROJECT)))
   const asked = server.asked()

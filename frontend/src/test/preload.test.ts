@@ -1,9 +1,9 @@
 import { waitFor } from '@testing-library/react'
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 
-import { prefetchedAnswer } from '@/api/early'
+import { prefetchedAnswer } from '@/api/prefetched'
 
-import { startPage } from '../../scripts/early'
+import { preloadPage } from '../../scripts/preload'
 
 const PROJECT = '0190a1b2-0000-7000-8000-000000000001'
 const QUEUE = `/v1/review-queue?project_id=${PROJECT}`
@@ -36,7 +36,7 @@ afterEach(() => {
 
 test('a page known by its address has its files and its answers on their way, and what Review opens of the queue', async () => {
   history.replaceState(null, '', `/projects/${PROJECT}/review`)
-  startPage(PAGES)
+  preloadPage(PAGES)
   await waitFor(() => expect(asked).toEqual(['/v1/me', QUEUE, '/v1/cues/first/review']))
   expect(links()).toEqual(['modulepreload /assets/ReviewPage.js', 'preload /assets/ReviewPage.css'])
   expect(await (await taken(QUEUE))?.json()).toHaveProperty('items')
@@ -48,13 +48,13 @@ test('a desk has the fix of what came back first on its way', async () => {
     return Promise.resolve(Response.json({ came_back: [{ take_id: 'newest' }, { take_id: 'older' }] }))
   })
   history.replaceState(null, '', `/projects/${PROJECT}/desk`)
-  startPage([{ at: '^/projects/([0-9a-f-]{36})/desk$', asks: ['/v1/projects/{project}/desk'], files: [] }])
+  preloadPage([{ at: '^/projects/([0-9a-f-]{36})/desk$', asks: ['/v1/projects/{project}/desk'], files: [] }])
   await waitFor(() => expect(asked).toEqual([`/v1/projects/${PROJECT}/desk`, '/v1/takes/newest/fix']))
 })
 
 test('an answer is taken once, by a request that only reads, while it is fresh', () => {
   history.replaceState(null, '', `/projects/${PROJECT}/review`)
-  startPage(PAGES)
+  preloadPage(PAGES)
   expect(taken('/v1/me', 'POST')).toBeUndefined()
   expect(taken('/v1/session')).toBeUndefined()
   expect(taken('/v1/me')).toBeDefined()
@@ -63,9 +63,9 @@ test('an answer is taken once, by a request that only reads, while it is fresh',
   expect(taken(QUEUE)).toBeUndefined()
 })
 
-test('of other pages nothing is asked early', () => {
+test('of other pages nothing is prefetched', () => {
   history.replaceState(null, '', `/projects/${PROJECT}/people`)
-  startPage(PAGES)
+  preloadPage(PAGES)
   expect(asked).toEqual([])
   expect(links()).toEqual([])
 })
