@@ -11,6 +11,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from audio_checks.measure.window_powers import WindowPowers
+
 Floats = NDArray[np.float64]
 WINDOW_CELLS = 40  # 20 ms
 AFTER_CELLS = 3 * WINDOW_CELLS // 2 + 1  # of the sound that must be known from a click on
@@ -40,14 +42,20 @@ def heard_over_db(samples: Floats, frames: NDArray[np.int64], cell_frames: int, 
         In dB: the 20 ms around the click over the 20 ms before and after, whichever mask more in a band.
     """
     width = WINDOW_CELLS * cell_frames
-    starts = frames[:, np.newaxis] + (cell_frames - width) // 2 + width * np.arange(-1, 2)
-    places = starts[..., np.newaxis] + np.arange(width)
-    inside = (places >= 0) & (places < len(samples))
-    pieces = np.where(inside, samples[np.where(inside, places, 0)], 0.0) * np.hanning(width)
-    bands = np.square(np.abs(np.fft.rfft(pieces))) @ _bands_of(width, sample_rate_hz) * (8 / 3) / width**2 + THRESHOLD
+    pieces = np.zeros((len(frames), 3 * width))
+    for piece, start in zip(pieces, (frames + (cell_frames - width) // 2 - width).tolist(), strict=True):
+        first, end = max(start, 0), min(start + 3 * width, len(samples))
+        piece[first - start : end - start] = samples[first:end]
+    powers = _windows_of(width).of(pieces.reshape(1, -1), first=0, hop=width, count=3 * len(frames))
+    bands = powers.reshape(len(frames), 3, -1) @ _bands_of(width, sample_rate_hz) * (8 / 3) / width**2 + THRESHOLD
     masked = np.maximum(bands[:, 0] @ _SPREAD, bands[:, 2] @ _SPREAD)
     over_db: Floats = 10 * np.log10((bands[:, 1] / masked)[:, LOWEST:].max(axis=1))
     return over_db
+
+
+@lru_cache(maxsize=8)
+def _windows_of(width: int) -> WindowPowers:
+    return WindowPowers(np.hanning(width))
 
 
 @lru_cache(maxsize=8)
