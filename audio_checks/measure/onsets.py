@@ -144,23 +144,21 @@ def _around(cells: Cells, places: NDArray[np.int64], cell_frames: int, channel: 
         """Return the highest value from one cell, counted from each click, to another; 0 where there is none."""
         windows = places[:, np.newaxis] + np.arange(start, end)
         inside = (windows >= 0) & (windows < len(values))
-        tops: NDArray[np.float64] = np.where(inside, values[np.where(inside, windows, 0)], 0.0).max(axis=1)
+        tops: NDArray[np.float64] = np.where(inside, values.take(windows, mode="clip"), 0.0).max(axis=1)
         return tops
 
     sharpest = np.square(highest(cells.sharpness[channel], -1, 2))
-    louder = [_ratios_db(later, earlier) for later, earlier in zip(beside[::2], beside[1::2], strict=True)]
+    lively, silent = highest(powers, 0, TAIL), highest(powers, -LEAD[1], -LEAD[0])
+    levels_db = _decibels(np.stack((sharpest, before, after, *beside, lively, silent)))
+    sharpest_db, before_db, after_db, *beside_db, lively_db, silent_db = levels_db
     columns = (
-        _decibels(sharpest),
-        _ratios_db(sharpest, before),
-        _ratios_db(sharpest, after),
-        np.maximum(*louder),
-        _ratios_db(highest(powers, 0, TAIL), highest(powers, -LEAD[1], -LEAD[0])),
+        sharpest_db,
+        sharpest_db - before_db,
+        sharpest_db - after_db,
+        np.maximum(beside_db[0] - beside_db[1], beside_db[2] - beside_db[3]),
+        lively_db - silent_db,
     )
     return [Surroundings(*row) for row in np.stack(columns, axis=1).tolist()]
-
-
-def _ratios_db(powers: NDArray[np.float64], others: NDArray[np.float64]) -> NDArray[np.float64]:
-    return _decibels(powers) - _decibels(others)
 
 
 def _decibels(powers: NDArray[np.float64]) -> NDArray[np.float64]:
