@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 from uuid import UUID
 
-from sqlalchemy import Select, and_, func, select
+from sqlalchemy import Integer, Select, and_, cast, func, select
 from sqlalchemy.orm import Session, joinedload
 
 from app.accounts.models import Person
@@ -43,9 +43,15 @@ class ReasonPlace:
 def counts(session: Session, reason_filter: ReasonFilter) -> Sequence[tuple[ReasonKind, str, int]]:
     """Return the number of uses of each reason, the most frequent first."""
     given = func.count()
-    query = _filtered(select(GivenReason.kind, GivenReason.reason, given), reason_filter)
+    query = _filtered(select(GivenReason.kind, GivenReason.reason, given.label("given")), reason_filter)
     grouped = query.group_by(GivenReason.kind, GivenReason.reason)
-    return session.execute(grouped.order_by(given.desc(), GivenReason.reason)).all()
+    if reason_filter.category is None:
+        return session.execute(grouped.order_by(given.desc(), GivenReason.reason)).all()
+    # By cue first: SQLite otherwise reads the rows of all categories, in the order of their reasons.
+    by_cue = grouped.group_by(GivenReason.cue_id, GivenReason.designer_id).subquery()
+    uses = cast(func.sum(by_cue.c.given), Integer)
+    summed = select(by_cue.c.kind, by_cue.c.reason, uses).group_by(by_cue.c.kind, by_cue.c.reason)
+    return session.execute(summed.order_by(uses.desc(), by_cue.c.reason)).all()
 
 
 def designers_with_reasons(session: Session, project_id: UUID) -> Sequence[Person]:
