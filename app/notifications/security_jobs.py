@@ -55,7 +55,7 @@ def notify_new_address(runtime: Runtime, payload: Payload) -> None:
                 recipient=recipient,
                 subject="The email of your account was changed",
                 lines=[line],
-                link=f"{runtime.settings.base_url}/account",
+                link=f"{runtime.settings.base_url}/account/tokens",
             )
 
 
@@ -72,7 +72,7 @@ def notify_desk_token(runtime: Runtime, payload: Payload) -> None:
     """Tell a person that a desk token of theirs was made."""
     line = f"The desk token “{payload['name']}” was made for your account. {NOT_YOU}"
     with runtime.database.writing() as session:
-        _tell_person(runtime, session, payload, "A new desk token of your account", line, page="account")
+        _tell_person(runtime, session, payload, "A new desk token of your account", line, page="account/tokens")
 
 
 @notice("token.made", topics={"tokens": News.LIST})
@@ -83,9 +83,9 @@ def notify_token(runtime: Runtime, payload: Payload) -> None:
         maker, project = session.get_one(Person, token.created_by), session.get_one(Project, token.project_id)
         line = (
             f"{maker.name} made the token “{token.name}” for builds of {project.name}. It ends on "
-            f"{day_in_words(token.expires_at)}. If nobody of you meant to, revoke it on the page Builds."
+            f"{day_in_words(token.expires_at)}. If nobody of you meant to, revoke it on the page Tokens."
         )
-        event_id, subject, path = payload["event_id"], f"{project.name}: a new token for builds", _builds_page(project)
+        event_id, subject, path = payload["event_id"], f"{project.name}: a new token for builds", _tokens_page(project)
         _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path, of=project)
 
 
@@ -130,7 +130,7 @@ def warn_of_token_ends(runtime: Runtime, _payload: Payload) -> None:
             token.warned_at = now
             end, event_id = day_in_words(token.expires_at), f"token-end:{token.id}"
             if isinstance(token, DeskToken):
-                line = f"The desk token “{token.name}” ends on {end}. Make a new one before, on the page Account."
+                line = f"The desk token “{token.name}” ends on {end}. Make a new one before, on the page Tokens."
                 service.write_mail(
                     session,
                     event_id=event_id,
@@ -139,19 +139,19 @@ def warn_of_token_ends(runtime: Runtime, _payload: Payload) -> None:
                     recipient=queries.address_of(session, token.person_id),
                     subject=f"A desk token ends on {end}",
                     lines=[line],
-                    link=f"{runtime.settings.base_url}/account",
+                    link=f"{runtime.settings.base_url}/account/tokens",
                 )
                 continue
             project = session.get_one(Project, token.project_id)
             line = (
                 f"The token “{token.name}” ends on {end}. Builds that use it are refused from then on: make a new one."
             )
-            subject, path = f"{project.name}: a token for builds ends on {end}", _builds_page(project)
+            subject, path = f"{project.name}: a token for builds ends on {end}", _tokens_page(project)
             _tell_producers(runtime, session, event_id, token.studio_id, "tokens", subject, line, path, of=project)
 
 
-def _builds_page(project: Project) -> str:
-    return f"/projects/{project.id}/builds"
+def _tokens_page(project: Project) -> str:
+    return f"/projects/{project.id}/tokens"
 
 
 def _tell_person(runtime: Runtime, session: Session, payload: Payload, subject: str, line: str, *, page: str) -> None:

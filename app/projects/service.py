@@ -129,7 +129,7 @@ def access_from_facts(actor: Actor, facts: queries.AccessFacts, *, before_nda: b
     if not roles and not before_nda and engagement is not None and nda_is_pending(project, engagement):
         raise NdaNeeded(
             "this project shows its brief, list and spec once its non-disclosure agreement is signed",
-            fix="read and sign it under Contract; if there is none, the studio has not sent it yet",
+            fix="read and sign it under Contract & money; if there is none, the studio has not sent it yet",
         )
     may_lead = not roles.isdisjoint(LEAD_ROLES)  # a row that names the caller gives nothing by itself
     return ProjectAccess(

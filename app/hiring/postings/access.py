@@ -47,7 +47,7 @@ class PostingAccess:
         if self.nda_open:
             raise NdaNeeded(
                 "this posting shows what it asks for once the project's non-disclosure agreement is signed",
-                fix="the studio sends it to you; you find it under Contract",
+                fix="the studio sends it to you; you find it under Contract & money",
             )
 
 

@@ -41,8 +41,8 @@ export function PullCard({ projectId, targets }: { projectId: string; targets: r
         </pre>
         <p className="small mid">
           Set <code className="mono">SOUNDLIST_TOKEN</code> to a token from{' '}
-          <Link className="link" to="/projects/$projectId/builds" params={{ projectId }}>
-            Builds
+          <Link className="link" to="/projects/$projectId/tokens" params={{ projectId }}>
+            Tokens
           </Link>
           . Add <code className="mono nowrap">--no-placeholders</code> as the release gate, and{' '}
           <code className="mono nowrap">--p4</code> or <code className="mono nowrap">--lfs-lock</code> for version

@@ -46,7 +46,7 @@ export function PostingFacts({ posting, ndaOpen, postingId }: PostingFactsProps)
       {ndaOpen ? (
         <EmptyState head="An NDA comes first">
           The studio shows what it asks for once you have signed its NDA. It invites you to the project and sends the
-          NDA; you then find it under Contract.
+          NDA; you then find it under Contract & money.
         </EmptyState>
       ) : (
         <>

@@ -101,8 +101,8 @@ function Shown({ secret, invitation }: { secret: string; invitation: Invitation 
           {invitation.nda_needed ? (
             <div className="p-inset">
               <EmptyState head="Sign the NDA to see the sound list" level={3}>
-                “Start delivering” creates your account. The NDA is then under Contract. You see the sound list and spec
-                once both sides have signed.
+                “Start delivering” creates your account. The NDA is then under Contract & money. You see the sound list
+                and spec once both sides have signed.
               </EmptyState>
             </div>
           ) : cues.length === 0 ? (
