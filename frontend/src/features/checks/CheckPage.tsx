@@ -39,7 +39,7 @@ export function CheckPage() {
   }
   if (text === undefined) return <PageSkeleton />
   return (
-    <article className={`page ${classes.check}`}>
+    <article className={`page max-w-720px ${classes.check}`}>
       {blocksOf(text).map((block, index) => {
         if (block.kind === 'head') {
           return block.level === 1 ? (

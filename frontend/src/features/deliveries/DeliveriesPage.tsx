@@ -31,9 +31,12 @@ export function DeliveriesPage() {
           {project?.name ?? 'Project'}
         </Link>
         {project?.mine.is_team === false && (
-          <Link className="link" to="/work">
-            Your credits, people and playlists
-          </Link>
+          <>
+            {' · '}
+            <Link className="link" to="/work">
+              Your credits, people and playlists
+            </Link>
+          </>
         )}
       </PageHead>
       <Refusal error={error} />
@@ -67,9 +70,13 @@ function Line({ delivery, showsDesigner }: { delivery: Delivery; showsDesigner: 
         Delivery {delivery.number}
       </Link>
       <span className="wrap-anywhere">{delivery.note}</span>
-      {showsDesigner && <Person name={delivery.designer.name} picture={delivery.designer.picture} />}
+      {showsDesigner ? (
+        <Person name={delivery.designer.name} picture={delivery.designer.picture} />
+      ) : (
+        <span className="wide-only" />
+      )}
       <span className="small mid num nowrap">{filesOf(delivery.takes_count)}</span>
-      <span className="small dim">{daysOf(delivery)}</span>
+      <span className="small dim nowrap">{daysOf(delivery)}</span>
     </Row>
   )
 }

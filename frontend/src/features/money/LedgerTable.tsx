@@ -37,7 +37,7 @@ export function LedgerTable({
       rows={lines.toReversed()}
       keyOf={({ id }) => id}
       columns={[
-        { head: 'Day', cell: ({ at }) => shortDay(at) },
+        { head: 'Day', cell: ({ at }) => <span className="nowrap">{shortDay(at)}</span> },
         {
           head: 'Type',
           cell: (line) => (

@@ -29,7 +29,7 @@ export function NoticesPage() {
   }
   useHotkeys([{ keys: 'shift+r', label: 'Mark all as read', group: 'Notices', run: markAll }])
   return (
-    <div className="page page-narrow stack">
+    <div className="page max-w-720px stack">
       <PageHead
         title="Notices"
         actions={
@@ -41,7 +41,7 @@ export function NoticesPage() {
         }
       >
         The news that emails are about.{' '}
-        <Link className="link" to="/account">
+        <Link className="link" to="/account/notifications">
           Choose what is emailed to you
         </Link>
         .

@@ -16,7 +16,7 @@ export function PhasesCard({ projectId }: { projectId: string }) {
   if (!data || data.phases.length === 0) return <Refusal inset error={error} />
   const at = data.phases.findLast(({ is_open: isOpen }) => isOpen)
   return (
-    <Card aria-labelledby="phases">
+    <Card className="mt-4" aria-labelledby="phases">
       <CardHead id="phases" title="Phases" note={at && (at.is_done ? 'all done' : `now ${PHASE_WORDS[at.phase]}`)} />
       <div className="grid gap-3 p-3-inset-4">
         <ul className={classes.rows} aria-label="Phases">

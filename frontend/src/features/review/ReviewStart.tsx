@@ -13,7 +13,6 @@ import { EmptyState } from '@/ui/EmptyState'
 import { Refusal } from '@/ui/Refusal'
 
 import { JudgedLately } from './JudgedLately'
-import classes from './Review.module.css'
 
 /** The review room without a cue: it opens the first that waits, or says that none does. */
 export function ReviewStart(): ReactNode {
@@ -45,7 +44,7 @@ export function ReviewStart(): ReactNode {
   if (!queue.isKnown) return <h1 className="visually-hidden">Review</h1>
   if (isFiltered(filter)) {
     return (
-      <div className={`page grid gap-4 ${classes.nothing}`}>
+      <div className="page max-w-720px grid gap-4">
         <EmptyState
           head="No cues match this filter"
           level={1}
@@ -61,7 +60,7 @@ export function ReviewStart(): ReactNode {
     )
   }
   return (
-    <div className={`page grid gap-4 ${classes.nothing}`}>
+    <div className="page max-w-720px grid gap-4">
       <EmptyState
         head="Nothing to review"
         level={1}

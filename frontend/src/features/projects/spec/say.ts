@@ -125,7 +125,12 @@ export function targetLines({ resolved: { targets } }: Spec): Line[] {
   ]
 }
 
-const SEVERITY_VERBS: Record<Severity, string> = { error: 'returns', warning: 'warns', off: 'not checked' }
+/** What follows of a finding. */
+export const FOLLOWS: Record<Severity, string> = {
+  error: 'is sent back',
+  warning: 'gives a warning',
+  off: 'is not checked',
+}
 
 const range = (value: unknown) => {
   const { min, max } = tableIn(value)
@@ -179,7 +184,7 @@ export function differences(tables: Tables, category: string, checks: readonly C
     ...acceptDifferences(tableIn(own.accept), tableIn(tables.accept)),
     ...Object.entries(tableIn(own.checks)).map(
       ([name, severity]) =>
-        `${lower(checks.find((check) => check.name === name)?.label ?? name)} ${SEVERITY_VERBS[severity as Severity] ?? String(severity)}`,
+        `${lower(checks.find((check) => check.name === name)?.label ?? name)} ${FOLLOWS[severity as Severity] ?? String(severity)}`,
     ),
     ...limitDifferences(tableIn(own.limits), checks),
     ...('pattern' in naming ? [naming.pattern === 'any' ? 'any name' : `named ${String(naming.pattern)}`] : []),

@@ -188,9 +188,9 @@ test.each([
   [
     'targets.handheld',
     { sample_rate_hz: 22_050, bit_depth: 16, channels: 1 },
-    'A game file handheld is made, at 22.05 kHz, 16 bit, mono.',
+    'Game files for handheld are made, at 22.05 kHz, 16 bit, mono.',
   ],
-  ['targets.handheld', null, 'The game file handheld is no longer made.'],
+  ['targets.handheld', null, 'Game files for handheld are no longer made.'],
   ['targets.switch.budget_bytes', 48_000_000, 'The game files of switch may have up to 48.0 MB together.'],
   ['naming.separator', '-', 'The separator becomes -.'],
   ['naming.ucs_ids', null, 'The ucs ids is left out.'],

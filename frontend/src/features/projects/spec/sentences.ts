@@ -4,7 +4,7 @@ import { bytes, channels, rate } from '@/ui/format'
 import type { Check, Spec } from '../api'
 import { listed } from '../words'
 import { type HeldLimit, type Severity, severityOf, statedLimits, tuningLimits } from './checks'
-import { differences, exact, kindOf, lengthOf, type TargetFacts, targetInWords } from './say'
+import { differences, exact, FOLLOWS, kindOf, lengthOf, type TargetFacts, targetInWords } from './say'
 import { type Tables, tableIn } from './tables'
 
 export interface Sentence {
@@ -35,8 +35,6 @@ const numbers = (value: unknown): number[] =>
 
 const severity = (tables: Tables, check: Check): Severity =>
   severityOf(tableIn(tables.checks), check.name, check.severity)
-
-const FOLLOWS: Record<Severity, string> = { error: 'is sent back', warning: 'gives a warning', off: 'is not checked' }
 
 /** What breaks a limit, in words. */
 const BREAKS: Record<string, (figure: string) => string> = {
@@ -277,9 +275,9 @@ function targetSentence(name: string, setting: string | undefined, after: unknow
       ? `The game files of ${name} may have up to ${bytes(after)} together.`
       : `The memory of ${name} is not limited.`
   }
-  if (after === null) return `The game file ${name} is no longer made.`
+  if (after === null) return `Game files for ${name} are no longer made.`
   const facts = { bit_depth: 16, encoding: 'pcm', channels: 'source', ...tableIn(after) } as unknown as TargetFacts
-  return `A game file ${name} is made, at ${targetInWords(facts)}.`
+  return `Game files for ${name} are made, at ${targetInWords(facts)}.`
 }
 
 const leaves = (value: unknown, place: string[] = []): { place: string; value: unknown }[] =>

@@ -152,8 +152,8 @@ describe('in words', () => {
     expect(differences(tables, 'vo', checks as Check[])).toEqual([
       'mono',
       '0.01–60 s',
-      'true peak returns',
-      'clipping not checked',
+      'true peak is sent back',
+      'clipping is not checked',
       'leading silence 50 ms',
       'trailing silence 150 ms',
       'true peak not limited',

@@ -41,7 +41,6 @@ export function CueFields({
   })
   const flag = (field: DraftField, label: string) => (
     <Checkbox
-      classNames={{ input: classes.box, label: classes.boxLabel }}
       label={label}
       checked={draft[field] as boolean}
       onChange={(event) => onChange(field, event.currentTarget.checked)}

@@ -115,7 +115,6 @@ function BlocksField({ checked, onChange }: { checked: boolean; onChange: (check
   return (
     <Checkbox
       mt="xs"
-      classNames={{ input: fields.box, label: fields.boxLabel }}
       label="Work on this sound waits for the answer"
       checked={checked}
       onChange={(event) => onChange(event.currentTarget.checked)}
@@ -170,7 +169,6 @@ function AnswerForm({ question, projectId, opens }: { question: Question; projec
       </div>
       <Checkbox
         mt="xs"
-        classNames={{ input: fields.box, label: fields.boxLabel }}
         label="Add it to the cue’s description"
         checked={joins}
         onChange={(event) => setJoins(event.currentTarget.checked)}
