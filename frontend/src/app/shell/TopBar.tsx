@@ -1,3 +1,5 @@
+import { useEffect, useRef } from 'react'
+
 import { Count } from '@/ui/Count'
 import { Icon } from '@/ui/Icon'
 import { LazyMenu } from '@/ui/LazyMenu'
@@ -28,6 +30,10 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
   const under = inBar.filter(({ onPhone }) => onPhone === undefined)
   const home = homeOf(pathname, data)
   const area = areas.find(({ id }) => id === home?.area)
+  const pages = useRef<HTMLElement>(null)
+  useEffect(() => {
+    pages.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' })
+  }, [area?.id, home?.label])
   return (
     <header className={`sticky ${classes.head}`}>
       <div className={`items-center gap-4 bg-surface border-b ${classes.bar}`}>
@@ -97,7 +103,7 @@ export function TopBar({ data, areas, pathname, findKeys, onFind, onKeys }: TopB
       </div>
       <div className={`flex items-center gap-3 bg-surface border-b ${classes.sub}`}>
         {area && (
-          <nav className={`flex gap-2px ${classes.pages}`} aria-label={`Pages of ${area.label}`}>
+          <nav ref={pages} className={`flex gap-2px ${classes.pages}`} aria-label={`Pages of ${area.label}`}>
             {area.pages.map(({ label, path, count }) => (
               <ShellLink key={path} path={path} current={label === home?.label}>
                 {label}

@@ -120,6 +120,12 @@ test('a page below another is marked as part of it, in both rows', async () => {
   expect(pages('Game')[1]).toHaveAttribute('aria-current', 'page')
 })
 
+test('the page that is open is brought into sight in the second row', async () => {
+  const scrolled = vi.spyOn(Element.prototype, 'scrollIntoView')
+  await open(PRODUCER, '/projects/p1/builds')
+  expect(scrolled.mock.contexts).toEqual([pages('Game')[1]])
+})
+
 test('a designer begins with Deliveries', async () => {
   await open(DESIGNER, '/desk')
   expect(labels(DESIGNER)).toEqual(['Deliveries', 'Sounds', 'Review', 'Contract & money', 'Settings'])

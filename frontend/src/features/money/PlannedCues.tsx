@@ -19,7 +19,7 @@ interface PlannedCuesProps {
   onChange: (ids: readonly string[], changes: Partial<TypedCue>) => void
 }
 
-const OUTSIDE = { value: '', label: 'Not in this contract' }
+const OUTSIDE = { value: '', label: 'Not included' }
 
 /** Which cue is in which milestone, its price and how long it is thought to take. */
 export function PlannedCues({ cues, typed, currency, projectId, onChange }: PlannedCuesProps) {
