@@ -93,6 +93,7 @@ def test_a_new_token_and_a_new_producer_are_mailed_to_the_producers(world: World
     assert mails_to(world.server, reviewed) == []
     shown = world.producer.get("/v1/me/notices").json()["items"]
     assert [notice["subject"] for notice in shown] == mails_to(world.server, producer)[::-1]
+    assert shown[-1]["path"] == f"/projects/{world.project_id}/tokens"
 
 
 def test_a_new_desk_token_is_mailed_to_its_person(world: World) -> None:
