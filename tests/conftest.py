@@ -19,6 +19,8 @@ SQLITE, POSTGRES = "sqlite", "postgres"
 FOLDER, S3 = "folder", "s3"
 RECORDER: pytest.StashKey[Recorder] = pytest.StashKey()
 
+gc.disable()  # until all is collected: what is imported is never freed
+
 settings.register_profile("unhurried", deadline=None)  # how long an example takes says how busy the machine is
 settings.load_profile("unhurried")
 
@@ -77,6 +79,7 @@ def pytest_collection_finish() -> None:
     """Keep what is imported by now out of garbage collection, which would go through all of it again and again."""
     gc.collect()
     gc.freeze()
+    gc.enable()
 
 
 def needed(items: list[pytest.Item], folder: Path) -> list[pytest.Item]:
