@@ -68,7 +68,7 @@ class Take(Base):
         # Labels that hold typed words are found, the newest take first, without a look at takes that have none.
         Index(
             "ix_deliveries_takes_labelled",
-            *("project_id", "id", "label", "designer_id"),
+            *("project_id", "id", "label", "designer_id", "cue_id"),
             "studio_id",  # which the row policies of PostgreSQL ask for
             sqlite_where=text("label is not null"),
             postgresql_where=text("label is not null"),

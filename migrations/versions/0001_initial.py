@@ -4,7 +4,7 @@ import sqlalchemy as sa
 from alembic import op
 from sqlalchemy.dialects.postgresql import JSONB
 
-revision = "0001_8ae9b7aa"  # with a digest of the tables: a database that has other tables is recognized
+revision = "0001_16504615"  # with a digest of the tables: a database that has other tables is recognized
 down_revision = None
 branch_labels = None
 depends_on = None
@@ -2553,7 +2553,7 @@ def upgrade() -> None:
     op.create_index("ix_deliveries_takes_file_names", "deliveries_takes", ["project_id", "id", "file_name", "designer_id", "discarded_at", "studio_id"])
     op.create_index(op.f("ix_deliveries_takes_fix_of_id"), "deliveries_takes", ["fix_of_id"])
     op.create_index("ix_deliveries_takes_kept", "deliveries_takes", ["studio_id", "master_sha256", "master_bytes", "master_deleted_at"])
-    op.create_index("ix_deliveries_takes_labelled", "deliveries_takes", ["project_id", "id", "label", "designer_id", "studio_id"], sqlite_where=sa.text("label is not null"), postgresql_where=sa.text("label is not null"))
+    op.create_index("ix_deliveries_takes_labelled", "deliveries_takes", ["project_id", "id", "label", "designer_id", "cue_id", "studio_id"], sqlite_where=sa.text("label is not null"), postgresql_where=sa.text("label is not null"))
     op.create_index(op.f("ix_deliveries_takes_master_sha256"), "deliveries_takes", ["master_sha256"])
     op.create_index("ix_deliveries_takes_project_waiting", "deliveries_takes", ["project_id", "state", "state_since", "cue_id", "designer_id", "studio_id"])
     op.create_index(op.f("ix_deliveries_takes_split_of_id"), "deliveries_takes", ["split_of_id"])

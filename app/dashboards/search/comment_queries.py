@@ -101,15 +101,20 @@ def find_labels(
     session: Session, reach: InProject | Elsewhere, words: Sequence[str], *, limit: int
 ) -> list[FoundLabel]:
     """Return the newest takes on a cue of which the label holds every word."""
+    take_ids = (  # an index of the takes with a label has all that it looks at
+        select(Take.id)
+        .where(Take.label.is_not(None), *(_holds(Take.label, word) for word in words))
+        .where(Take.cue_id.is_not(None), *reach.conditions(Take))
+        .order_by(Take.id.desc())
+        .limit(limit)
+    )
     rows = session.execute(
         select(Take, Cue, Project, Person)
         .join(Cue, Cue.id == Take.cue_id)
         .join(Project, Project.id == Take.project_id)
         .outerjoin(Person, Person.id == Take.labelled_by)
-        .where(Take.label.is_not(None), *(_holds(Take.label, word) for word in words))
-        .where(*reach.conditions(Take))
+        .where(Take.id.in_(take_ids))
         .order_by(Take.id.desc())
-        .limit(limit)
     )
     return [FoundLabel(*row) for row in rows]
 
