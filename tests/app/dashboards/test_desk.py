@@ -78,5 +78,5 @@ def test_it_brings_every_open_question_and_the_answers_given_last(
     for question in (asked[1], asked[0]):
         world.producer.post(f"/v1/questions/{question['id']}/answer", json={"text": "Yes."})
     desk = world.designer.get(f"/v1/projects/{world.project_id}/desk").json()
-    found = [(question["text"], question["answer"]) for question in desk["questions"]]
-    assert found == [("One?", "Yes."), ("Three?", None)]
+    answers = [(question["text"], question["answer"]) for question in desk["questions"]]
+    assert answers == [("One?", "Yes."), ("Three?", None)]
